@@ -150,7 +150,9 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "rolling_stiffness": k,
             "rolling_spring_constant": k / R**2,
             "rolling_friction_coefficient": M / R / (P + 2 * P_c),
-            **({"rolling_resistance_coefficient": M / R / P} if P > 0 else {}),
+            **(
+                {"rolling_resistance_coefficient": M / R / P} if P / P_c > 1e-12 else {}
+            ),  # not a rounding of an approach
             "yield_force": M / R1,
             "yield_force_fixed_load": M / R1 - P * xi / R2,
             "yield_force_ratio": M / R1 / P_c,
@@ -246,7 +248,8 @@ def _peeling(
     ratio = force / (min(shear) / (4 * pi) * radius**2)
     first = _given_way(force, ratio, s)
     found = {"peeling_force": force, "peeling_radius": radius, "peeling_over_sliding": ratio}
-    return found | {"sliding_or_peeling_force": first, "rolling_over_sliding": Q / first if first else mpf("inf")}
+    at_pull_off = s < 1e-7  # within the rounding of a load, which may put it there
+    return found | {"sliding_or_peeling_force": first, "rolling_over_sliding": mpf("inf") if at_pull_off else Q / first}
 
 
 def _aggregates(

@@ -11,7 +11,7 @@ import pytest
 from harness import Run
 from jkroll import solve
 from jkroll.cli.commands import COMMANDS
-from jkroll.output.manual import page, topics
+from jkroll.output.manual import FIELD_TERMS, page, sections, topics
 from relative import approx
 from transcripts import copied, exit_code, printed, rounded, transcripts
 
@@ -67,9 +67,33 @@ def test_a_page_is_markdown_in_a_pipe_and_text_on_a_terminal(run: Run, topic: st
 
 def test_topics_are_listed_and_guessed(run: Run) -> None:
     assert [line.split()[0] for line in run("guide").out.splitlines()] == [*PAGES]
-    refused = run("guide unit")
+    refused = run("guide unitts")
     assert refused.code == 2
     assert "did you mean units?" in refused.err
+
+
+def test_the_terms_of_the_field_belong_to_sections() -> None:
+    assert {(section.page, section.heading) for section in sections()} >= FIELD_TERMS.keys()
+
+
+@pytest.mark.parametrize("command", ["guide", "quantities"])
+@pytest.mark.parametrize("words", ["humidity", "contact angle", "roughness", "capillary", "meniscus", "water"])
+def test_a_term_of_the_field_finds_its_section(run: Run, command: str, words: str) -> None:
+    ran = run(f"{command} {words}")
+    assert ran.out.startswith("## Rough and humid\n")
+    assert "\nfrom the page measurements: jkroll guide measurements\n" in ran.out
+    assert "twisting_angle" not in ran.out
+
+
+def test_all_words_are_sought_in_manual_quantities_and_materials(run: Run) -> None:
+    lines = run("guide restitution").out.splitlines()
+    assert "energies      Energies by convention" in lines
+    assert run("guide dem Damping").out.startswith("## Other programs, and damping\n")
+    assert "\nquantities: tabor_parameter: jkroll quantities tabor\n" in run("guide tabor").out
+    assert run("guide quartz").out.endswith("\nmaterials: quartz: jkroll materials quartz\n")
+    assert run("quantities stickiness").out.startswith("sticking_speed: ")
+    assert "jkroll materials silica-humid" in run("quantities silica humid").out
+    assert run("guide quartz xyzzy").code == run("quantities humidity --json").code == 2
 
 
 @pytest.mark.parametrize("name", ["tabor", "tabor-parameter", "tabor_parameter"])

@@ -239,6 +239,8 @@ OUTSIDE: Mapping[str, Callable[[Scene], bool]] = {
     "peeling_force": lambda values: values["load_margin"] < 0,
     "peeling_radius": lambda values: values["load_margin"] < 0,
     "peeling_over_sliding": lambda values: "peeling_force" not in values,
+    "sliding_or_peeling_force": lambda values: "peeling_force" not in values or values["load_margin"] < 0,
+    "rolling_over_sliding": lambda values: "sliding_or_peeling_force" not in values,
     "contact_radius_dmt_at_approach": lambda values: values["approach_at_load"] < 0,
     "zone_span": lambda values: values["edge_ratio"] == 0,
     "approach_maugis_at_load": lambda values: values["edge_ratio"] == 0,

@@ -183,7 +183,7 @@ def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
     hatch_of: dict[str, set[str]] = {}
     for name in ("3b", "8"):
         _, page = in_a_column(name)
-        (legend,) = page.legends
+        legend: Any = page.axes[0].get_legend()
         keys = {str(patch.get_label()): patch.get_hatch() for patch in legend.get_patches() if patch.get_hatch()}
         drawn = {hatch for one in page.axes[0].collections for hatch in getattr(one, "hatches", [None]) if hatch}
         assert drawn == {*keys.values()}
@@ -402,6 +402,23 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
     models = (typeset(text) for text in ("⟦M⟧:", "⟦M_0⟧:", "⟦M_half⟧:", "⟦M_δ⟧:"))
     assert all(any(model in text for text in shown) for model in models)
+
+
+@pytest.mark.parametrize("width", [85, 180])
+def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width: int) -> None:
+    """No legend is half as high as its panel, no title of an axis ends a line with a comma, and texts keep off the frame."""
+    picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, None)
+    with settings(PAPER):
+        page = figure_of(picture, width / 25.4, PAPER, has_caption=True)
+    assert len(page.axes) == 3
+    for each in page.axes:
+        axes: Any = each
+        frame = axes.get_window_extent()
+        assert axes.get_legend().get_window_extent().height < 0.5 * frame.height
+        assert not re.search(r",\s*$", f"{axes.get_xlabel()}\n{axes.get_ylabel()}", re.MULTILINE)
+        assert all(
+            frame.count_contains(text.get_window_extent().corners()) == 4 for text in axes.texts if text.get_text()
+        )
 
 
 def test_curves_that_coincide_are_drawn_once() -> None:

@@ -425,7 +425,7 @@ _COMMANDS = (
     ),
     Command(
         "quantities",
-        "List the names of quantities, or show what is known of one.",
+        "List quantities, find them by words, or show one in full.",
         Words("[NAME]...", INFINITY),
         lambda: (JSON, CSV),
         "runners:run_quantities",
@@ -434,8 +434,8 @@ _COMMANDS = (
     ),
     Command(
         "guide",
-        "Show a page of the manual, or list its topics.",
-        Words("[TOPIC]", 1),
+        "List the pages of the manual, show one, or search it by words.",
+        Words("[TOPIC]...", INFINITY),
         tuple,
         "runners:run_guide",
         "models",

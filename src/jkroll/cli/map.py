@@ -166,7 +166,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
 
 
 def _write_data(drawn: Map | Picture, path: str) -> None:
-    """Write the numbers as CSV into a file, or to stdout for "-". An empty line separates panels; a cell without a value is empty."""
+    """Write the numbers as CSV into a file, or to stdout for "-", with an empty line between panels."""
     with text_output(path) as out:
         if isinstance(drawn, Map):
             heads = (drawn.x.header(), drawn.y.header(), header(drawn.quantity))

@@ -7,6 +7,7 @@ import sys
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
+from ..quantities.errors import UnknownQuantity
 from ..text import quoted, say_wrapped
 from .commands import Call
 from .request import format_name, known_materials_of
@@ -81,20 +82,35 @@ def run_materials(call: Call) -> int:
 
 def run_quantities(call: Call) -> int:
     """List quantities, those that have some words, or one in full; return the exit code."""
-    from ..output.catalogue import quantities_found, write_quantities
+    from ..output.catalogue import write_quantities
+    from ..output.search import Hits, hits_of, quantities_named, write_hits
 
-    write_quantities(quantities_found(call.words), sys.stdout, format_name(call))
+    kind = format_name(call)
+    names = quantities_named(call.words)
+    hits = Hits([], names, []) if names else hits_of(call.words, known_materials_of(None).materials.values())
+    if hits.quantities:
+        write_quantities(hits.quantities, sys.stdout, kind)
+    elif any(hits) and kind in ("table", "plain"):
+        write_hits(call.words, hits, sys.stdout)
+    else:
+        raise UnknownQuantity(" ".join(call.words))
+    if kind == "table" and hits.quantities and hits.sections:
+        say_wrapped(f"in the manual: jkroll guide {' '.join(call.words)}", sys.stdout)
     return 0
 
 
 def run_guide(call: Call) -> int:
-    """Show a page of the manual, or list its topics; return the exit code."""
-    from ..output.manual import write_page, write_topics
+    """Show a page of the manual, list its topics, or show what has some words; return the exit code."""
+    from ..output.manual import page, topics, write_text, write_topics
+    from ..output.search import hits_of, write_hits
 
-    if call.words:
-        write_page(call.words[0], sys.stdout)
-    else:
+    topic = " ".join(call.words)
+    if not call.words:
         write_topics(sys.stdout)
+    elif topic in topics():
+        write_text(page(topic), sys.stdout)
+    else:
+        write_hits(call.words, hits_of(call.words, known_materials_of(None).materials.values()), sys.stdout)
     return 0
 
 

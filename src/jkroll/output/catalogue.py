@@ -1,18 +1,18 @@
 """The materials and the quantities of the nomenclature as text: lists of them, and all that is known of one."""
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
 from ..materials.library import Material
-from ..quantities.errors import QUANTITY_SYNONYMS, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header, named, with_symbol
+from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, header
 from ..rows.columns import Wanted
+from ..scene.limits import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
 from ..text import first_of, json_text, say, say_wrapped
 from .records import Cell, write_records
+from .search import has_words, without_variants, words_of
 from .sources import bibtex, docstring_fields
 
 
@@ -176,37 +176,6 @@ _HEADS = ("name", "symbol", "unit", "option", "commands", "equation", "meaning")
 _MAX_NAMED = 3  # commands that are named; more of them are counted
 
 
-def quantities_found(words: Sequence[str]) -> list[str]:
-    """Return the quantities that the words name, or a list of them with commas, else those whose entry has each word.
-
-    Of these, those that have the words in their name stand first, variants last; a variant is left out where its quantity
-    is found. Raises UnknownQuantity if none has them.
-    """
-    if not words:
-        return list(NOMENCLATURE)
-    several = [named(word.strip()) for word in " ".join(words).split(",")]
-    if len(several) > 1 and NOMENCLATURE.keys() >= {*several}:
-        return [*dict.fromkeys(several)]
-    text = "_".join(" ".join(words).split())
-    if exact := [named(text)] if named(text) in NOMENCLATURE else with_symbol(text):
-        return exact
-    begun = _pieces(words)
-    found = [
-        name for name in NOMENCLATURE if begun and _has(_called(name) | _pieces([NOMENCLATURE[name].sentence]), begun)
-    ]
-    found.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), not _has(_called(name), begun)))
-    meant = QUANTITY_SYNONYMS.get(text.casefold())
-    found = [*([meant] if meant else []), *(name for name in found if name != meant)]
-    if not found:
-        raise UnknownQuantity(" ".join(words))
-    return _without_variants(found)
-
-
-def _without_variants(names: Sequence[str]) -> list[str]:
-    """Return names without the variants of quantities that are among them."""
-    return [name for name in names if NOMENCLATURE[name].variant_of not in names]
-
-
 def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
     """Write a list of quantities in a format, or a single one in full."""
     if kind == "json":
@@ -217,8 +186,9 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
     elif kind == "table":
         from .table import write_wrapped
 
-        rows = [_quantity_table_row(name) for name in _without_variants(names)]
-        write_wrapped(("name", "symbol", "unit", "meaning"), rows, out)
+        for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names}).items():
+            write_wrapped((title, "symbol [unit]", "meaning"), [*map(_quantity_table_row, members)], out)
+            say("", out)
     else:
         write_records(_HEADS, map(_quantity_row, names), kind, out)
 
@@ -252,22 +222,7 @@ def commands_of(name: str) -> tuple[str, ...]:
 
 def _is_related(other: str, name: str) -> bool:
     """Return whether the name of another quantity has all words of a name, and is no variant."""
-    return other != name and not NOMENCLATURE[other].variant_of and _has(_pieces([other]), _pieces([name]))
-
-
-def _called(name: str) -> set[str]:
-    """Return the words in the name, symbol and option of a quantity."""
-    return _pieces([name, NOMENCLATURE[name].symbol, NOMENCLATURE[name].option])
-
-
-def _pieces(texts: Iterable[str]) -> set[str]:
-    """Return the words of texts, in lower case and without underscores and signs."""
-    return set(re.findall(r"[^\W_]+", " ".join(texts).casefold()))
-
-
-def _has(words: Iterable[str], begun: Iterable[str]) -> bool:
-    """Return whether each text of `begun` begins one of the words."""
-    return all(any(word.startswith(piece) for word in words) for piece in begun)
+    return other != name and not NOMENCLATURE[other].variant_of and has_words(other, words_of([name]))
 
 
 def _quantity_row(name: str) -> list[str]:
@@ -277,12 +232,32 @@ def _quantity_row(name: str) -> list[str]:
 
 
 def _quantity_table_row(name: str) -> list[str]:
-    """Return the cells of a list: the option and the equation stand behind the meaning."""
+    """Return the cells of a list."""
     quantity = NOMENCLATURE[name]
     variant = f", variant of {quantity.variant_of}" if quantity.variant_of else ""
-    equation = f", Eq {quantity.equation}" if quantity.equation else ""
-    option = f"; {quantity.option}" if quantity.option else ""
-    return [name, quantity.symbol, pretty(quantity.unit), f"{quantity.sentence}{variant}{equation}{option}"]
+    unit = f" [{pretty(quantity.unit)}]" if quantity.unit not in ("", "1") else ""
+    return [name, quantity.symbol + unit, quantity.sentence + variant]
+
+
+def _groups() -> dict[str, list[str]]:
+    """Return all quantities but variants in groups of a screen, each in the first to which it belongs."""
+    groups: dict[str, Collection[str]] = {
+        **{
+            f"of sphere {side}": [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == side] for side in (1, 2)
+        },
+        "input": [name for name, quantity in NOMENCLATURE.items() if quantity.example],
+        **{f"jkroll {command}": question.quantities for command, question in QUESTIONS.items()},
+        "of DEM": (*OF_DEM, "time_step"),
+        "limit": [limit.name for limit in LIMITS],
+        "of Maugis' law": OF_MAUGIS,
+        "further": NOMENCLATURE,
+    }
+    left = without_variants(list(NOMENCLATURE))
+    found = {}
+    for title, members in groups.items():
+        found[title] = [name for name in left if name in members]
+        left = [name for name in left if name not in members]
+    return {title: members for title, members in found.items() if members}
 
 
 def _write_quantity(name: str, out: TextIO) -> None:

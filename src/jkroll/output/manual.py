@@ -1,26 +1,44 @@
 """The manual: pages of Markdown, set by rich on a terminal, and as they are in a pipe."""
 
 import os
-from typing import TextIO
+import re
+from collections.abc import Mapping
+from typing import NamedTuple, TextIO
 
-from ..errors import JkrollError
-from ..text import closest, fitting, quoted, say
+from ..text import fitting, say
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
 
+# Words of the field by which a section is sought, besides those of its heading.
+FIELD_TERMS: Mapping[tuple[str, str], str] = {
+    ("dem", "Other programs, and damping"): "dissipation viscous coefficient of restitution",
+    ("dem", "What other codes call γ"): "cohesion energy density",
+    ("energies", "Energies by convention"): "stickiness sticking bouncing coefficient of restitution",
+    ("measurements", "Rough and humid"): (
+        "roughness asperities capillary meniscus humidity moisture water liquid wetting contact angle"
+    ),
+    ("models", "Between JKR and DMT"): "tabor parameter maugis law",
+    ("validation", "Measurements"): "stickiness sticking bouncing coefficient of restitution",
+}
 
-class UnknownTopic(JkrollError):
-    """Error raised for a topic on which the manual has no page."""
 
-    def __init__(self, topic: str) -> None:
-        super().__init__(topic)
-        self.topic = topic
+class Section(NamedTuple):
+    """A section of a page: what stands under a heading of the second rank, or before the first of them."""
 
-    def __str__(self) -> str:
-        guess = closest(self.topic, topics())
-        meant = f"did you mean {guess}? " if guess else ""
-        return f"guide: there is no page {quoted(self.topic, 40)}; {meant}there are {', '.join(topics())}"
+    page: str
+    heading: str
+    text: str  # Markdown, with the heading
+
+    @property
+    def title(self) -> str:
+        """The words by which it is sought: page, heading and the terms of the field."""
+        return f"{self.page} {self.heading} {FIELD_TERMS.get((self.page, self.heading), '')}"
+
+    @property
+    def prose(self) -> str:
+        """The text without what programs print."""
+        return re.sub(r"^```.*?^```", "", self.text, flags=re.DOTALL | re.MULTILINE)
 
 
 def topics() -> tuple[str, ...]:
@@ -30,16 +48,19 @@ def topics() -> tuple[str, ...]:
 
 
 def page(topic: str) -> str:
-    """Return the page of a topic as Markdown, or raise UnknownTopic."""
-    if topic not in topics():
-        raise UnknownTopic(topic)
+    """Return the page of a topic as Markdown."""
     with open(os.path.join(_FOLDER, topic + _ENDING), encoding="utf-8") as file:
         return file.read()
 
 
-def write_page(topic: str, out: TextIO) -> None:
-    """Write the page of a topic."""
-    text = page(topic)
+def sections() -> list[Section]:
+    """Return the sections of all pages."""
+    pieces = ((topic, piece) for topic in topics() for piece in re.split(r"^(?=## )", page(topic), flags=re.MULTILINE))
+    return [Section(topic, piece.partition("\n")[0].lstrip("# "), piece) for topic, piece in pieces]
+
+
+def write_text(text: str, out: TextIO) -> None:
+    """Write Markdown."""
     if out.isatty():
         from .markdown import write_markdown
 

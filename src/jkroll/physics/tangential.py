@@ -235,7 +235,8 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
     for _ in range(_NEWTON_STEPS):  # from above, on a convex function
         growth = 1 + e * c
         root = cbrt(growth)
-        c = c - (share * growth * root - (1 - c) * (1 + c)) / (4 / 3 * share * e * root + 2 * c)
+        slope = 4 / 3 * share * e * root + 2 * c + (c == 0)  # where c is 0, it is the root
+        c = c - (share * growth * root - (1 - c) * (1 + c)) / slope
     return peeling_force / ratio * cbrt(1 + e * c) ** 2
 
 

@@ -79,12 +79,7 @@ def bracketed(unit: str) -> str:
 
 
 def round_values(
-    low: float,
-    high: float,
-    most: int,
-    *,
-    is_log: bool,
-    digits: Sequence[Sequence[int]] = ((1, 2, 5), (1,)),
+    low: float, high: float, most: int, *, is_log: bool, digits: Sequence[Sequence[int]] = ((1, 2, 5), (1,))
 ) -> list[float]:
     """Return at most `most` round values between two: as many as fit of 1, 2 and 5 times powers of ten, or equal steps.
 

@@ -145,7 +145,7 @@ def _lacking(scene: Scene, *names: str) -> NotInLaw | None:
     return None
 
 
-# The panels of a contact, each with the quantities that a law must have, and with those that are shown, too, if there is one law.
+# The panels of a contact, each with the quantities that a law must have, and those that one law shows, too.
 _Panel = tuple[Callable[[Sequence[Scene], Loads | None], Panel], tuple[str, ...], tuple[str, ...]]
 PANELS: Mapping[str, _Panel] = {
     "force": (_force, _FORCE, ()),

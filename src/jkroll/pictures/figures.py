@@ -125,7 +125,7 @@ def paper_map(
 
 
 def _beyond_rolling(here: Scene) -> Any:
-    """Return by how much the spin of Eq (47), which has (2/7)W0, falls short of W_yield, as the logarithm of a factor."""
+    """Return by how much the spin of Eq (47), (2/7)W0, falls short of W_yield, as the logarithm of a factor."""
     import numpy
 
     return -numpy.log(2 / 7 * here["energy_over_yield"])
@@ -144,14 +144,8 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     import numpy
 
     scene = Scene(SIZE, materials["quartz"])
-    names = (
-        *AREA_AND_PRESSURES,
-        "contact_modulus",
-        "reduced_radius",
-        "approach_at_load",
-        "yield_moment",
-        "half_circles_moment",
-    )
+    moduli = ("contact_modulus", "reduced_radius", "approach_at_load")
+    names = (*AREA_AND_PRESSURES, *moduli, "yield_moment", "half_circles_moment")
     state = solved(scene, names, {})
     shift = float(scene["yield_displacement"])
     a = state["contact_radius_at_load"]

@@ -21,7 +21,7 @@ _NEAR = 8.0  # a text that is farther has a line to its point
 
 
 def label_points(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
-    """Draw marked points, each with its text where it covers least, and a line to a far one; return the boxes of all."""
+    """Draw marked points with their texts, where these cover least; return the boxes of all."""
     import numpy
 
     scale, lines = axes.figure.dpi / 72, _points_of_lines(axes)
@@ -69,7 +69,7 @@ def label_points(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
 
 
 def _move(text: Any, way: tuple[float, float], frame: Any) -> None:
-    """Put a text so far from its point, in points of the page, with the side towards it there, and to the side into the frame."""
+    """Put a text so far from its point, in points of the page, and to the side into the frame."""
     sides = [(step > 0) - (step < 0) for step in way]
     text.set(position=way, ha=("center", "left", "right")[sides[0]], va=("center", "bottom", "top")[sides[1]])
     box = text.get_window_extent()

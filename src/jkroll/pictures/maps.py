@@ -1,7 +1,6 @@
-"""Maps and curves as data: a quantity over two inputs, its contours, the regions and marks on it; panels of curves and points.
+"""Maps and panels of curves as data: values, contours, regions, marks.
 
-Nothing is drawn here. Everything is computed on whole arrays. In the regions of a map, the model has no
-meaning or is not exact.
+Nothing is drawn here. In the regions of a map, the model has no meaning or is not exact.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -144,11 +143,6 @@ def solved(scene: Scene, names: Sequence[str], values: Mapping[str, Any]) -> dic
     return values_of(scene.replace(**values), names)
 
 
-def value_on(axis: Axis, scene: Scene) -> float | None:
-    """Return the value that a scene has on an axis, perhaps beyond its ends; None if the scene does not determine it."""
-    return scene.numbers(axis.name).get(axis.name)
-
-
 def over(scene: Scene, x: Axis, y: Axis | None = None) -> Scene:
     """Return a scene of arrays along one axis, or over two, with a row for each value of y."""
     if y is None:
@@ -165,7 +159,7 @@ def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis | None = None) -> Any
 
 
 def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, ...], tuple[str, ...]]:
-    """Return a mark for each material that determines a place on an axis, and the sentence of a caption that names the others.
+    """Return a mark for each material that has a place on an axis, and the sentence of a caption on the others.
 
     Materials with a state are not asked: several of one substance would crowd the edge.
     """
@@ -173,25 +167,14 @@ def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, 
     for material in materials.materials.values():
         if material.state:
             continue
-        scene = Scene({}, material)
-        places = [
-            value if value is not None and axis.has(value) else None
-            for axis, value in ((x, value_on(x, scene)), (y, value_on(y, scene)))
-        ]
+        outcomes = [(axis, Scene({}, material).evaluate([axis.name])[axis.name]) for axis in (x, y)]
+        places = [value if isinstance(value, float) and axis.has(value) else None for axis, value in outcomes]
         if places == [None, None]:
-            others.append(material.name + (_lacking(scene, x) or _lacking(scene, y)))
+            reasons = (lacking(error) for _, error in outcomes if isinstance(error, MissingInput))
+            others.append(material.name + next(filter(None, reasons), ""))
         else:
             marks.append(Mark(material.name, *places))
     return tuple(marks), (f"Not shown: {', '.join(others)}.",) if marks and others else ()
-
-
-def _lacking(scene: Scene, axis: Axis) -> str:
-    """Return the properties that the material of a scene lacks for a place on an axis, in brackets; empty if it has them."""
-    try:
-        scene.plan(axis.name)
-    except MissingInput as error:
-        return lacking(error)
-    return ""
 
 
 def lacking(error: MissingInput) -> str:
@@ -207,12 +190,12 @@ COARSE = 200  # points a side at which limits are judged, to say where they are 
 
 
 def limits_of(scene: Scene, quantity: str) -> list[Limit]:
-    """Return the limits that concern a quantity of a scene, those that are drawn on a map first. Raises MissingInput."""
+    """Return the limits that concern a quantity, those that are drawn on a map first. Raises MissingInput."""
     return sorted(touched(scene, [quantity]), key=_place)
 
 
 def limits_of_paper(quantity: str) -> list[Limit]:
-    """Return the limits of JKR that are drawn on a map of the paper: those within which a point has a meaning, and that of the law."""
+    """Return the limits of JKR that are drawn on a map of the paper."""
     drawn = [limit for limit in LIMITS if is_drawn(limit) and DEFAULT_LAW in (limit.laws or LAWS)]
     return sorted((limit for limit in drawn if limit.factor is None or has_law(quantity)), key=_place)
 
@@ -227,7 +210,7 @@ def _place(limit: Limit) -> int:
 
 
 def beyond(doubt: Doubt, law: Law, known: Any) -> Iterator[tuple[float, str, Any]]:
-    """Iterate over the thresholds that known elements of a doubt pass: the excess at each, the text on it, and the elements beyond it.
+    """Iterate over the thresholds that known elements pass: the excess there, the text, and the elements beyond.
 
     Of a law it is the last threshold, then the first, unless all elements are beyond the last.
     """
@@ -283,7 +266,7 @@ def limits_on_map(
 
 
 def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
-    """Return how far a limit on a quantity is exceeded over a step, as the logarithm of a factor, nowhere beyond that of a map."""
+    """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
     import numpy
 
     (doubt,) = judged([limit], here, [quantity])
@@ -291,7 +274,7 @@ def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
 
 
 def _side(here: Scene, is_beyond: Any, known: Any) -> str:
-    """Return where a map is beyond a line of the law of attraction: on one side by μ, if that decides, or else by its axes."""
+    """Return on which side of the line of a law a map is beyond it: by μ, if that decides, or by its axes."""
     import numpy
 
     others = known & ~is_beyond
@@ -351,7 +334,7 @@ class Picture(NamedTuple):
 
 
 def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
-    """Return an axis that holds all finite values, with a margin; logarithmic if it may be and they are of different orders."""
+    """Return an axis that holds all finite values; logarithmic if it may be and they are of different orders."""
     import numpy
 
     known = numpy.concatenate([numpy.ravel(array) for array in values])

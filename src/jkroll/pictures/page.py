@@ -11,17 +11,11 @@ from math import ceil
 from typing import Any
 
 import matplotlib as mpl  # type: ignore[import-not-found,unused-ignore]
+from matplotlib import ticker  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
-from matplotlib.ticker import (  # type: ignore[import-not-found,unused-ignore]
-    AutoMinorLocator,
-    EngFormatter,
-    LogLocator,
-    MaxNLocator,
-    NullFormatter,
-)
 from matplotlib.transforms import ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
 from .. import __version__
@@ -82,7 +76,7 @@ def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_c
 
 
 def _columns(panels: int, inches: float) -> int:
-    """Return the number of columns of panels: few stand in one row or one column, many in rows that fill no more than a page."""
+    """Return the number of columns of panels: few stand in one row or one column, many in rows."""
     if panels > 3:
         return 3 if inches / 3 >= _NARROWEST else 2
     return panels if inches / panels >= _NARROWEST else 1
@@ -94,7 +88,7 @@ def _letters(inches: float) -> int:
 
 
 def _fit(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> None:
-    """Put a legend below each of the axes, and set the height of a page to that of its parts, measured as they are drawn."""
+    """Put a legend below each of the axes, and set the height of a page to that of its parts."""
     figure.draw_without_rendering()
     dpi = figure.dpi
     heights: dict[int, float] = {}
@@ -105,7 +99,7 @@ def _fit(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) ->
         if handles:
             legend = axes.legend(
                 handles=handles, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=axes.transAxes + corner,
-                handlelength=2.4 if any(map(_is_drawn, handles)) else 0.0,
+                handlelength=2.4,
             )  # fmt: skip
             for text in legend.get_texts():
                 text.set_linespacing(1.0)
@@ -118,11 +112,6 @@ def _fit(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) ->
     for _ in range(2):  # the first time, the layout sets out from the places on the higher page
         figure.draw_without_rendering()
     figure.set_layout_engine("none")  # the places of labels are measured in this layout
-
-
-def _is_drawn(key: Any) -> bool:
-    """Return True if a key of a legend shows a line or a pattern, and is not a text alone."""
-    return isinstance(key, Line2D) or bool(key.get_edgecolor()[3] or key.get_facecolor()[3])
 
 
 @contextmanager
@@ -178,18 +167,18 @@ def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> Non
     axes.set(**{f"{which}scale": "log" if axis.is_log else "linear", f"{which}lim": (axis.low, axis.high)})
     if axis.is_log:
         is_long = axis.high > 50 * axis.low
-        side.set_major_locator(LogLocator(subs=(1,) if is_long else (1, 2, 5), numticks=most))
-        side.set_minor_formatter(NullFormatter())
+        side.set_major_locator(ticker.LogLocator(subs=(1,) if is_long else (1, 2, 5), numticks=most))
+        side.set_minor_formatter(ticker.NullFormatter())
         if unit in PREFIXABLE:
-            side.set_major_formatter(EngFormatter(pretty(unit)))
+            side.set_major_formatter(ticker.EngFormatter(pretty(unit)))
             unit = ""
     else:
         end = max(abs(axis.low), abs(axis.high))
         number, unit = engineering(end, unit, 15)
         scale = end / float(number)
-        side.set_major_locator(MaxNLocator(min(most, 8), steps=[1, 2, 5, 10]))
+        side.set_major_locator(ticker.MaxNLocator(min(most, 8), steps=[1, 2, 5, 10]))
         side.set_major_formatter(lambda value, _: f"{value / scale:.12g}".replace("-", "−"))
-        side.set_minor_locator(AutoMinorLocator())
+        side.set_minor_locator(ticker.AutoMinorLocator())
     title = described(axis.name, pretty(unit)).replace(", ", ",\N{NO-BREAK SPACE}")  # no line ends behind a comma
     side.set_label_text("\n".join(lines(title, letters)), linespacing=1.0)
 
@@ -200,7 +189,7 @@ Contours = tuple[Any, Sequence[str], tuple[float, float]]  # with their labels, 
 
 
 def _draw_map(axes: Any, drawn: Map, style: Style, letters: int) -> tuple[list[Any], list[Contours]]:
-    """Draw bands, contours, regions, and what is marked on the edges; return the keys of a legend, and contours to label."""
+    """Draw all of a map but the texts inside; return the keys of a legend, and contours to label."""
     import numpy
 
     x, y = (axis._replace(size=FINE) for axis in (drawn.x, drawn.y))
@@ -238,7 +227,7 @@ def _draw_map(axes: Any, drawn: Map, style: Style, letters: int) -> tuple[list[A
 
 
 def _draw_region(axes: Any, region: Region, where: tuple[Any, Any, Any, Any], style: Style, letters: int) -> Any:
-    """Draw a region hatched or shaded, with its border, or the border alone, where the map has values; return its key."""
+    """Draw a region with its border, or the border alone, where the map has values; return its key."""
     import numpy
 
     text = "\n".join(lines(f"{region.text} {region.side}".strip(), letters))

@@ -34,7 +34,6 @@ from .maps import (
     limits_of,
     limits_on_map,
     material_marks,
-    value_on,
 )
 
 MAX_POINTS = 4_000_000  # of a map
@@ -72,8 +71,8 @@ class NothingToDraw(NoResult):
 
 def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
     """Return the mark of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` on a map."""
-    there = _scene_at(text, materials, scene)
-    mark = Mark(text, value_on(x, there), value_on(y, there))
+    numbers = _scene_at(text, materials, scene).numbers(x.name, y.name)
+    mark = Mark(text, numbers.get(x.name), numbers.get(y.name))
     if mark.x is None and mark.y is None:
         raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
     for axis, value in ((x, mark.x), (y, mark.y)):
@@ -240,7 +239,7 @@ class Context:
         self.notes = tuple(dict.fromkeys([*notes[:1], *idle, *data, *remarks]))
 
     def doubts(self, x: Axis, y: Any) -> Iterable[tuple[str, str]]:
-        """Iterate over clauses on the model, which has no meaning or is not exact, each with the part of a curve where that is so."""
+        """Iterate over clauses on limits that are exceeded, each with the part of a curve where that is so."""
         import numpy
 
         if not self.is_judged:
@@ -271,7 +270,7 @@ def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
 
 
 def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:
-    """Return notes on uncertain inputs, of which a picture has the middle, and on the data from which quantities follow.
+    """Return notes on uncertain inputs, of which a picture has the middle, and on the data behind quantities.
 
     `given`: the scene as a user gave it, of which `scene` is one point.
     """
@@ -280,7 +279,7 @@ def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequenc
 
 
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
-    """Return the first sentence of a caption: the quantity, and its equation and the law that was named, if there is one."""
+    """Return the first sentence of a caption: the quantity, its equation, and the law that was named."""
     entry = NOMENCLATURE[quantity]
     parts = [capitalized(entry.sentence), symbol(quantity)]
     equations = {equation_of(scene, quantity) for scene in scenes}

@@ -12,7 +12,7 @@ Colour = tuple[float, float, float]
 
 
 class Look(NamedTuple):
-    """The way in which a region is shown: its sign in a terminal; on a page its hatch or shade, and the line around it."""
+    """Look of a region: its sign in a terminal; on a page its hatch or shade, and the line around it."""
 
     sign: str
     hatch: str = ""

@@ -50,6 +50,7 @@ class UnknownQuantity(JkrollError):
 QUANTITY_SYNONYMS = {
     "adhesion": "pull_off_force",
     "adhesion_force": "pull_off_force",
+    "cohesion": "work_of_adhesion",
     "critical_angle": "yield_angle",
     "critical_displacement": "yield_displacement",
     "critical_rolling_angle": "yield_angle",
@@ -81,6 +82,7 @@ QUANTITY_SYNONYMS = {
     "sliding_stiffness": "tangential_stiffness",
     "spring_constant": "stiffness",
     "static_friction": "sliding_force",
+    "stickiness": "sticking_speed",
     "sticking_velocity": "sticking_speed",
     "surface_tension": "surface_energy",
     "torque": "yield_moment",

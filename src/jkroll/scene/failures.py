@@ -5,7 +5,7 @@ Below: the numbers for which the physics gives a formula no result, with the err
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isinf
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
@@ -204,86 +204,71 @@ class TooMuchHysteresis(NoResult):
         return f"{hysteresis} is above the work of adhesion, {work}, of which it is a part"
 
 
-class TwoRigidBodies(NoResult):
+class InFixedWords(NoResult):
+    """Base class of the errors whose words hold no numbers."""
+
+    words = ""
+
+    def __init__(self, name: str = "") -> None:
+        """`name`: the quantity that has no value, unless it is always the same or none in particular."""
+        super().__init__(name)
+        self.name = name or self.name
+
+    def reason(self) -> str:
+        """Return the words of this kind."""
+        return self.words
+
+
+class TwoRigidBodies(InFixedWords):
     """Error raised where both bodies are rigid: JKR's contact has no area then."""
 
     phrase = "both bodies are rigid"
-
-    def reason(self) -> str:
-        """Return what a contact area needs."""
-        return "both bodies are rigid; a contact area needs one that deforms"
+    words = "both bodies are rigid; a contact area needs one that deforms"
 
 
-class RestsOnSpacing(NoResult):
+class RestsOnSpacing(InFixedWords):
     """Error raised for a quantity that the atomic spacing decides on, where it was not given."""
 
     phrase = "needs atomic_spacing"
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
-
-    def reason(self) -> str:
-        """Return what decides."""
-        spacing = NOMENCLATURE["atomic_spacing"]
-        return f"rests on {spacing.symbol}; give {spacing.option} {spacing.example}"
+    words = "rests on {0.symbol}; give {0.option} {0.example}".format(NOMENCLATURE["atomic_spacing"])
 
 
-class NoChain(NoResult):
+class NoChain(InFixedWords):
     """Error raised for a chain that has a plane in it."""
 
     phrase = "sphere 2 is a plane"
+    words = "sphere 2 is a plane; a chain needs two spheres"
     name = "r_min"
 
-    def reason(self) -> str:
-        """Return what a chain needs."""
-        return "sphere 2 is a plane; a chain needs two spheres"
 
-
-class OfIdenticalSpheres(NoResult):
+class OfIdenticalSpheres(InFixedWords):
     """Error raised where all that is asked for is known of identical spheres only, and sphere 2 differs."""
 
     phrase = "sphere 2 differs"
-
-    def reason(self) -> str:
-        """Return what is wrong with sphere 2."""
-        return "sphere 2 differs from sphere 1; this is known of identical spheres only"
+    words = "sphere 2 differs from sphere 1; this is known of identical spheres only"
 
 
-class NotHeld(NoResult):
+class NotHeld(InFixedWords):
     """Error raised for what only spheres have that hold together by themselves, between pull-off and the fold."""
 
     phrase = "held by grips alone"
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
-
-    def reason(self) -> str:
-        """Return why the spheres do not hold together."""
-        return "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+    words = "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 
 
-class NotPressed(NoResult):
+class NotPressed(InFixedWords):
     """Error raised for a coefficient by which the load is multiplied, of a contact that no load presses."""
 
     phrase = "no load that presses"
+    words = "needs a load that presses the spheres; give --load 5nN"
     name = "rolling_resistance_coefficient"
 
-    def reason(self) -> str:
-        """Return which load it needs."""
-        return "needs a load that presses the spheres; give --load 5nN"
 
-
-class Apart(NoResult):
+class Apart(InFixedWords):
     """Error raised for what only a contact circle has, where spheres attract without touching."""
 
     phrase = "no contact circle"
+    words = "the spheres are bound without touching; there is no contact circle"
     name = "contact_displacement"
-
-    def reason(self) -> str:
-        """Return why there is no circle."""
-        return "the spheres are bound without touching; there is no contact circle"
 
 
 class NoFiniteValue(NoResult):
@@ -300,18 +285,10 @@ class NoFiniteValue(NoResult):
         return "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
 
 
-class InfiniteValue(NoResult):
+class InfiniteValue(InFixedWords):
     """Error raised where a number is to be written and the value is infinite, such as the mass of a plane."""
 
-    phrase = "infinite"
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
-
-    def reason(self) -> str:
-        """Return what the value is."""
-        return "infinite"
+    phrase = words = "infinite"
 
 
 NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
@@ -362,21 +339,6 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
 # --- Numbers for which the physics has no result ----------------------------------------------------------------------
 
 
-class Hold(NamedTuple):
-    """The hold of a contact: the input that ends it, the least value of that input, and the error beyond it."""
-
-    name: str
-    least: Any  # a number, or an array of numbers
-    error: type[BeyondPullOff] | type[BeyondFold]
-
-    def lets_go(self, value: Any) -> Any:
-        """Return whether a value at which a formula has no result is one without a contact, element by element for arrays.
-
-        The least value itself is one where rounding puts it beyond the end.
-        """
-        return value <= self.least
-
-
 def _is_held_by_grips_alone(given: Mapping[str, Any]) -> bool:
     """Return whether a state lies between pull-off and the fold, by its stiffness or by its distance from pull-off."""
     return bool(given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
@@ -406,20 +368,15 @@ _LEAST_APPROACH: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
 }
 
 
-def hold_of(step: str, given: Mapping[str, Any]) -> Hold | None:
-    """Return how far a contact holds by a formula that has no result beyond, given its arguments; None for other formulas."""
-    if step in _LEAST_LOAD:
-        return Hold("load", _LEAST_LOAD[step](given), BeyondPullOff)
-    if step in _LEAST_APPROACH:
-        return Hold("approach_at_load", _LEAST_APPROACH[step](given), BeyondFold)
-    return None
-
-
 def failure_of(step: str, given: Mapping[str, Any]) -> NoResult | None:
-    """Return why a formula has no result for these numbers, if the physics forbids it."""
-    hold = hold_of(step, given)
-    if hold is not None and hold.lets_go(given[hold.name]):
-        return hold.error(given[hold.name], hold.least)
+    """Return why a formula has no result for these numbers, if the physics forbids it.
+
+    The least load or approach itself is one without a contact where rounding puts it beyond the end.
+    """
+    if step in _LEAST_LOAD and given["load"] <= (least := _LEAST_LOAD[step](given)):
+        return BeyondPullOff(given["load"], least)
+    if step in _LEAST_APPROACH and given["approach_at_load"] <= (least := _LEAST_APPROACH[step](given)):
+        return BeyondFold(given["approach_at_load"], least)
     found: NoResult | None = None
     match step:
         case "r_min" if given["radius2"] == INFINITY:

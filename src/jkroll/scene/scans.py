@@ -38,7 +38,7 @@ def grid(name: str, sizes: tuple[float, float] | None = None) -> Any:
 def taken(name: str, values: Any) -> Any:
     """Return the values of an unknown that a scene takes in place of those that are too small or too large for it."""
     if name == "load":
-        return numpy.where(abs(values) < LEAST, 0.0, values)
+        return numpy.where(abs(values) < LEAST, 0.0, numpy.clip(values, -MOST, MOST))
     return numpy.clip(values, LEAST, MOST)
 
 
