@@ -25,7 +25,6 @@ class Question(NamedTuple):
 
     headline: tuple[str, ...]  # those that the command is named after; --bare writes them alone
     quantities: tuple[str, ...]  # all that are shown, in this order
-    also_by_maugis: tuple[str, ...] = ()  # those that are compared with Maugis' law besides the headline
     named: tuple[str, ...] = ()  # asked for by name: shown for any scene
     grid: Grid | None = None  # the table of one scene, if it is not a row for each quantity
     noted: tuple[str, ...] = ()  # whose values stand in a note below the table of one scene, and not in a row
@@ -79,7 +78,6 @@ _QUESTIONS = {
             "pull_off_work_at_dead_load",
             "sticking_energy",
         ),
-        ("sticking_energy",),
     ),
     "moment": Question(
         ("yield_moment",),
