@@ -1,20 +1,19 @@
 """The accuracy that a formula states, held against exact values."""
 
 import inspect
-import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
 
+from jkroll.physics.accuracy import accuracy_of
+
 Values = Mapping[str, Any]
 
 
 def stated_accuracy(formula: Callable[..., Any]) -> float:
-    """Return the number of ulp in the docstring of a formula."""
-    stated = re.search(r"Accuracy:? +(?:(?P<exact>[Ee]xact)|(?P<ulp>[\d.]+) ulp)", formula.__doc__ or "")
-    assert stated, "no number of ulp"
-    return 0.0 if stated["exact"] else float(stated["ulp"])
+    """Return the number of ulp that is stated for a formula."""
+    return float(accuracy_of(formula.__name__).partition(" ulp")[0])
 
 
 def check_accuracy(

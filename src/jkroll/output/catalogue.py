@@ -5,6 +5,7 @@ from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
 from ..materials.library import Material
+from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, header
 from ..rows.columns import Wanted
@@ -278,7 +279,7 @@ def _write_quantity(name: str, out: TextIO) -> None:
         "follows from": ", ".join(parameters),
         "source": fields.get("Source", ""),
         "valid": fields.get("Valid", ""),
-        "accuracy": fields.get("Accuracy", ""),
+        "accuracy": accuracy_of(formula.__name__) if formula else "",
         "note": quantity.note,
         "variant of": quantity.variant_of,
         "variants": ", ".join(other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name),

@@ -10,6 +10,7 @@ from ..answers.alternatives import readings_of
 from ..answers.answer import Answer
 from ..answers.results import Result
 from ..errors import BadRequest, JkrollError
+from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.nomenclature import NOMENCLATURE
@@ -19,7 +20,7 @@ from ..scene.wiring import Step
 from ..text import say, say_wrapped
 from .notes import every_line
 
-_SECTIONS = ("Source", "Valid", "Accuracy")
+_SECTIONS = ("Source", "Valid")
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
 _STEP_INDENT = 27
 _STEP = 1e-6  # relative, of the differences that give an exponent
@@ -27,7 +28,7 @@ _LARGEST_DENOMINATOR = 12  # of an exponent shown as a fraction
 
 
 def docstring_fields(formula: Any) -> dict[str, str]:
-    """Return the parts of a formula's docstring: "summary", "formula", "Source", "Valid" and "Accuracy".
+    """Return the parts of a formula's docstring: "summary", "formula", "Source" and "Valid".
 
     >>> from jkroll.physics.rolling import r_min
     >>> docstring_fields(r_min)["formula"]
@@ -85,6 +86,7 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     lines += [_line(step.name, scene, form, _formula_of(step)) for step in steps[:-1]]
     lines += _found(result, form)
     lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS if key in fields]
+    lines.append(f"  accuracy  {accuracy_of(steps[-1].formula.__name__)} above its arguments")
     lines.append(f"  power law {power_law(scene, result.name)}")
     if quantity.note:
         lines.append(f"  note      {quantity.note}")

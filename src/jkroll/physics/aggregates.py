@@ -19,7 +19,6 @@ def contacts(*, monomers: Number) -> Number:
 
     Source:   A chain or a fractal aggregate without closed loops has N − 1.
     Valid:    Loose aggregates; compact ones have up to 6N.
-    Accuracy: Exact.
 
     >>> contacts(monomers=1000.0)
     1000.0
@@ -34,7 +33,6 @@ def restructuring_energy(*, roll_energy_quarter_turn: Energy) -> Energy:
 
     Source:   Dominik & Tielens 1997, as Ormel et al. 2007 cite it.
     Valid:    Measured thresholds agree if the rolling force is the measured one (Blum & Wurm 2000).
-    Accuracy: 0.5 ulp above E_roll.
 
     >>> restructuring_energy(roll_energy_quarter_turn=2.0)
     10.0
@@ -49,7 +47,6 @@ def restructuring_energy_ormel(*, roll_energy_quarter_turn: Energy) -> Energy:
 
     Source:   Ormel et al. 2007.
     Valid:    As 5E_roll.
-    Accuracy: Exact.
 
     >>> restructuring_energy_ormel(roll_energy_quarter_turn=2.0)
     2.0
@@ -64,7 +61,6 @@ def restructuring_speed(*, restructuring_energy: Energy, monomers: Number, mass:
 
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    As the energy; a head-on collision.
-    Accuracy: 2 ulp above E_restr and m1.
 
     >>> restructuring_speed(restructuring_energy=8.0, monomers=4.0, mass=2.0)
     2.0
@@ -79,7 +75,6 @@ def restructuring_speed_ormel(*, restructuring_energy_ormel: Energy, monomers: N
 
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    As the energy; a head-on collision.
-    Accuracy: 2 ulp above E_restr and m1.
 
     >>> restructuring_speed_ormel(restructuring_energy_ormel=8.0, monomers=4.0, mass=2.0)
     2.0
@@ -94,7 +89,6 @@ def disruption_energy(*, pull_off_work: Energy, contacts: Number) -> Energy:
 
     Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", here those of both.
     Valid:    Two-dimensional aggregates, head-on. The abstract does not say which E_break it takes.
-    Accuracy: 1.5 ulp above E_break.
 
     >>> disruption_energy(pull_off_work=2.0, contacts=3.0)
     120.0
@@ -109,7 +103,6 @@ def disruption_energy_dust_simulation(*, break_energy_dust_simulation: Energy, c
 
     Source:   Wada et al. 2007, as above; E_break as coded in Lumajord/DustSimulation.
     Valid:    Two-dimensional aggregates, head-on. The abstract does not say which E_break it takes.
-    Accuracy: 1.5 ulp above E_break.
 
     >>> disruption_energy_dust_simulation(break_energy_dust_simulation=2.0, contacts=3.0)
     120.0
@@ -124,7 +117,6 @@ def disruption_speed(*, disruption_energy: Energy, monomers: Number, mass: Mass)
 
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    As the energy; a head-on collision.
-    Accuracy: 2 ulp above E_disr and m1.
 
     >>> disruption_speed(disruption_energy=8.0, monomers=4.0, mass=2.0)
     2.0
@@ -141,7 +133,6 @@ def disruption_speed_dust_simulation(
 
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    As the energy; a head-on collision.
-    Accuracy: 2 ulp above E_disr and m1.
 
     >>> disruption_speed_dust_simulation(disruption_energy_dust_simulation=8.0, monomers=4.0, mass=2.0)
     2.0
@@ -159,7 +150,6 @@ def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filli
     Source:   As coded in danieljprice/phantom, porosity.f90, which has another E_roll; it tends to Kataoka et al. 2013,
               E_roll φ³/R1³, with E_roll as StephaneMichoulier/Pamdeas has it.
     Valid:    φ < 0.74. Static: an impact needs more.
-    Accuracy: 8 ulp above E_roll.
 
     >>> round(compressive_strength(roll_energy_half_turn=1.0, radius=1.0, filling_factor=0.37), 6)
     0.405224
@@ -177,7 +167,6 @@ def tensile_strength(*, work_of_adhesion: SurfaceEnergy, radius: Length, filling
 
     Source:   Tatsuuma et al. 2019, as coded in StephaneMichoulier/Pamdeas, disruption.cpp, and danieljprice/phantom.
     Valid:    Filling factors of 0.01 to 0.5.
-    Accuracy: 4 ulp above w.
 
     >>> round(tensile_strength(work_of_adhesion=2.0, radius=0.1, filling_factor=0.5), 6)
     1.723048

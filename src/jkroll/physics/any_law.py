@@ -18,7 +18,6 @@ def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
 
     Source:   Eq (5).
     Valid:    As Eq (5).
-    Accuracy: 0.5 ulp above P_c and x.
 
     >>> adhesive_force(pull_off_force=2.0, load_factor=0.5)
     4.0
@@ -35,7 +34,6 @@ def unloaded_moment_of_radius(
 
     Source:   As the moment; without load, F_a is Hertz' load.
     Valid:    |P| ≪ P_c.
-    Accuracy: 4 ulp above a0.
 
     >>> unloaded_moment_of_radius(contact_radius=1.0, contact_modulus=3.0, reduced_radius=1.0, yield_displacement=1.0)
     4.0
@@ -50,7 +48,6 @@ def yield_force_of_moment(*, yield_moment: Moment, radius: Length) -> Force:
 
     Source:   Eq (10).
     Valid:    As the moment.
-    Accuracy: 0.5 ulp above M.
 
     >>> yield_force_of_moment(yield_moment=6.0, radius=3.0)
     2.0
@@ -65,7 +62,6 @@ def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) ->
 
     Source:   As Eq (27).
     Valid:    As the forces.
-    Accuracy: 0.5 ulp above Q and P_c.
 
     >>> yield_force_ratio_of_forces(yield_force=1.0, pull_off_force=4.0)
     0.25
@@ -82,7 +78,6 @@ def rolling_frequency_no_slip_of_stiffness(
 
     Source:   Eqs (37)-(39), with the motion of the centres that no slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held.
-    Accuracy: 2.5 ulp above k and m_eff.
 
     >>> k = (2 * pi) ** 2
     >>> round(rolling_frequency_no_slip_of_stiffness(rolling_stiffness=k, reduced_radius=1.0, rolling_mass=1.0), 12)
@@ -98,7 +93,6 @@ def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, 
 
     Source:   As the moment and its stiffness.
     Valid:    As the moment.
-    Accuracy: 1.5 ulp above M.
 
     >>> yield_energy_of_moment(yield_moment=2.0, yield_displacement=3.0, reduced_radius=1.0)
     3.0
@@ -118,7 +112,6 @@ def hysteresis_moment(*, zone_radius: Length, reduced_radius: Length, adhesion_h
 
     Source:   The zone of attraction sweeps an area 2c per unit of path; exact for any law and any ξ.
     Valid:    Δw = w_open − w_close ≤ w.
-    Accuracy: 1.5 ulp above c.
 
     >>> hysteresis_moment(zone_radius=2.0, reduced_radius=3.0, adhesion_hysteresis=0.5)
     6.0
@@ -132,8 +125,6 @@ def adhesion_hysteresis_of_fraction(*, hysteresis_fraction: Number, work_of_adhe
         Δw = (Δw/w) w
 
     hysteresis_fraction  [1]  > 0, ≤ 1
-
-    Accuracy: 0.5 ulp above w.
 
     >>> adhesion_hysteresis_of_fraction(hysteresis_fraction=0.5, work_of_adhesion=3.0)
     1.5
@@ -157,7 +148,6 @@ def yield_displacement_at_hysteresis(
 
     Source:   M = F_aξ and M = 2cRΔw.
     Valid:    Δw ≤ w. Above, a float raises ValueError and an array holds NaN.
-    Accuracy: 2 ulp above c and F_a.
 
     >>> yield_displacement_at_hysteresis(adhesion_hysteresis=0.5, work_of_adhesion=1.0, zone_radius=3.0,
     ...                                  reduced_radius=2.0, adhesive_force=12.0)
@@ -176,7 +166,6 @@ def hysteresis_ratio(
 
     Source:   M = 2cRΔw with Δw = w.
     Valid:    Smooth surfaces; steady rolling.
-    Accuracy: 2.5 ulp above M and c.
 
     >>> hysteresis_ratio(yield_moment=6.0, zone_radius=3.0, reduced_radius=2.0, work_of_adhesion=1.0)
     0.5
@@ -195,7 +184,6 @@ def transition_parameter(*, tabor_parameter: Number) -> Number:
         λ = 2σ0/(πwK²/R)^(1/3) = (32/(9√3))(9/16π)^(1/3) μ, with K = 4E*/3
 
     Source:   Maugis 1992, for the peak stress of the 3-9 law.
-    Accuracy: 1.5 ulp above μ.
 
     >>> round(transition_parameter(tabor_parameter=1.0), 7)
     1.1570116
@@ -210,7 +198,6 @@ def cohesive_stress(*, work_of_adhesion: SurfaceEnergy, atomic_spacing: Length) 
 
     Source:   The peak of the 3-9 law that the Lennard-Jones potential gives for two half-spaces.
     Valid:    Its range, w/σ0 = 0.974 z0, follows from it.
-    Accuracy: 2 ulp.
 
     >>> round(cohesive_stress(work_of_adhesion=9.0, atomic_spacing=16.0), 7)
     0.5773503
@@ -227,7 +214,6 @@ def pull_off_force_lennard_jones(
 
     Source:   Fit to numerical solutions of the elastic half-space; tests/tools/lennard_jones.py makes them.
     Valid:    Within 0.3 % for 0.01 ≤ μ ≤ 2.
-    Accuracy: 3 ulp above μ, of the fit.
 
     >>> round(pull_off_force_lennard_jones(work_of_adhesion=1 / pi, reduced_radius=1.0, tabor_parameter=1.0), 4)
     1.6695
@@ -242,7 +228,6 @@ def work_of_adhesion_of_hamaker(*, hamaker: Energy, hamaker2: Energy, cutoff: Le
 
     Source:   Hamaker's energy of two half-spaces at the distance D0, pairwise sum; D0 = 0.165 nm is in common use.
     Valid:    Dispersion forces alone: no water, no hydrogen bonds, no metals. It goes with D0⁻²: at 0.4 nm, w is 5.9 times less.
-    Accuracy: 3 ulp.
 
     >>> f"{work_of_adhesion_of_hamaker(hamaker=6.5e-20, hamaker2=6.5e-20, cutoff=1.65e-10):.4f}"
     '0.0633'
@@ -257,7 +242,6 @@ def atomic_spacing_of_cutoff(*, cutoff: Length) -> Length:
 
     Source:   The 3–9 law has w = A/(16πz0²); with w = A/(12πD0²).
     Valid:    As the work of adhesion.
-    Accuracy: 1.5 ulp.
 
     >>> round(atomic_spacing_of_cutoff(cutoff=2.0), 6)
     1.732051

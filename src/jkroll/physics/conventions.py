@@ -21,7 +21,6 @@ def fold_energy(*, adhesion_energy: Energy) -> Energy:
 
     Source:   F_c and δ_c of the code Lumajord/DustSimulation, after Wada et al. 2007.
     Valid:    JKR.
-    Accuracy: 1 ulp.
 
     >>> round(fold_energy(adhesion_energy=1.0), 7)
     0.8254818
@@ -36,7 +35,6 @@ def break_energy_dust_simulation(*, fold_energy: Energy) -> Energy:
 
     Source:   As coded in Lumajord/DustSimulation, MaterialInfoWidget.
     Valid:    No path of JKR from P = 0 takes as much: fixed grips take 1.5426 F_cδ_c.
-    Accuracy: 1 ulp.
 
     >>> break_energy_dust_simulation(fold_energy=1.0)
     1.8
@@ -53,7 +51,6 @@ def roll_energy(*, unloaded_moment: Moment, rolling_angle: Angle) -> Energy:
 
     Source:   Work of a moment; M is Eq (26).
     Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
-    Accuracy: 0.5 ulp.
 
     >>> roll_energy(unloaded_moment=2.0, rolling_angle=1.5)
     3.0
@@ -68,7 +65,6 @@ def roll_energy_quarter_turn(*, unloaded_moment: Moment) -> Energy:
 
     Source:   As coded in Lumajord/DustSimulation, MaterialInfoWidget.
     Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
-    Accuracy: 1.5 ulp.
 
     >>> roll_energy_quarter_turn(unloaded_moment=2 / pi)
     1.0
@@ -83,7 +79,6 @@ def roll_energy_half_turn(*, unloaded_moment: Moment) -> Energy:
 
     Source:   6π²γr0ξ as it stands in StephaneMichoulier/Pamdeas, dust.cpp.
     Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
-    Accuracy: 1.5 ulp.
 
     >>> roll_energy_half_turn(unloaded_moment=1 / pi)
     1.0
@@ -98,7 +93,6 @@ def sticking_energy_paszun_dominik(*, adhesion_energy: Energy) -> Energy:
 
     Source:   Paszun & Dominik 2008, Eq 3, as Lumajord/DustSimulation cites it; ½mv² with m = (16/3)πR³ρ.
     Valid:    Equal spheres; the speed of unequal ones follows from the energy.
-    Accuracy: 1 ulp.
 
     >>> round(sticking_energy_paszun_dominik(adhesion_energy=1.0), 4)
     0.329
@@ -113,7 +107,6 @@ def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
 
     Source:   As coded in pencil-code/pencil-code, dustvelocity.f90, which has the 2 from Dominik & Tielens 1997, Sect. 3.2.
     Valid:    Equal spheres.
-    Accuracy: 1 ulp.
 
     >>> round(sticking_energy_pencil_code(adhesion_energy=1.0), 4)
     0.6585
@@ -128,7 +121,6 @@ def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
 
     Source:   Thornton & Ning 1998, Eq 54.
     Valid:    JKR; a head-on collision without other loss.
-    Accuracy: 2.5 ulp.
 
     >>> sticking_speed(sticking_energy=2.0, reduced_mass=1.0)
     2.0
@@ -143,7 +135,6 @@ def sticking_speed_paszun_dominik(*, sticking_energy_paszun_dominik: Energy, red
 
     Source:   Paszun & Dominik 2008, Eq 3, as Lumajord/DustSimulation cites it.
     Valid:    Equal spheres; for unequal ones, the speed of the same energy.
-    Accuracy: 1 ulp.
 
     >>> sticking_speed_paszun_dominik(sticking_energy_paszun_dominik=2.0, reduced_mass=1.0)
     2.0
@@ -158,7 +149,6 @@ def sticking_speed_pencil_code(*, sticking_energy_pencil_code: Energy, reduced_m
 
     Source:   As coded in pencil-code/pencil-code, dustvelocity.f90.
     Valid:    Equal spheres.
-    Accuracy: 1 ulp.
 
     >>> sticking_speed_pencil_code(sticking_energy_pencil_code=2.0, reduced_mass=1.0)
     2.0

@@ -17,7 +17,6 @@ def contact_radius_dmt(
 
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    P ≥ −2πwR; small, hard spheres. Below, a float raises ValueError and an array holds NaN.
-    Accuracy: 2 ulp, times 1 plus its condition in the load.
 
     >>> round(contact_radius_dmt(load=0.0, work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
     1.0
@@ -35,7 +34,6 @@ def contact_radius_dmt_at_approach(*, approach_at_load: Length, reduced_radius: 
 
     Source:   Hertz; Derjaguin, Muller & Toporov 1975.
     Valid:    δ ≥ 0. Below, a float raises ValueError and an array holds NaN.
-    Accuracy: 1 ulp.
 
     >>> contact_radius_dmt_at_approach(approach_at_load=4.0, reduced_radius=1.0)
     2.0
@@ -50,7 +48,6 @@ def unloaded_radius_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Leng
 
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    Small, hard spheres.
-    Accuracy: 2 ulp.
 
     >>> round(unloaded_radius_dmt(work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
     1.0
@@ -67,7 +64,6 @@ def unloaded_approach_dmt(
 
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    Small, hard spheres.
-    Accuracy: 2.5 ulp.
 
     >>> round(unloaded_approach_dmt(work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
     1.0
@@ -82,7 +78,6 @@ def approach_dmt(*, contact_radius_at_load: Length, reduced_radius: Length) -> L
 
     Source:   Hertz; Derjaguin, Muller & Toporov 1975.
     Valid:    a ≪ R.
-    Accuracy: 1.5 ulp above a.
 
     >>> approach_dmt(contact_radius_at_load=2.0, reduced_radius=4.0)
     1.0
@@ -99,7 +94,6 @@ def load_dmt(
 
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    a ≪ R.
-    Accuracy: 4 ulp of the larger term, above a.
 
     >>> round(load_dmt(contact_radius_at_load=1.0, work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
     0.0
@@ -115,7 +109,6 @@ def stiffness_dmt(*, contact_radius_at_load: Length, contact_modulus: Stress) ->
 
     Source:   Hertz; Derjaguin, Muller & Toporov 1975.
     Valid:    a ≪ R.
-    Accuracy: 0.5 ulp above a.
 
     >>> stiffness_dmt(contact_radius_at_load=2.0, contact_modulus=3.0)
     12.0
@@ -132,7 +125,6 @@ def adhesive_force_dmt(*, load: Force, work_of_adhesion: SurfaceEnergy, reduced_
 
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    P ≥ −2πwR. Below, a float raises ValueError and an array holds NaN.
-    Accuracy: 2 ulp.
 
     >>> adhesive_force_dmt(load=1.0, work_of_adhesion=0.5 / pi, reduced_radius=2.0)
     2.0

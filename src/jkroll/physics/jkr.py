@@ -31,7 +31,6 @@ def load_margin_of_factor(*, load_factor: Number) -> Number:
 
     Source:   Eq (5), as x = (1 + s)/2.
     Valid:    0 < x.
-    Accuracy: 1 ulp of 2x.
 
     >>> load_margin_of_factor(load_factor=0.5)
     0.0
@@ -46,7 +45,6 @@ def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
 
     Source:   Eq (5).
     Valid:    0 < x, both branches.
-    Accuracy: 2 ulp above P_c and x − 1.
 
     >>> load_at_factor(pull_off_force=1.0, load_factor=0.5)
     -1.0
@@ -63,7 +61,6 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
     Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ − δ̂_fold).
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
-    Accuracy: 2 ulp for the ratio δ̂ as it is rounded, also at the fold, where the state itself is ill-conditioned.
 
     >>> load_factor_at_approach(approach_at_load=1.0, approach=1.0)
     1.0
@@ -80,7 +77,6 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
     Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1 loses.
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
-    Accuracy: 4 ulp of the larger term, for the ratio δ̂ as it is rounded.
 
     >>> load_margin_at_approach(approach_at_load=1.0, approach=1.0)
     1.0
@@ -120,7 +116,6 @@ def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, 
 
     Source:   Text below Eq (48), with JKR's P_c and δ0, Eqs (1) and (3).
     Valid:    The largest energy that sticks is 0.7722 P_cδ0.
-    Accuracy: 4 ulp above w, R and E*.
 
     >>> energy = adhesion_energy(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9)
     >>> f"{energy:.4e}"
@@ -137,7 +132,6 @@ def well_energy(*, adhesion_energy: Energy) -> Energy:
 
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static.
-    Accuracy: 1.5 ulp above w, R and E*.
 
     >>> round(well_energy(adhesion_energy=1.0), 7)
     1.2
@@ -152,7 +146,6 @@ def pull_off_work(*, adhesion_energy: Energy) -> Energy:
 
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static; the jump at the fold dissipates what is left.
-    Accuracy: 1.5 ulp above w, R and E*.
 
     >>> round(pull_off_work(adhesion_energy=1.0), 7)
     1.2733762
@@ -167,7 +160,6 @@ def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
 
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static up to the jump at P = −P_c.
-    Accuracy: 1.5 ulp above w, R and E*.
 
     >>> round(pull_off_work_at_dead_load(adhesion_energy=1.0), 7)
     0.8825198
@@ -184,7 +176,6 @@ def sticking_energy(*, adhesion_energy: Energy) -> Energy:
 
     Source:   Eqs (5) and (6); text below Eq (48) has P_cδ0 as its order of magnitude.
     Valid:    JKR; no other loss.
-    Accuracy: 1.5 ulp above w, R and E*.
 
     >>> round(sticking_energy(adhesion_energy=1.0), 7)
     0.7722405

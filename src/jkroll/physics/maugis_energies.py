@@ -35,7 +35,6 @@ def state_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
-    Accuracy: 10 ulp of its largest term.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75, "transition_parameter": 0.1}
     >>> phi = state_energy_maugis(edge_ratio=0.0, zone_span=0.0, **unit)
@@ -61,7 +60,6 @@ def well_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
-    Accuracy: 18 ulp.
 
     >>> from .maugis import unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
@@ -88,7 +86,6 @@ def pull_off_work_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
-    Accuracy: 15 ulp.
 
     >>> from .maugis import edge_ratio_at_fold, unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
@@ -117,7 +114,6 @@ def pull_off_work_at_dead_load_maugis(
 
     Source:   Maugis' solution along its curve, by Gauss-Legendre quadrature; Φ would cancel where λ is small.
     Valid:    Quasi-static up to the jump.
-    Accuracy: 15 ulp above v0 and v_c.
 
     >>> from .maugis import edge_ratio_at_pull_off, unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
@@ -153,7 +149,6 @@ def sticking_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; no other loss.
-    Accuracy: 10 ulp; for λ > 0.655, of the energy of the well.
 
     >>> from .maugis import edge_ratio_at_fold
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
@@ -207,7 +202,6 @@ def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -
     fold_approach_maugis  [m]  negative
 
     Source:   As in JKR, from the force and the approach of this law.
-    Accuracy: 0.5 ulp above both.
 
     >>> fold_energy_maugis(pull_off_force=2.0, fold_approach_maugis=-3.0)
     6.0

@@ -29,7 +29,6 @@ def yield_moment(*, adhesive_force: Force, yield_displacement: Length) -> Moment
 
     Source:   Eq (25), exact in JKR at a fixed load, in three dimensions; first order in ξ for any law of attraction.
     Valid:    ξ < a0/(3√â) in JKR, beyond which the leading edge would interpenetrate; ξ ≪ a in other laws.
-    Accuracy: 0.5 ulp above F_a.
 
     >>> f"{yield_moment(adhesive_force=4.7124e-8, yield_displacement=2e-10):.4e}"
     '9.4248e-18'
@@ -44,7 +43,6 @@ def rolling_stiffness(*, adhesive_force: Force, reduced_radius: Length) -> Rolli
 
     Source:   Eqs (25) and (39), exact in JKR at a fixed load; first order in ξ for any law of attraction.
     Valid:    Angles below the yield angle.
-    Accuracy: 0.5 ulp above F_a and R.
 
     >>> rolling_stiffness(adhesive_force=2.0, reduced_radius=3.0)
     6.0
@@ -59,7 +57,6 @@ def rolling_spring_constant(*, rolling_stiffness: RollingStiffness, reduced_radi
 
     Source:   LAMMPS, pair_style granular, rolling sds.
     Valid:    Angles below the yield angle, at this load.
-    Accuracy: 1.5 ulp above k and R.
 
     >>> rolling_spring_constant(rolling_stiffness=18.0, reduced_radius=3.0)
     2.0
@@ -78,7 +75,6 @@ def rolling_friction_coefficient(
 
     Source:   LAMMPS, pair_style granular, rolling sds: the spring's force is at most μ_roll(P + 2P_c).
     Valid:    This load.
-    Accuracy: 2.5 ulp above M, R and P_c.
 
     >>> rolling_friction_coefficient(yield_moment=6.0, reduced_radius=3.0, load=-1.0, pull_off_force=1.0)
     2.0
@@ -95,7 +91,6 @@ def rolling_resistance_coefficient(*, yield_moment: Moment, reduced_radius: Leng
 
     Source:   LIGGGHTS, rolling_friction cdt, and Lethe: the moment against rolling is μ_r R times the normal force.
     Valid:    This load. In JKR it is 2ξ/(R(s − 1)): it falls as 1/P from small loads on, and as 1/√P at large ones.
-    Accuracy: 1.5 ulp above M, R and P.
 
     >>> rolling_resistance_coefficient(yield_moment=6.0, reduced_radius=3.0, load=4.0)
     0.5
@@ -114,7 +109,6 @@ def yield_force(
 
     Source:   Eqs (10), (25) and (26); identical spheres need no radius.
     Valid:    As Eq (25).
-    Accuracy: 3.5 ulp above w and x.
 
     >>> f"{yield_force(work_of_adhesion=0.05, load_factor=1.0, yield_displacement=2e-10, radius_ratio=1.0):.4e}"
     '9.4248e-11'
@@ -134,7 +128,6 @@ def yield_force_fixed_load(
 
     Source:   The moments about the contact; Eq (26) has a load that turns with the line of centres.
     Valid:    As Eq (25), with body 2 held. On a plane it is M/R1. It is negative where the load alone overturns sphere 1.
-    Accuracy: 2 ulp of the larger term above M.
 
     >>> yield_force_fixed_load(yield_moment=6.0, radius=2.0, load=4.0, yield_displacement=1.0, radius2=2.0)
     1.0
@@ -149,7 +142,6 @@ def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius
 
     Source:   Eq (27).
     Valid:    As Eq (25).
-    Accuracy: 1.5 ulp above x.
 
     >>> yield_force_ratio(load_factor=1.0, yield_displacement=2.5, radius=10.0)
     1.0
@@ -164,7 +156,6 @@ def yield_angle(*, yield_displacement: Length, reduced_radius: Length) -> Angle:
 
     Source:   Text above Eqs (26), (28) and (43).
     Valid:    ξ ≪ R.
-    Accuracy: 0.5 ulp above R.
 
     >>> yield_angle(yield_displacement=2e-10, reduced_radius=50e-9)
     0.004
@@ -179,7 +170,6 @@ def mean_rolling_moment(*, yield_moment: Moment) -> Moment:
 
     Source:   Eq (43).
     Valid:    If the contact springs back to a symmetric one after each step; one that trails at yield gives twice this.
-    Accuracy: Exact.
 
     >>> mean_rolling_moment(yield_moment=2.0)
     1.0
@@ -194,7 +184,6 @@ def mean_rolling_force(*, mean_rolling_moment: Moment, radius: Length) -> Force:
 
     Source:   Eq (44), whose R must be R1 to agree with Eq (26).
     Valid:    As Eq (43).
-    Accuracy: 0.5 ulp above M.
 
     >>> mean_rolling_force(mean_rolling_moment=1.0, radius=2.0)
     0.5
@@ -212,7 +201,6 @@ def unloaded_moment(*, pull_off_force: Force, yield_displacement: Length) -> Mom
 
     Source:   Eq (25) with â = 1.
     Valid:    |P| ≪ P_c.
-    Accuracy: 0.5 ulp above P_c.
 
     >>> unloaded_moment(pull_off_force=1.0, yield_displacement=0.5)
     2.0
@@ -234,7 +222,6 @@ def half_circles_moment(
 
     Source:   Eqs (19) and (23); with Eqs (6) and (25), the last form, which does not cancel.
     Valid:    ξ < a. It exceeds the exact moment at a fixed approach by E*aξ³/R.
-    Accuracy: 3 ulp above its parts.
 
     >>> half_circles_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
     ...                     reduced_radius=1.0)
@@ -258,7 +245,6 @@ def fixed_approach_moment(
 
     Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (25) is the exact moment at a fixed load.
     Valid:    ξ < a0/(3√â).
-    Accuracy: 3 ulp above its parts.
 
     >>> fixed_approach_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
     ...                       reduced_radius=1.0)
@@ -280,7 +266,6 @@ def r_min(*, radius: Length, radius2: Length, yield_displacement: Length) -> Len
 
     Source:   Eq (28); spheres 1 and 2 alternate.
     Valid:    A long chain, every contact bent to its yield angle.
-    Accuracy: 1.5 ulp.
 
     >>> f"{r_min(radius=1e-7, radius2=1e-7, yield_displacement=2e-10):.4e}"
     '5.0000e-05'
@@ -295,7 +280,6 @@ def gravity_moment(*, monomers: Number, mass: Mass, gravity: Acceleration, radiu
 
     Source:   Eq (29).
     Valid:    A straight chain, all of one mass. It rolls where M_grav exceeds M, beyond N_grav spheres.
-    Accuracy: 2.5 ulp above m1.
 
     >>> gravity_moment(monomers=3.0, mass=2.0, gravity=10.0, radius=1.0)
     180.0
@@ -310,7 +294,6 @@ def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: L
 
     Source:   Eqs (29) and (30).
     Valid:    A straight chain, all of one mass. Below 1, even one sphere rolls down; it falls off where Bo is below 1.
-    Accuracy: 3 ulp above M and m1.
 
     >>> round(n_grav(yield_moment=9.42478e-18, mass=1.0891e-17, gravity=9.80665, radius=1e-7), 1)
     939.4
@@ -324,7 +307,6 @@ def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> 
         Bo = P_c/(m1 g)
 
     Valid:    A sphere that hangs from body 2.
-    Accuracy: 1.5 ulp above P_c and m1.
 
     >>> bond_number(pull_off_force=1e-8, mass=1e-15, gravity=10.0)
     1000000.0

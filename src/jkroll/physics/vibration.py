@@ -35,7 +35,6 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
 
     Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0.
-    Accuracy: 3 ulp above dP/dδ and m.
 
     >>> round(vertical_frequency(stiffness=(2 * pi) ** 2, reduced_mass=1.0), 12)
     1.0
@@ -50,7 +49,6 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
 
     Source:   Eqs (37)-(40), of which the first three lost their sign in print.
     Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
-    Accuracy: 2.5 ulp above k and I.
 
     >>> round(rolling_frequency(rolling_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
     1.0
@@ -65,7 +63,6 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
 
     Source:   Eqs (41) and (42). They are Eq (40) with k² = (5/2)R1² in place of (2/5)R1².
     Valid:    For comparison only.
-    Accuracy: 3 ulp.
 
     >>> f"{rolling_frequency_as_printed(work_of_adhesion=0.2, radius=1e-7, density=2000.0):.3e}"
     '4.775e+07'
@@ -80,7 +77,6 @@ def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: N
 
     Source:   Eqs (25) and (37)-(39), with the motion of the centres that no slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held. Equal to Eq (40) for identical spheres.
-    Accuracy: 2.5 ulp above w, x and m_eff.
 
     >>> round(rolling_frequency_no_slip(work_of_adhesion=2 * pi, load_factor=1.0, rolling_mass=3.0), 12)
     1.0
@@ -95,7 +91,6 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
 
     Source:   A force k_s u at the contact moves the centres, 1/m, and turns the spheres, (5/2)/m.
     Valid:    Homogeneous spheres; small amplitudes.
-    Accuracy: 3 ulp.
 
     >>> round(sliding_frequency(tangential_stiffness=8 * pi**2, reduced_mass=7.0), 12)
     1.0
@@ -110,7 +105,6 @@ def twisting_frequency(*, twisting_stiffness: Moment, reduced_moment_of_inertia:
 
     Source:   A moment k_t φ at the contact turns the spheres, 1/I = 1/I1 + 1/I2; on a plane 1/I1.
     Valid:    Homogeneous spheres; small amplitudes.
-    Accuracy: 3 ulp above k_t and I.
 
     >>> round(twisting_frequency(twisting_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
     1.0
@@ -125,7 +119,6 @@ def time_step(*, sliding_frequency: Frequency) -> Time:
 
     Source:   Verlet's method is stable up to 2/ω; the fastest mode of spheres with n contacts has ω ≤ √n 2πf_slide.
     Valid:    Stable up to 40 contacts a sphere, at the load: a contact that is pushed harder is stiffer.
-    Accuracy: 1 ulp.
 
     >>> time_step(sliding_frequency=0.5)
     0.1
@@ -142,7 +135,6 @@ def rayleigh_time(*, radius: Length, density: Density, youngs_modulus: Stress, p
 
     Source:   LIGGGHTS, fix check/timestep/gran. Its linear form is Rayleigh's root within 0.3 % for 0 ≤ ν ≤ 1/2.
     Valid:    A free sphere: neither the contact nor its adhesion enters. Codes take a tenth to a fifth of it for a step.
-    Accuracy: 4 ulp above 1 + ν.
 
     >>> f"{rayleigh_time(radius=1e-7, density=2600.0, youngs_modulus=54e9, poisson_ratio=0.17):.3e}"
     '1.166e-10'
