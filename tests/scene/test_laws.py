@@ -524,8 +524,8 @@ WITHIN = {
 @pytest.mark.parametrize(("model", "name"), [(model, name) for model, names in WITHIN.items() for name in names])
 def test_where_a_law_is_within_5_per_cent_depends_on_the_quantity(model: str, name: str) -> None:
     border = WITHIN[model][name]
-    pair: dict[str, Any] = {"reduced_radius": 5e-7, "radius": 1e-6, "work_of_adhesion": 0.05, "contact_modulus": 1e9}
-    unit = (pair["reduced_radius"] * (pair["work_of_adhesion"] / pair["contact_modulus"]) ** 2) ** (1 / 3)
+    pair: dict[str, Any] = {"radius": 1e-6, "work_of_adhesion": 0.05, "contact_modulus": 1e9}
+    unit = (pair["radius"] / 2 * (pair["work_of_adhesion"] / pair["contact_modulus"]) ** 2) ** (1 / 3)
     for factor, is_within in ((1.0, True), (0.6 if model == "jkr" else 1.7, False)):
         spacing = unit / (border * factor)
         own, between = (solve(name, model=law, atomic_spacing=spacing, **pair) for law in (model, "maugis"))
