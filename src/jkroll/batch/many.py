@@ -5,7 +5,6 @@ its table.
 """
 
 import glob
-import logging
 import os
 import sys
 from collections import Counter
@@ -120,6 +119,8 @@ def _task(task: Task) -> Task:
 
 def _on_cluster(address: str, task: Task, parts: list[Part]) -> Iterator[tuple[Part, Outcome]]:
     """Convert tables by the workers of a Dask cluster, which give those of a lost one to others. Raises BadTable."""
+    import logging
+
     with missing_extra("dask"):
         from distributed import Client, KilledWorker, as_completed
     for name in ("distributed", "distributed.worker", "distributed.scheduler", "tornado"):
