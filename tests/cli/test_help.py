@@ -1,7 +1,6 @@
 """The help is our own: it lists exactly what the reader takes and what typer is told of it."""
 
 import re
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -10,7 +9,9 @@ from typer.core import TyperOption
 from typer.testing import CliRunner
 
 from harness import Run
-from jkroll.cli.commands import COMMANDS, flags_of, help_of
+from jkroll.answers.questions import QUESTIONS
+from jkroll.cli.commands import COMMANDS, flags_of
+from jkroll.cli.help import GUTTER, help_of
 from jkroll.cli.shells import app
 
 NAMES = [None, *COMMANDS]
@@ -28,25 +29,29 @@ def taken(name: str | None) -> dict[str, bool]:
     }
 
 
-def listed(name: str | None) -> Iterator[str]:
-    """Iterate over every flag that the help lists."""
-    sections = re.findall(r"ptions:\n(.*?)\n\n", help_of(name), re.DOTALL)
-    for line in "\n".join(sections).splitlines():
-        yield from re.findall(r"(?:^|, )(--?[a-z][a-z0-9-]*)", line[2:].split("  ")[0])
+def listed(name: str | None) -> list[str]:
+    """Return every flag that the help names, but for those of its examples."""
+    text, _, _ = help_of(name).partition("Example: ")
+    return re.findall(r"(?<![\w-])--?[a-z][a-z0-9-]*(?<!-)", text)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_the_help_lists_what_is_taken(name: str | None) -> None:
-    flags = list(listed(name))
-    assert sorted(flags) == sorted(taken(name)) == sorted(flags_of(name))
-    shown = [flag for flag in flags if not taken(name)[flag]]
-    assert shown == flags[: len(shown)]
-    assert shown[-2:] == ["-h", "--help"]
+@pytest.mark.parametrize("name", [*COMMANDS])
+def test_the_help_names_what_is_taken_and_nothing_else(name: str) -> None:
+    assert sorted({*listed(name)}) == sorted(taken(name)) == sorted(flags_of(name))
 
 
-def test_the_help_lists_every_command() -> None:
-    commands = help_of(None).split("Commands:\n")[1].split("\n\n  Example")[0]
-    assert re.findall(r"^  (\S+)", commands, re.MULTILINE) == [*COMMANDS]
+def test_the_help_of_the_program_names_every_command_once_and_every_option() -> None:
+    text = help_of(None)
+    assert {*listed(None)} - {"--radius2", "--gamma"} == {*taken(None)} - {"-h"} == {*flags_of(None)} - {"-h"}
+    lines = text[text.index("Contact ") : text.index("Options ")].splitlines()
+    names = [name for line in lines for name in line[GUTTER:].partition("  ")[0].split(", ")]
+    assert sorted(names) == sorted(COMMANDS)
+
+
+def test_a_question_has_three_groups_of_options() -> None:
+    for name in QUESTIONS:
+        groups = re.findall(r"^([A-Z][a-z]+)  ", help_of(name), re.MULTILINE)
+        assert groups == ["Pair", "Assumed", "Output"], name
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -64,7 +69,7 @@ def test_lines_fit_and_nothing_is_lost(monkeypatch: pytest.MonkeyPatch, name: st
     monkeypatch.setenv("COLUMNS", str(width))
     text = help_of(name)
     assert text.split() == words
-    assert max(map(len, text.splitlines())) <= max(54, min(98, width - 2))
+    assert max(map(len, text.splitlines())) <= max(58 if name else 75, min(98, width - 2))
 
 
 @pytest.mark.parametrize("name", COMMANDS)

@@ -1,7 +1,6 @@
 """The commands: their words and options, as they are typed and explained, and the function that runs each."""
 
-import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from importlib import import_module
 from types import MappingProxyType
@@ -10,7 +9,7 @@ from typing import Any, NamedTuple
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
-from ..text import capitalized, fitting, quoted, terminal_width, wrapped
+from ..text import capitalized, quoted
 
 MAX_DIGITS = 9  # of a number
 
@@ -31,6 +30,7 @@ class Option(NamedTuple):
     hidden: bool = False
     short: str = ""
     repeats: bool = False  # the values are a tuple
+    group: str = "Output"  # of the help; inputs have groups of their own
 
     @property
     def flags(self) -> tuple[str, ...]:
@@ -56,8 +56,18 @@ class Option(NamedTuple):
 
         meaning = NOMENCLATURE[self.name].sentence
         default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
-        others = ", or --gamma2 and so on" if self.name == "material2" else ""
-        return f"{capitalized(meaning)}{default}{others}."
+        return f"{capitalized(meaning)}{default}{_WITH.get(self.name, '')}."
+
+
+# What goes with an input, or in its place.
+_WITH = {
+    "material2": ", or --gamma2, --young2, --poisson2, --density2",
+    "surface_energy": ", or --work-of-adhesion",
+    "youngs_modulus": ", with --poisson 0.3",
+    "yield_displacement": ", decides the answer: jkroll guide measurements; or --adhesion-hysteresis, --hysteresis-fraction",
+    "load": ", or --approach",
+    "energy": ", or --energy-ratio, --speed",
+}
 
 
 class Call(NamedTuple):
@@ -101,19 +111,19 @@ class Call(NamedTuple):
     plot: str | None = None
 
 
-_FORMAT = "Numbers only, JSON or CSV; output file"
-_INSTEAD = "Show the derivation or the BibTeX entry instead of results"
-MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
+_FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
+_INSTEAD = "Derivation with all notes, or BibTeX"
+MATERIALS = Option("materials", "--materials", str, "FILE", "Read your own materials as well")
 NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
 ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add the results by Maugis' law")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 _OUTPUT = (
-    Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
+    Option("to", "--to", str, "UNIT", "Units of results, with commas; --digits N"),
     Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
-    Option("bare", "--bare", bool, "", _FORMAT),
     Option("json", "--json", bool, "", _FORMAT),
     Option("csv", "--csv", bool, "", _FORMAT),
-    Option("target", "-o", str, "OUT", _FORMAT),
+    Option("bare", "--bare", bool, "", _FORMAT),
+    Option("target", "-o", str, "OUT", "Write a file"),
     NO_DOUBT._replace(hidden=True),
     ALTERNATIVES._replace(hidden=True),
     Option("explain", "--explain", bool, "", _INSTEAD),
@@ -122,7 +132,7 @@ _OUTPUT = (
     QUIET,
 )
 OUTPUT = (
-    Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, separated by commas"),
+    Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, with commas"),
     *_OUTPUT,
 )
 MEASURED = Option(
@@ -132,6 +142,7 @@ MEASURED = Option(
     "QUANTITY=VALUE",
     "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
     repeats=True,
+    group="Measured",
 )
 CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o x.svg a picture")
 MARKED = Option(
@@ -145,7 +156,7 @@ CITE = Option("cite", "--cite", bool, "", "Show the BibTeX entries of the data")
 MODEL_OF_EXPORT = Option("model", "--model", str, "dmt", "Law of attraction, jkr (the default) or dmt")
 
 _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
-AXES = (Option("x", "--x", str, "AXIS", _AXIS), Option("y", "--y", str, "AXIS", _AXIS))
+AXES = tuple(Option(name, f"--{name}", str, "AXIS", _AXIS, group="Axes") for name in ("x", "y"))
 AS_PRINTED = Option("as_printed", "--as-printed", bool, "", "Add Eq (41) as printed to 6b, dashed")
 STYLE = (
     Option("width", "--width", str, "85mm", "Width of the drawing, 70mm to 1m"),
@@ -185,14 +196,15 @@ TABLE = (
         "Read a column as an input, or, with nothing behind =, as none",
         repeats=True,
     ),
-    Option("infer", "--infer", str, "INPUT", "Find this input of each row from the measured quantity of --measured"),
+    Option("infer", "--infer", str, "INPUT", "Find this input of each row from a measured quantity", group="Measured"),
     Option(
         "measured",
         "--measured",
         str,
         "QUANTITY",
-        "The quantity whose measured values a column has, for --infer",
+        "The quantity whose measured values a column has",
         repeats=True,
+        group="Measured",
     ),
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
     Option("resume", "--resume", bool, "", "Keep what is newer than its table, of many"),
@@ -284,7 +296,7 @@ class Words(NamedTuple):
         return tuple(word.strip("[].") for word in self.metavar.split())
 
 
-PHYSICS, LOOK_UP, CHECKS = "Commands", "Tables, pictures, look-up", "Checks of the paper and of this program"
+JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
 
 
 class Command(NamedTuple):
@@ -299,7 +311,7 @@ class Command(NamedTuple):
     options: Callable[[], tuple[Option, ...]]
     runner: str
     example: str
-    section: str = PHYSICS  # of the help
+    job: str = OTHERS
 
     def flags(self) -> dict[str, Option]:
         """Return the options by their spellings."""
@@ -346,64 +358,77 @@ def _any_input() -> tuple[Option, ...]:
     return input_options(QUESTIONS["report"].quantities, any_input=True)
 
 
-def _question(name: str, sentence: str, example: str, *own: Option, runner: str = "question:run_question") -> Command:
-    return Command(name, sentence, _SCENE, partial(_options_of, name, *own), runner, example)
+def _question(
+    name: str, job: str, sentence: str, example: str, *own: Option, runner: str = "question:run_question"
+) -> Command:
+    return Command(name, sentence, _SCENE, partial(_options_of, name, *own), runner, example, job)
 
 
 _COMMANDS = (
-    _question("pull-off", "Force that pulls two spheres apart.", "quartz 100nm --to nN"),
-    _question("yield-force", "Force that starts a sphere rolling.", "quartz 100nm --load -5nN"),
-    _question("r-min", "How sharply a chain of spheres can bend without rolling.", "100nm --xi 2angstrom"),
-    _question("n-grav", "How many grains a horizontal chain can carry.", "quartz 100nm --gravity 1.62m/s2"),
-    _question("frequencies", "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane"),
-    _question("n-roll", "How far a sphere rolls over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
+    _question("pull-off", CONTACT, "Force that pulls two spheres apart.", "quartz 100nm --to nN"),
+    _question("yield-force", ROLLING, "Force that starts a sphere rolling.", "quartz 100nm --load -5nN"),
+    _question("r-min", DUST, "Tightest bend of a chain that does not roll.", "100nm --xi 2angstrom"),
+    _question("n-grav", DUST, "Longest level chain that holds its weight.", "quartz 100nm --gravity 1.62m/s2"),
+    _question("frequencies", CONTACT, "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane"),
+    _question("n-roll", DUST, "Turns of a sphere over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
     _question(
         "contact",
-        "Contact radius, approach, stiffness and pressure.",
+        CONTACT,
+        "Contact radius, indentation, stiffness and pressure.",
         "quartz 100nm --load -5nN",
         CURVE,
         MARKED,
         *_LOOKS,
         runner="question:run_contact",
     ),
-    _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
-    _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),
-    _question("resistances", "Rolling, sliding and twisting: when each yields.", "quartz 100nm --shear-strength 12MPa"),
-    _question("aggregates", "When aggregates of many grains restructure and break.", "quartz 100nm --monomers 1000"),
-    _question("report", "The headline of each question that your inputs allow.", "quartz 100nm"),
+    _question("moment", ROLLING, "Moment that starts rolling, by model.", "quartz 100nm --xi 1angstrom"),
+    _question(
+        "energies", DUST, "Energies and speeds to break, stick and roll, by author.", "quartz 100nm --angle 90deg"
+    ),
+    _question(
+        "resistances",
+        ROLLING,
+        "Rolling, sliding, twisting: which gives way first.",
+        "quartz 100nm --shear-strength 12MPa",
+    ),
+    _question(
+        "aggregates", DUST, "Speeds at which aggregates restructure and break up.", "quartz 100nm --monomers 1000"
+    ),
+    _question("report", ALL, "The main number of each question that your inputs allow.", "quartz 100nm"),
     Command(
         "export",
-        "Write the contact of a pair as input of LAMMPS, LIGGGHTS or DustSimulation.",
+        "Input of LAMMPS, LIGGGHTS, DustSimulation or DustCollider.",
         Words("PROGRAM [MATERIAL] [RADIUS]", INFINITY),
         _options_of_export,
         "export:run_export",
         "lammps quartz 100nm --model dmt",
+        DEM,
     ),
     Command(
         "infer",
-        "Find the input at which a quantity has its measured value.",
+        "Inputs from measured values.",
         Words("INPUT [MATERIAL] [RADIUS]...", INFINITY),
         lambda: (MEASURED, *_any_input(), *_OUTPUT),
         "infer:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN",
+        CONTACT,
     ),
     Command(
         "batch",
-        "Add results to each row of a table.",
+        "Results for each row of a table.",
         Words("IN", 1),
         lambda: TABLE,
         "runners:run_batch",
         "grains.csv -o forces.csv",
-        LOOK_UP,
+        ALL,
     ),
     Command(
         "map",
         "Draw a quantity over two inputs as a map, or over one as curves.",
         Words("QUANTITY [MATERIAL] [RADIUS]...", INFINITY),
-        lambda: (*AXES, *PICTURE, *_any_input()),
+        lambda: (*AXES, *_any_input(), *PICTURE),
         "map:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
-        LOOK_UP,
     ),
     Command(
         "figure",
@@ -412,7 +437,6 @@ _COMMANDS = (
         lambda: (AS_PRINTED, *PICTURE),
         "map:run_figure",
         "3a --mark quartz@100nm",
-        LOOK_UP,
     ),
     Command(
         "materials",
@@ -421,7 +445,6 @@ _COMMANDS = (
         lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
         "runners:run_materials",
         "quartz",
-        LOOK_UP,
     ),
     Command(
         "quantities",
@@ -430,7 +453,6 @@ _COMMANDS = (
         lambda: (JSON, CSV),
         "runners:run_quantities",
         "tabor",
-        LOOK_UP,
     ),
     Command(
         "guide",
@@ -439,7 +461,6 @@ _COMMANDS = (
         tuple,
         "runners:run_guide",
         "models",
-        LOOK_UP,
     ),
     Command(
         "verify",
@@ -448,7 +469,6 @@ _COMMANDS = (
         tuple,
         "runners:run_verify",
         "",
-        CHECKS,
     ),
     Command(
         "bench",
@@ -457,7 +477,6 @@ _COMMANDS = (
         lambda: BENCH,
         "runners:run_bench",
         "--quick --csv",
-        CHECKS,
     ),
 )
 COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for command in _COMMANDS})
@@ -466,62 +485,3 @@ COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for co
 def flags_of(name: str | None) -> dict[str, Option]:
     """Return the options of a command, or of the program before any command, by their spellings."""
     return COMMANDS[name].flags() if name else {flag: option for option in PROGRAM for flag in option.flags}
-
-
-# --- Help -------------------------------------------------------------------------------------------------------------
-
-TITLE = "Adhesive contact of two elastic spheres: pull-off, rolling, chains, vibrations."
-LISTS = "Lists (1nm,1um) and ranges (1nm:1um:50, or 1nm:1um:50:lin for equal steps) give one row each."
-MAX_WIDTH = 98
-MIN_WIDTH = 48
-MIN_TEXT = 20
-
-
-def help_of(name: str | None) -> str:
-    """Return the help of a command, or of the program: usage, meaning, options, an example; as stdout can encode it."""
-    width = max(MIN_WIDTH, min(MAX_WIDTH, terminal_width() - 2))
-    options = tuple(dict.fromkeys(flags_of(name).values()))
-    listed = [_listed("Options", _rows(option for option in options if not option.hidden), width)]
-    if more := _rows(option for option in options if option.hidden):
-        listed.append(_listed("More options", more, width))
-    if name is None:
-        usage, sentence, example = "[OPTIONS] COMMAND [ARGS]...", TITLE, "report quartz 100nm"
-        for section in dict.fromkeys(command.section for command in COMMANDS.values()):
-            rows = [(one.name, one.sentence) for one in COMMANDS.values() if one.section == section]
-            listed.append(_listed(section, rows, width))
-    else:
-        command = COMMANDS[name]
-        usage, sentence = f"{name} [OPTIONS] {command.words.metavar}".rstrip(), command.sentence
-        example = f"{name} {command.example}"
-    parts = [
-        _wrapped(f"Usage: jkroll {usage}", width),
-        _wrapped(sentence, width, "  "),
-        *listed,
-        *([_wrapped(LISTS, width, "  ")] if name in QUESTIONS else []),
-        _wrapped(f"Example: jkroll {example}", width, "  "),
-    ]
-    return fitting("\n\n".join("\n".join(lines) for lines in parts), sys.stdout)
-
-
-def _rows(options: Iterable[Option]) -> list[tuple[str, str]]:
-    """Return options as they are typed, those with one text together, and the text."""
-    rows: dict[str, list[str]] = {}
-    for option in options:
-        typed = f"{', '.join(reversed(option.flags))} {option.metavar}".rstrip()
-        rows.setdefault(option.sentence(), []).append(typed)
-    return [(", ".join(flags), text) for text, flags in rows.items()]
-
-
-def _listed(title: str, rows: Sequence[tuple[str, str]], width: int) -> list[str]:
-    """Return rows in two columns below a title."""
-    left = max(len(name) for name, _ in rows) + 4
-    lines = [f"{title}:"]
-    for name, text in rows:
-        first, *rest = _wrapped(text, max(width, left + MIN_TEXT), " " * left)
-        lines += [f"  {name}".ljust(left) + first[left:], *rest]
-    return lines
-
-
-def _wrapped(text: str, width: int, indent: str = "") -> list[str]:
-    """Return the lines of a text, each behind an indent."""
-    return [indent + line for line in wrapped(text, width - len(indent))]

@@ -13,7 +13,7 @@ from ..errors import BadRequest, JkrollError
 from ..quantities.errors import ALIKE, QUANTITY_SYNONYMS, nearest
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import closest, quoted, say, shown
-from .commands import COMMANDS, HELP, Action, Command, Option, flags_of, help_of
+from .commands import COMMANDS, HELP, Action, Command, Option, flags_of
 
 # What others type, and what is certainly meant by it; the names and symbols of quantities are taken as options, too.
 SYNONYMS: Mapping[str, str] = {
@@ -111,6 +111,8 @@ def _action(command: Command, words: Sequence[str]) -> Action:
 
 def _print_help(name: str | None) -> int:
     """Print the help of a command, or of the program."""
+    from .help import help_of
+
     say(help_of(name), sys.stdout)
     return 0
 

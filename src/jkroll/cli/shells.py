@@ -17,7 +17,8 @@ from ..output.manual import topics
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import ANY, NOMENCLATURE, OPTION_WORDS
 from . import process
-from .commands import COMMANDS, DEBUG, HELP, TITLE, VERSION, Action, Option, Words
+from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Option, Words
+from .help import TITLE
 
 
 def main() -> int:
