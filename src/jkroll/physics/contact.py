@@ -6,7 +6,7 @@ s = √(1 + P/P_c) alone (`load_margin`), which is 1 without load and 0 at pull-
 
 from __future__ import annotations
 
-from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
+from .dimensions import Area, Force, Length, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt
 
 
@@ -138,6 +138,20 @@ def approach_at_load(*, approach: Length, load_factor: Number) -> Length:
     2.0
     """
     return approach * cbrt(load_factor) * (3 * load_factor - 2)
+
+
+def contact_area(*, contact_radius_at_load: Length) -> Area:
+    """Return the area of the contact circle at the load.
+
+        A_c = πa²
+
+    Source:   Geometry.
+    Valid:    Any law of attraction.
+
+    >>> round(contact_area(contact_radius_at_load=2.0), 4)
+    12.5664
+    """
+    return pi * contact_radius_at_load**2
 
 
 def load_ratio(*, load: Force, pull_off_force: Force) -> Number:

@@ -7,6 +7,8 @@ spheres attract without contact, v is 0 and T is c. `dugdale` has the same curve
 
 from __future__ import annotations
 
+from typing import Any
+
 from . import dugdale
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import arctan, at_least, cube, pi, sqrt, where, within
@@ -449,3 +451,85 @@ def fold_approach_maugis(
     """
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return dugdale.lowest_approach(transition_parameter, edge_ratio_at_fold) * unit
+
+
+def contact_radius_at_pull_off_maugis(
+    *,
+    edge_ratio_at_pull_off: Number,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Return the radius of the contact circle at which a constant tension breaks the contact.
+
+        a_pull = v_c T
+
+    Source:   Maugis 1992.
+    Valid:    Always; it tends to 0 in DMT.
+
+    >>> from math import pi
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
+    >>> v = edge_ratio_at_pull_off(transition_parameter=1e4)
+    >>> radius = contact_radius_at_pull_off_maugis(edge_ratio_at_pull_off=v, transition_parameter=1e4, **unit)
+    >>> round(radius / 6 ** (1 / 3), 4)
+    0.63
+    """
+    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return _radius(transition_parameter, edge_ratio_at_pull_off) * unit
+
+
+def contact_radius_at_fold_maugis(
+    *,
+    edge_ratio_at_fold: Number,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Return the radius of the contact circle at which fixed grips let go.
+
+        a_fold = v_fold T; 0 if λ < 0.938, where they hold on to spheres that attract without contact
+
+    edge_ratio_at_fold  [1]  ≥ 0
+
+    Source:   Maugis 1992; Johnson & Greenwood 1997.
+
+    >>> unit = {"work_of_adhesion": 1.0, "reduced_radius": 1.0, "contact_modulus": 1.0}
+    >>> contact_radius_at_fold_maugis(edge_ratio_at_fold=0.0, transition_parameter=0.5, **unit)
+    0.0
+    """
+    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return _radius(transition_parameter, edge_ratio_at_fold) * unit
+
+
+def _radius(transition: Any, edge_ratio: Any) -> Any:
+    """Return the radius of the contact circle in its unit, 0 for spheres that do not touch."""
+    return edge_ratio * dugdale.span(transition, dugdale.shape(edge_ratio))
+
+
+def approach_at_pull_off_maugis(
+    *,
+    edge_ratio_at_pull_off: Number,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Return the approach of the centres at which a constant tension breaks the contact.
+
+        δ_pull = (a_pull² − (4/3)λT)/R, lengths in the units of `dugdale`
+
+    Source:   Maugis 1992.
+    Valid:    Always; it tends to 0 in DMT, and is negative below.
+
+    >>> from math import pi
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
+    >>> v = edge_ratio_at_pull_off(transition_parameter=1e4)
+    >>> approach = approach_at_pull_off_maugis(edge_ratio_at_pull_off=v, transition_parameter=1e4, **unit)
+    >>> round(approach / (4 / 3) ** (1 / 3), 3)
+    -0.397
+    """
+    at = dugdale.shape(edge_ratio_at_pull_off)
+    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return dugdale.approach(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
