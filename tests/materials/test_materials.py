@@ -250,7 +250,7 @@ def test_a_mistake_in_one_material_does_not_stop_the_others(run: Run, tmp_path: 
     assert run("batch", str(tmp_path / "grains.csv"), *words, *options).code == 1
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[1:] == [
         "good,100,1.4137166941154068e-8,?,",
-        f"bad,100,,,{mistake}",
+        "bad,100,,,bad materials file",
     ]
 
 
@@ -641,16 +641,15 @@ def test_a_name_of_several_materials_is_refused_with_their_values(run: Run, tmp_
         Materials(path)["wood"]
 
 
-def test_a_table_says_once_which_of_its_names_stand_for_several(run: Run) -> None:
+def test_a_table_says_once_which_a_name_may_be(run: Run) -> None:
     rows = "".join(f"{name},{radius}\n" for radius in range(1, 50) for name in ("SiO2", "quartz", "ice"))
     Path("grains.csv").write_text("material,radius [um]\n" + rows, encoding="utf-8")
     ran = run("batch grains.csv --quantities pull_off_force -o out.csv")
-    lines = [line for line in ran.err.splitlines() if "which?" in line]
-    assert len(lines) == 2
-    assert lines[0].startswith("note: material: 'SiO2' is quartz (25 mJ/m², Table 1), silica-dry (200 mJ/m²")
-    assert lines[1].startswith("note: material: 'ice' is ice-model")
+    (line,) = [line for line in ran.err.splitlines() if "which?" in line]
+    assert line.startswith("note: material: 'SiO2' is quartz (25 mJ/m², Table 1), silica-dry (200 mJ/m²")
+    assert line.endswith("row 1, likewise 97 more")
     assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status says why"
-    assert Path("out.csv").read_text(encoding="utf-8").count("which?") == 98
+    assert Path("out.csv").read_text(encoding="utf-8").count("unclear material") == 98
     assert "which?" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err
 
 

@@ -308,7 +308,7 @@ def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> 
 
     Valid:    A sphere that hangs from body 2.
 
-    >>> bond_number(pull_off_force=1e-8, mass=1e-15, gravity=10.0)
-    1000000.0
+    >>> bond_number(pull_off_force=24.0, mass=2.0, gravity=3.0)
+    4.0
     """
     return pull_off_force / (mass * gravity)

@@ -222,9 +222,7 @@ def say_reading(columns: Header) -> None:
 
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
-    """Say on stderr which names of materials in the first rows are unclear, and that nothing gives a radius."""
-    for message in filter(None, table.labels.values()):
-        say_wrapped(f"note: {message}", sys.stderr)
+    """Say on stderr that nothing gives a radius."""
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
         say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
 
