@@ -27,8 +27,8 @@ from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import Header, check_inputs, check_units
 from .inferred import Unknowns
-from .readings import MATERIALS
 from .rows import groups
+from .words import MATERIALS
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source, Sources
