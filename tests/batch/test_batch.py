@@ -30,7 +30,7 @@ from jkroll.rows.columns import Columns, Row, Wanted
 from jkroll.rows.header import understood
 from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import evaluated
-from jkroll.scene.limits import CODES
+from jkroll.scene.limits import CODES, UNCHECKED
 from relative import approx
 from tables import IN_SMALL_BLOCKS, random_table
 
@@ -175,14 +175,14 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     assert unknown.endswith(": row 3")
     assert [*lines[1:], failed] == [
         "note: assumed ξ = 200 pm (--xi), P = 0 N (--load)",
-        "note: 2 of 3 rows are doubtful (law>×2 in 2, M/2cRw>1 in 1, Q/T_first>=1 in 1, a/z0<3 in 1 and 4 more); column doubt says why",
+        "note: 2 of 3 rows are doubtful (law-off-2x in 2, xi-over-limit in 1, xi-over-contact in 1, slides-first in 1 and 4 more); column doubt says why",
         "jkroll: 1 of 3 rows failed; column status says why",
     ]
     found = read_table(end)
     assert [*found[0]][-3:] == ["yield_force [N]", "doubt", "status"]
     assert [row["doubt"] or "" for row in found] == [
-        "law>×2",
-        "law>×2 ξ/ξ_max>=1 ξ/a>1 Q/T_first>=1 M/2cRw>1 a/z0<3 p_H/E*>0.1 e_h>0.01",
+        "law-off-2x",
+        "law-off-2x xi-over-limit xi-over-contact slides-first moment-unexplained few-atoms may-yield wide-contact",
         "",
     ]
     assert "doubtful" not in run(f"{words} --no-doubt").err
@@ -190,7 +190,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
 
 
 def test_the_guide_explains_the_codes_of_doubts() -> None:
-    assert all(f"`{code}`" in page("models") for code in {*CODES, "?"})
+    assert all(f"`{code}`" in page("models") for code in {*CODES, UNCHECKED})
 
 
 @pytest.mark.slow
@@ -658,7 +658,7 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
         "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
         "note: no column and no option gives a radius; what needs one is left out",
         "note: assumed P = 0 N (--load)",
-        "note: ? in 1 of 1 rows: a limit could not be judged, as it needs an input that is not given",
+        "note: unchecked in 1 of 1 rows: a limit could not be judged, as it needs an input that is not given",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[
         0

@@ -734,7 +734,7 @@ def test_notes_are_few_and_say_their_rows(run: Run) -> None:
     lines = run("pull-off quartz 0.5nm 1nm 5um").err.splitlines()
     assert len(lines) == 3
     assert lines[0].endswith(
-        "; a/z0<3, elasticity is in doubt: rows 1-2; also p_H/E*>0.1 (rows 1-2), e_h>0.01 (row 1), law>5% (row 3): jkroll guide models"
+        "; few-atoms, contact radius below 3 atoms: rows 1-2; also may-yield (rows 1-2), wide-contact (row 1), law-off-5% (row 3): jkroll guide models"
     )
     assert lines[2] == "note: assumed z0 = 400 pm (--z0); 1 more: --explain"
 
@@ -797,11 +797,11 @@ def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Ru
     answers = json.loads(run("contact quartz 100nm --curve --json").out)
     inexact = run("pull-off quartz 100nm").err.splitlines()[0]
     assert "P_c = 14–15 nN by Maugis' law" in inexact
-    assert single == "law>25%"
+    assert single == "law-off-25%"
     assert {row["doubt"] for row in rows} == {single}
     assert {verdict["code"] for answer in answers for verdict in answer["validity"]} == {single, None}
     for options in ("--csv", "--bare", "-o curve.csv", "-o curve.svg", "--panel force"):
         assert inexact in run(f"contact quartz 100nm --curve {options}").err.splitlines(), options
     assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err
     listed = run("contact quartz 100nm,10um --curve --csv")
-    assert "law>25%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 25 %: rows 1-43" in listed.err
+    assert "law-off-25%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 25 %: rows 1-43" in listed.err

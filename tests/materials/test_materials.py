@@ -249,7 +249,7 @@ def test_a_mistake_in_one_material_does_not_stop_the_others(run: Run, tmp_path: 
     words = ("--quantities", "pull_off_force", "-o", str(tmp_path / "out.csv"))
     assert run("batch", str(tmp_path / "grains.csv"), *words, *options).code == 1
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[1:] == [
-        "good,100,1.4137166941154068e-8,?,",
+        "good,100,1.4137166941154068e-8,unchecked,",
         "bad,100,,,bad materials file",
     ]
 
