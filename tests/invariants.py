@@ -103,7 +103,10 @@ def check_call(arguments: list[str]) -> int:
         lines = lines[-1:]
     errors = [line for line in lines if line.startswith("jkroll: ")]
     assert code in CODES, arguments
-    assert all(line.startswith(("jkroll: ", "note: ", "read: ")) and line.isprintable() for line in lines), (
+    assert all(
+        line.startswith(("jkroll: ", "note: ", "warning: ", "assumed: ", "more: ", "read: ")) and line.isprintable()
+        for line in lines
+    ), (
         arguments,
         lines,
     )

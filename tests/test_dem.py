@@ -20,7 +20,7 @@ ROWS = {
     "twisting": ("twisting_stiffness", "twisting_angle", "twisting_moment", "twisting_energy"),
 }
 PREFIXES = {"f": 1e-15, "a": 1e-18, "z": 1e-21, "p": 1e-12, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "": 1.0}
-CELL = re.compile(r"([\d.]+) ([fazpnµm]?)(?:N m|N/m|N|J|m|rad)$")
+CELL = re.compile(r"([\d.]+(?:e-\d+)?) ([fazpnµm]?)(?:N m|N/m|N|J|m|rad)$")
 
 
 def number(cell: str) -> float:
@@ -42,7 +42,7 @@ def test_three_rows(run: Run, load: float) -> None:
     assert all(len(line) <= 80 for line in lines)
     for row, names in ROWS.items():
         exact = solve([*names], **QUARTZ, load=load)
-        assert [number(re.sub(" m/rad$", " m", cell)) for cell in shown[row]] == approx([*exact.values()], rel=1e-5)
+        assert [number(re.sub(" m/rad$", " m", cell)) for cell in shown[row]] == approx([*exact.values()], rel=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -51,9 +51,9 @@ def test_three_rows(run: Run, load: float) -> None:
         ("quartz 100nm", "slides before it peels off"),
         ("quartz 1um", "peels off before it slides"),
         ("quartz 1um --shear-strength 10MPa", "slides before it peels off"),
-        ("quartz 100nm --xi 1nm", "pushed, it rolls before it slides"),
-        ("quartz 0.5nm", "pushed, it slides before it rolls"),
-        ("quartz 100nm", "T_first = 21.6"),  # where its whole area slides at 29.2 nN
+        ("quartz 100nm --xi 1nm", "pushed, it rolls first"),
+        ("quartz 0.5nm", "pushed, it slides before it peels off first"),
+        ("quartz 100nm", "at 22 nN"),  # where its whole area slides at 29.2 nN
     ],
 )
 def test_what_comes_first(run: Run, words: str, said: str) -> None:
@@ -66,7 +66,7 @@ def test_turns_of_a_sphere_that_arrives(run: Run) -> None:
     assert [line.split()[0] for line in ran.out.splitlines()] == [
         "n_roll_after_impact", "n_roll", "n_roll_energy_balance"
     ]  # fmt: skip
-    said = "a sphere that arrives at a speed does not spin yet: it turns n_imp times; n_roll and n_bal are those of one that"
+    said = "a sphere that arrives at a speed does not spin yet and turns n_imp times; n_roll and n_bal are those of one that"
     for words in (
         "n-roll quartz 1um --speed 5cm/s",
         "n-roll quartz 1um,2um --speed 5cm/s",

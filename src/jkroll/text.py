@@ -137,10 +137,10 @@ NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
 
 
 def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
-    """Return the lines of a sentence, broken at spaces, but not between a number and its unit; those after the first indented.
+    """Return the lines of a sentence, broken at spaces, but not between a number and its unit, nor at an equals sign; those after the first indented.
 
-    >>> wrapped("P = 0 N", 5), wrapped("P = 0 N", 6, 2)
-    (['P =', '0 N'], ['P =', '  0 N'])
+    >>> wrapped("load 0 N", 5), wrapped("load P = 0 N", 9, 2)
+    (['load', '0 N'], ['load', '  P = 0 N'])
     """
     from textwrap import wrap
 
@@ -151,14 +151,14 @@ def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
 
 
 def with_units_joined(text: str) -> str:
-    """Return a text with no-break spaces between a number and its unit, and within a unit.
+    """Return a text with no-break spaces between a number and its unit, within a unit, and around an equals sign.
 
     >>> with_units_joined("M [fN m] is 5 fN m, 0.3 % less").replace(NO_BREAK_SPACE, "_")
     'M [fN_m] is 5_fN_m, 0.3_% less'
     """
     import re
 
-    joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)", NO_BREAK_SPACE, text)
+    joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)| (?==)|(?<= =) ", NO_BREAK_SPACE, text)
     return re.sub(r"(?<=[NJg]) (?=m(?:\b|[²^/]))", NO_BREAK_SPACE, joined)  # N m, kg m²
 
 

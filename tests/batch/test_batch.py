@@ -174,7 +174,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     assert unknown.startswith("note: material: 'quarz' is not known; did you mean quartz? known materials are gold, ")
     assert unknown.endswith(": row 3")
     assert [*lines[1:], failed] == [
-        "note: assumed ξ = 200 pm (--xi), P = 0 N (--load)",
+        "note: assumed ξ = 200 pm (--xi), no load (--load)",
         "note: 2 of 3 rows are doubtful (law-off-2x in 2, xi-over-limit in 1, xi-over-contact in 1, slides-first in 1 and 4 more); column doubt says why",
         "jkroll: 1 of 3 rows failed; column status says why",
     ]
@@ -657,7 +657,7 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
     assert ran.err.splitlines() == [
         "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
         "note: no column and no option gives a radius; what needs one is left out",
-        "note: assumed P = 0 N (--load)",
+        "note: assumed no load (--load)",
         "note: unchecked in 1 of 1 rows: a limit could not be judged, as it needs an input that is not given",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[

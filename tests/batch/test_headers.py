@@ -661,11 +661,11 @@ def test_a_quantity_that_some_cells_show_is_given_for_all_rows(run: Run) -> None
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("--material quartz --quantities yield_force", "note: assumed ξ = 200 pm (--xi), P = 0 N (--load)"),
+        ("--material quartz --quantities yield_force", "note: assumed ξ = 200 pm (--xi), no load (--load)"),
         ("--material quartz --quantities yield_force --xi 1nm --load 0N", ""),
         ("--material quartz --quantities pull_off_force", ""),
-        ("--material quartz --quantities contact_radius_at_load", "note: assumed P = 0 N (--load)"),
-        ("--materials own.toml --material own --quantities yield_force", "note: assumed P = 0 N (--load)"),
+        ("--material quartz --quantities contact_radius_at_load", "note: assumed no load (--load)"),
+        ("--materials own.toml --material own --quantities yield_force", "note: assumed no load (--load)"),
     ],
 )
 def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, said: str) -> None:

@@ -244,6 +244,6 @@ def test_rows_without_a_result_are_a_table_too(run: Run, line: str) -> None:
     """Whatever a quantity that they do not show would need."""
     ran = run(line, terminal=True)
     assert ran.code == 1
-    assert ran.out.startswith("2 scenes")
+    assert ran.out.startswith("2 pairs")
     assert "need" in ran.err
     assert "None" not in ran.out + run(f"{line} --csv").out

@@ -148,8 +148,8 @@ def test_doubts_and_the_caveat_are_in_the_file_or_beside_it(run: Run, program: s
     quiet = run(f"export {program} quartz 100nm --quiet")
     assert (quiet.code, quiet.err) == (0, "")
     told = ran.err if program == "dust-simulation" else ran.out.removeprefix(quiet.out)
-    assert "by Maugis' law (Tabor parameter 0.14" in told
-    assert "quartz: surface energy per surface: measured for micron-sized particles" in told
+    assert "by Maugis' law, better here than JKR (Tabor parameter 0.14" in told
+    assert re.search("(γ|gamma) of quartz: measured for micron-sized particles", told)
     assert "changes no result here" not in told
     assert ran.out.startswith(quiet.out)
     if program != "dust-simulation":

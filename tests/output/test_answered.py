@@ -42,7 +42,8 @@ def test_as_dict_is_the_object_of_json(run: Run, words: str, wanted: str | list[
         each["code"]: (each["value"], each["limit"], each["factor"]) for each in unmet
     }
     unmet.sort(key=lambda each: -(each["factor"] or math.inf))
-    assert all(each["text"] in str(text) for each, text in zip(unmet, found.doubts, strict=True))
+    for each, text in zip(unmet, found.doubts, strict=True):
+        assert each["text"] in str(text) or each["text"].partition(": ")[2] in str(text)
 
 
 def test_error_bars_and_units() -> None:

@@ -113,18 +113,20 @@ def words(scene: Scene, *names: str) -> str:
 
 def test_words() -> None:
     assert words(of("quartz", ROLLED["radius"]), "yield_force") == (
-        "ξ = 200 pm (--xi) is assumed; Q = 850–1200 pN by forces on SiO2 of 1 µm; above Q = 900 pN adhesion hysteresis cannot supply the moment"
+        "Q = 850–1200 pN by forces on SiO2 of 1 µm; ξ is assumed (--xi); above Q = 900 pN, adhesion cannot lose enough"
     )
     scaled = words(of("quartz", 1e-7), "yield_force")
-    assert "Q = 89–270 pN by forces on SiO2 of 1 µm (850–1200 pN), scaled by our rule (R^(2/3) to R)" in scaled
-    assert words(of("ice-warm", 1e-6), "r_min").endswith("is assumed: none of ice-warm was measured at this size")
+    assert "Q = 89–270 pN by forces on SiO2 of 1 µm (850–1200 pN), scaled to this size" in scaled
+    assert words(of("ice-warm", 1e-6), "r_min").endswith(
+        "ξ is assumed (--xi): none of ice-warm was measured at this size"
+    )
     assert "polystyrene has 42 nm at 5 µm" in words(of("quartz", 1e-5), "r_min")
     assert about_displacement(of("quartz", 5e-8), ["yield_force"]) is None
     assert about_displacement(of("quartz", 1e-6), ["pull_off_force"]) is None
 
 
 def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
-    lead = "note: ξ = 200 pm (--xi) is assumed; Q = 850–1200 pN by forces on SiO2 of 1 µm"
+    lead = "note: Q = 850–1200 pN by forces on SiO2 of 1 µm; ξ is assumed (--xi)"
     assert lead in run("yield-force quartz 0.95um").err
     assert lead in run("yield-force quartz 0.95um --explain").out
     assert run("yield-force quartz,iron 0.95um --csv").err.count("forces on SiO2 of 1 µm mean 1.8–2.6 nm") == 1
@@ -156,8 +158,9 @@ def test_the_option_takes_both_and_says_what_they_stand_for(run: Run) -> None:
         part = run(f"n-grav quartz 1um {text}")
         assert part.code == 0
         assert float(part.out.split()[1]) == approx(float(energy.out.split()[1]))
-        assert "this Δw stands for ξ = 786.164 pm" in part.err
-    assert "this ξ stands for an adhesion hysteresis of 40 % of w" in run("n-grav quartz 1um --xi 0.786164nm").err
+        assert "this Δw stands for ξ = 786.164 pm" in run(f"n-grav quartz 1um {text} --explain").out
+    said = run("n-grav quartz 1um --xi 0.786164nm --explain").out
+    assert "to roll so, 40 % of w must be lost where the contact opens and closes" in said
     assert run("n-grav quartz 1um --adhesion-hysteresis 20mJ/m2±10%").code == 0
     assert run("n-grav quartz 1um --adhesion-hysteresis 0.0001lbf/in±20%").code == 0
     assert run("n-grav quartz 1um --adhesion-hysteresis 120%").code == 2

@@ -358,7 +358,10 @@ def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -
 def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
     found = Answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"]))
     (doubt,) = [each for each in found.validity if each.limit.name == "tabor_parameter"]
-    assert found.about(doubt) == "Q = 40–48 pN by Maugis' law (Tabor parameter 0.14, z0 = 200–400 pm); --model maugis"
+    assert (
+        found.about(doubt)
+        == "Q = 40–48 pN by Maugis' law, better here than JKR (Tabor parameter 0.14, z0 = 200–400 pm): --model maugis"
+    )
     by_maugis = found.laws["yield_force"]
     assert by_maugis["value"] == approx(solve("yield_force", model="maugis", **QUARTZ))
     assert by_maugis["over_jkr"] == approx(

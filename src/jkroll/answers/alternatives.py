@@ -5,7 +5,7 @@ from math import log
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
-from ..quantities.formatting import amount, span
+from ..quantities.formatting import span
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval
@@ -28,7 +28,7 @@ from ..scene.alternatives import (
     uses_law,
 )
 from ..scene.limits import JUMP, LAW_MATTERS, Doubt
-from ..scene.scene import DEFAULTS, Scene
+from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .results import Note
 
@@ -185,8 +185,8 @@ def about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
     told = [text for name in names if doubt.value >= JUMP or name not in _OF_ENERGY for text in _advised(scene, name)]
     spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
     inexact = f"{scene.law.title} is inexact here, and Maugis' law, too"
-    lead = ", ".join(told[:MAX_TOLD]) + " by Maugis' law" if told else inexact
-    return f"{lead} (Tabor parameter {doubt.value:.2g}, z0 = {spacing}); --model {BETWEEN}"
+    lead = ", ".join(told[:MAX_TOLD]) + f" by Maugis' law, better here than {scene.law.title}" if told else inexact
+    return f"{lead} (Tabor parameter {doubt.value:.2g}, z0 = {spacing}): --model {BETWEEN}"
 
 
 def _advised(scene: Scene, name: str) -> Iterator[str]:
@@ -213,30 +213,29 @@ def about_displacement(scene: Scene, names: Sequence[str]) -> Note | None:
     radius = _radius(scene)
     if not following or not assumes_displacement(scene) or radius < _SMALLEST:
         return None
-    assumed = f"ξ = {amount(XI, DEFAULTS[XI])} (--xi) is assumed"
     solid = rolled_solid(scene)
     if not solid:
         of_solid = f" of {scene.material.name}" if scene.material is not None and scene.material2 is None else ""
         near = "" if radius < _LARGE else f"; {_ELSEWHERE}"
-        return Note("displacement", f"{assumed}: none{of_solid} was measured at this size{near}")
+        return Note("displacement", f"ξ is assumed (--xi): none{of_solid} was measured at this size{near}")
     values = by_data(scene, following[:MAX_TOLD]).values
     own = scene.numbers(*values)
     size = log(farthest(ratio(end, own[name]) for name, one in values.items() if one for end in (one.low, one.high)))
     told = ", ".join(
         f"{NOMENCLATURE[name].symbol} = {span(name, one.low, one.high)}" for name, one in values.items() if one
     )
-    text = f"{assumed}; {told} by {_forces(solid, radius)}{_beyond_hysteresis(scene)}"
+    text = f"{told} by {_forces(solid, radius)}; ξ is assumed (--xi){_beyond_hysteresis(scene)}"
     return Note("displacement", text, size=size)
 
 
 def _forces(solid: str, radius: float) -> str:
     """Return what was measured, and how it was brought to the size of a scene."""
     if solid != SIO2:
-        return "displacements of polystyrene on glass at 5 µm, scaled by our rule (R^(2/3) to R)"
+        return "displacements of polystyrene on glass at 5 µm, scaled to this size"
     text = f"forces on {SIO2} of 1 µm"
     if abs(radius / ROLLED["radius"] - 1) < _ALIKE:
         return text
-    return f"{text} ({span('yield_force', *FORCES)}), scaled by our rule (R^(2/3) to R)"
+    return f"{text} ({span('yield_force', *FORCES)}), scaled to this size"
 
 
 def _beyond_hysteresis(scene: Scene) -> str:
@@ -245,15 +244,14 @@ def _beyond_hysteresis(scene: Scene) -> str:
     if len(most) < 2 or most["hysteresis_ratio"] <= 1:
         return ""
     force = most["yield_force"] / most["hysteresis_ratio"]
-    return f"; above Q = {span('yield_force', force, force)} adhesion hysteresis cannot supply the moment"
+    return f"; above Q = {span('yield_force', force, force)}, adhesion cannot lose enough"
 
 
 def note_of_rows(scene: Scene) -> Note:
     """Return the note where ξ is assumed for rows of a kind, of which the scene is one."""
-    assumed = f"ξ = {amount(XI, DEFAULTS[XI])} (--xi) is assumed"
     if scene.material is not None and not solid_of_kind(scene):
-        return Note("displacement", f"{assumed}: none of {scene.material.name} was measured")
-    ends = displacements_where_measured(scene)
+        return Note("displacement", f"ξ is assumed (--xi): none of {scene.material.name} was measured")
+    ends = span(XI, *displacements_where_measured(scene))
     return Note(
-        "displacement", f"{assumed}; forces on {SIO2} of 1 µm mean {span(XI, *ends)}, and it grows with the sphere"
+        "displacement", f"ξ is assumed (--xi): forces on {SIO2} of 1 µm mean {ends}, and it grows with the sphere"
     )

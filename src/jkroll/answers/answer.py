@@ -169,7 +169,7 @@ class Answer:
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
         return [
-            Note("doubt", self.sentence(doubt), doubt.brief, doubt.limit.factor is not None, doubt.excess)
+            Note("warning" if doubt.limit.ends_meaning else "doubt", self.sentence(doubt), doubt.code, doubt.excess)
             for doubt in self.exceeded
         ]
 
@@ -223,7 +223,7 @@ class Answer:
         entering = with_limits(self.inputs, self._of_limits) | depends_on(lacking, [scene.law.name])
         return (
             *about_given(scene, possible, self._entering, entering, displaced),
-            *about_results([*self.results], scene, self.question.noted),
+            *about_results([*self.results], scene),
             *about_missing([*self.results], self.errors),
             *about_limits(unjudged),
             *(about_uncertainties(found, sources) if sources is not None else ()),

@@ -8,7 +8,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import amount, in_words
+from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
@@ -133,8 +133,10 @@ class Inferred(Answer):
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for what was measured; of a law that is not exact, the values by Maugis' law."""
         if doubt.is_exceeded and doubt.limit.factor is not None and BETWEEN in self._by_law:
-            values = _equal(self._by_law[BETWEEN].values)
-            return f"{values} by Maugis' law (Tabor parameter {doubt.value:.2g}); --model {BETWEEN}"
+            values = self._by_law[BETWEEN].values
+            told = listed(f"{NOMENCLATURE[name].symbol} = {span(name, one, one)}" for name, one in values.items())
+            better = f"by Maugis' law, better here than {self.scene.law.title}"
+            return f"{told} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
         return self.forward.about(doubt)
 
     @cached_property

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..errors import JkrollError
 from ..materials.library import Material
-from ..quantities.formatting import amount, significant
+from ..quantities.formatting import Format, amount, significant, span
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, of_sphere
 from ..scene.failures import NO_END, MissingInput, grouped
@@ -22,18 +22,14 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Source, Sources
 
 _OF_SPINNING = ("n_roll", "n_roll_energy_balance")  # of a sphere that spins from the start
+_SHORT = Format(digits=4)
 MAX_NAMES = 3  # of quantities in a note
 LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
 ROUGH = 1e-6  # radius from which most spheres are rough
 _SMOOTH = 4.0  # the factor by which forces on smooth glass lie below the computed ones
-_ROUGHNESS = (
-    "smooth spheres: glass on smooth glass was measured at a half to a quarter of this (γ = 25 mJ/m²), rough spheres and grains in air at "
-    "1/10 to 1/100"
-)
-_STICKING = "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008)"
-_IN_VACUUM = ", or, of SiO2, a γ ten times larger in vacuum than in air (Kimura et al. 2015)"
-_DRY = 0.1  # J/m²: SiO2 with less has the γ that was measured in air
+_OF_ROUGH = 100.0  # and those on rough grains in air, at most
+_STICKING = "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, of silica-dry 1.7 m/s"
 _ELASTIC = ("youngs_modulus", "poisson_ratio")
 # The models of the rolling moment.
 MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
@@ -87,7 +83,7 @@ def about_given(
     """
     return [
         *displaced,
-        *about_assumed([name for name in assumed(scene, inputs) if not (name == XI and displaced)]),
+        *about_assumed(assumed(scene, inputs), derived(scene, inputs, names)),
         *assumptions(scene, inputs, names),
         *about_idle(scene, entering),
         *about_data(scene, inputs),
@@ -101,13 +97,30 @@ def assumed(scene: Scene, inputs: Collection[str]) -> list[str]:
 
 def parts_of_assumed(names: Collection[str]) -> list[str]:
     """Return the parts of an enumeration of inputs that were assumed, with the options that set them."""
-    texts = [f"{symbol_of(name)} = {amount(name, DEFAULTS[name])} ({NOMENCLATURE[name].option})" for name in names]
-    return [*(f"assumed {text}" for text in texts[:1]), *texts[1:]]
+    return [
+        f"{f'{symbol_of(name)} = {amount(name, DEFAULTS[name])}' if DEFAULTS[name] else 'no load'} ({NOMENCLATURE[name].option})"
+        for name in names
+    ]
 
 
-def about_assumed(names: Collection[str]) -> list[Note]:
-    """Return a note on inputs that were assumed."""
-    return [Note("assumed", ", ".join(parts_of_assumed(names)))] if names else []
+def derived(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> Iterator[str]:
+    """Iterate over what was assumed by a rule, with the value and the option that sets it."""
+    steps = {step.name for step in scene.plan(*names).steps}
+    if "disruption_energy" in names and "contacts" not in scene.given:
+        yield "as many contacts as grains in each, n_c = N (--contacts)"
+    if "shear_strength" in steps:
+        for strength in scene.numbers("shear_strength").values():
+            yield f"τ = G/4π² = {amount('shear_strength', strength, _SHORT)} (--shear-strength)"
+    is_mixed = scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
+    if "work_of_adhesion" in steps and "surface_energy2" in inputs and is_mixed:
+        mixed = amount("work_of_adhesion", scene["work_of_adhesion"], _SHORT)
+        yield f"w = 2√(γ1γ2) = {mixed} (--work-of-adhesion)"
+
+
+def about_assumed(names: Collection[str], by_rule: Iterable[str] = ()) -> list[Note]:
+    """Return a note on inputs that were assumed, by a value or by a rule."""
+    parts = [*by_rule, *parts_of_assumed(names)]
+    return [Note("assumed", f"assumed: {', '.join(parts)}")] if parts else []
 
 
 def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
@@ -116,13 +129,6 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list
     notes = []
     if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
         notes.append(_about_hamaker(scene))
-    if (
-        "work_of_adhesion" in steps
-        and scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
-        and "surface_energy2" in inputs
-    ):
-        text = "w = 2√(γ1γ2) by the geometric mixing rule; a measured one is better (--work-of-adhesion)"
-        notes.append(Note("assumption", text))
     return notes + [Note("assumption", text) for text in _about_shear(scene, steps)]
 
 
@@ -143,8 +149,7 @@ def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
     )
     if "shear_strength" in steps:
         softer = "" if are_alike else " of the softer solid, a rule of this program"
-        for strength in scene.numbers("shear_strength").values():
-            yield f"τ = G/4π² = {amount('shear_strength', strength)}{softer}, an order of magnitude (--shear-strength)"
+        yield f"sliding and twisting are known to an order of magnitude: τ = G/4π²{softer} (--shear-strength)"
     if "contact_shear_modulus" in steps and not are_alike:
         yield "k_s without Dundurs' coupling of unlike solids"
 
@@ -159,7 +164,7 @@ def about_idle(scene: Scene, entering: Collection[str]) -> list[Note]:
     """Return a note on the inputs that were given though no result depends on them; `entering` are those that enter."""
     entering = {*entering, *(OF_AREA if scene.is_rigid else ())}  # which refuses, and so changes something
     idle = [name for name in scene.stated if name not in entering]
-    return [Note("result", idle_in_words(idle))] if idle else []
+    return [Note("caveat", idle_in_words(idle))] if idle else []
 
 
 def idle_in_words(names: Sequence[str]) -> str:
@@ -176,7 +181,7 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
         # A property whose origin is stated says what is against it.
         Note(
             "caveat" if name in material.origins else "data",
-            f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}",
+            f"{symbol_of(name).rstrip('12')} of {material.name}: {material.notes[name]}",
         )
         for material, name in used
         if name in material.notes
@@ -194,36 +199,29 @@ def _about_own_displacement(used: Iterable[tuple[Material, str]]) -> Iterator[No
             yield Note("data", f"{measured}; elsewhere it is the range between our scalings, R^(2/3) to R")
 
 
-def about_results(results: list[Result], scene: Scene, noted: Collection[str] = ()) -> list[Note]:
-    """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is.
-
-    `noted`: quantities whose values the notes state.
-    """
+def about_results(results: list[Result], scene: Scene) -> list[Note]:
+    """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
     names = [result.name for result in known]
-    notes = [*_about_noted(known, noted)]
+    notes: list[Note] = []
     if not scene.is_identical and (unlike := [name for name in names if NOMENCLATURE[name].of_identical]):
-        text = f"{first_symbols(unlike)}: of identical spheres alone, and these differ: the number has no meaning here"
-        notes.append(Note("caveat", text))
-    notes += about_conventions(scene, [name for name in names if name not in noted])
+        text = f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone"
+        notes.append(Note("warning", text))
+    notes += about_conventions(scene, names)
     if "n_grav" in names and not scene.is_identical:
         carried = f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}"
-        notes.append(Note("result", carried))
+        notes.append(Note("caveat", carried))
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
         whose = "" if scene.law.is_default else " of JKR"
         ratios = scene.numbers("energy_over_sticking").values()  # none in a law without U_stick
         size = "".join(f" is {one:.3g} U_stick, the largest energy that sticks" for one in ratios)
         notes += [Note("result", f"W0 = P_cδ0{whose}{size}")] if whose or size else []
-    if "disruption_energy" in names:
-        as_many = "" if "contacts" in scene.given else "; n_c = N (--contacts)"
-        notes.insert(0, Note("result", f"N and n_c are of each of two equal aggregates{as_many}"))
     if {"yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment"} <= {*names}:
         notes.append(_first_to_yield(scene))
     if not {"pull_off_force", "bond_number"}.isdisjoint(names) and scene.values.get("radius", 0.0) >= ROUGH:
-        notes.append(Note("roughness", _ROUGHNESS, size=log(_SMOOTH)))
+        notes.append(Note("roughness", _about_roughness(scene), size=log(_SMOOTH)))
     if "sticking_speed" in names:
-        is_dry = scene.values.get("surface_energy", _DRY) >= _DRY
-        notes.insert(0, Note("result", _STICKING + ("" if is_dry else _IN_VACUUM)))
+        notes.insert(0, Note("result", _STICKING))
     notes += about_law(scene, names)
     notes += _about_hysteresis(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
@@ -236,7 +234,8 @@ def _about_hysteresis(scene: Scene, names: Collection[str]) -> list[Note]:
         return []
     if scene.given.keys().isdisjoint(IN_ITS_PLACE[1:]):
         ratio = scene.numbers("hysteresis_ratio").get("hysteresis_ratio", 1.0)
-        text = f"this ξ stands for an adhesion hysteresis of {significant(100 * ratio, 2)} % of w" if ratio < 1 else ""
+        lost = f"{significant(100 * ratio, 2)} % of w must be lost where the contact opens and closes"
+        text = f"to roll so, {lost}" if ratio < 1 else ""
     else:
         found = scene.numbers(XI) if XI not in names else {}
         text = "".join(f"this Δw stands for ξ = {amount(XI, value)}" for value in found.values())
@@ -261,37 +260,36 @@ def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
         is_implied = scene.is_identical and name == "rolling_frequency_no_slip"
         if NOMENCLATURE[name].note and not is_implied:
             by_note.setdefault(NOMENCLATURE[name].note, []).append(symbol_of(name))
-    notes = [Note("result", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
+    notes = [Note("model", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
     spinning = [symbol_of(name) for name in _OF_SPINNING if name in names]
     if spinning and "speed" in scene.stated:
         are = "are those" if spinning[1:] else "is that"
-        text = f"a sphere that arrives at a speed does not spin yet: it turns n_imp times; {listed(spinning)} {are} of one that rolls from the start, with this W0"
+        text = f"a sphere that arrives at a speed does not spin yet and turns n_imp times; {listed(spinning)} {are} of one that rolls from the start"
         notes.insert(0, Note("caveat", text))
     return notes
 
 
-def _about_noted(results: Iterable[Result], noted: Collection[str]) -> Iterator[Note]:
-    """Iterate over the values that have a note in place of a row, each with why it stands beside a headline."""
-    for result in results:
-        if result.name in noted and (found := result.measure) is not None:
-            note, symbol = NOMENCLATURE[result.name].note, symbol_of(result.name)
-            yield Note("result", f"{symbol} = {amount(result.name, found)}: {note}")
+def _about_roughness(scene: Scene) -> str:
+    """Return what was measured where the pull-off force is that of smooth spheres."""
+    forces = scene.numbers("pull_off_force").values()
+    ends = ((_SMOOTH, 2.0), (_OF_ROUGH, 10.0))
+    smooth, rough = (
+        "".join(f" ({span('pull_off_force', force / most, force / least)} here)" for force in forces)
+        for most, least in ends
+    )
+    return f"on smooth glass 1/2 to 1/4 of P_c was measured{smooth}, of rough grains in air 1/10 to 1/100{rough}"
 
 
 def _first_to_yield(scene: Scene) -> Note:
     """Return what yields first where a pair is pushed, and where it is turned. A brittle contact shrinks while it is pushed."""
     names = ("yield_force", "sliding_or_peeling_force", "yield_moment", "twisting_moment", "peeling_over_sliding")
     roll, first, bend, twist, ratio = scene.evaluate(names).values()
-    gives_way, last = ("peels off", "slides") if ratio < 1 else ("slides", "peels off")
-    rolls = "rolls before it slides" if roll < first else f"{gives_way} before it rolls"
-    force = f"{symbol_of('sliding_or_peeling_force')} = {amount('sliding_or_peeling_force', first)}"
-    pushed = (
-        f"pushed, it {rolls}; where it cannot roll, it {gives_way} before it {last}, at {force}, if it is brittle and shrinks; "
-        f"with all of its area it slides at {symbol_of('sliding_force')}"
-    )
-    turned = "rolls it before it twists it" if bend < twist else "twists it before it rolls it"
-    moments = f"M_twist = {twist / bend:.3g} M" if bend < twist else f"M = {bend / twist:.3g} M_twist"
-    return Note("result", f"{pushed}; a moment {turned} ({moments})")
+    gives_way = "peels off before it slides" if ratio < 1 else "slides before it peels off"
+    force = span("sliding_or_peeling_force", first, first)
+    pushed = f"pushed, it rolls first; where it cannot, it {gives_way} at {force}, as the contact shrinks"
+    if roll >= first:
+        pushed = f"pushed, it {gives_way} first, at {force}, as the contact shrinks"
+    return Note("caveat", f"{pushed}; turned, it {'rolls' if bend < twist else 'twists'} first")
 
 
 def model_error(name: str, scene: Scene) -> float | None:

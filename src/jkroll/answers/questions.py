@@ -27,11 +27,16 @@ class Question(NamedTuple):
     quantities: tuple[str, ...]  # all that are shown, in this order
     named: tuple[str, ...] = ()  # asked for by name: shown for any scene
     grid: Grid | None = None  # the table of one scene, if it is not a row for each quantity
-    noted: tuple[str, ...] = ()  # whose values stand in a note below the table of one scene, and not in a row
+    # Without a row: of which quantity it is a limit, and the head of its column; None has no column either.
+    beside: Mapping[str, tuple[str, str] | None] = MappingProxyType({})
 
 
 _QUESTIONS = {
-    "pull-off": Question(("pull_off_force",), ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones")),
+    "pull-off": Question(
+        ("pull_off_force",),
+        ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones"),
+        beside={"pull_off_force_dmt": ("pull_off_force", "DMT")},
+    ),
     "yield-force": Question(
         ("yield_force",),
         (
@@ -56,7 +61,7 @@ _QUESTIONS = {
             "twisting_frequency",
             "rayleigh_time",
         ),
-        noted=("rolling_frequency_as_printed",),
+        beside={"rolling_frequency_as_printed": None},
     ),
     "n-roll": Question(("n_roll",), ("n_roll_after_impact", "n_roll", "n_roll_energy_balance")),
     "contact": Question(
@@ -125,7 +130,7 @@ _ENERGIES = Question(
     ),
 )
 _THREE = Grid(
-    ("", "stiffness", "yields at", "force or moment", "elastic energy"),
+    ("", "stiffness", "begins at", "force or moment", "energy to begin"),
     {
         "rolling": (
             ("rolling_stiffness",),

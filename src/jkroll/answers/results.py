@@ -70,6 +70,7 @@ class Result(NamedTuple):
 # Of notes, the most important first. What makes numbers doubtful has a size, by which these stand among each other.
 Kind = Literal[
     "material",
+    "warning",
     "missing",
     "error bars",
     "caveat",
@@ -88,16 +89,10 @@ Kind = Literal[
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Kind
+    kind: Kind  # a warning is of a number without a meaning
     text: str
-    brief: str = ""  # of a doubt: the number and the limit that it exceeds
-    is_sentence: bool = False  # a doubt that says by itself what is doubtful
+    brief: str = ""  # of a doubt: its code
     size: float | None = None  # of what makes numbers doubtful: the logarithm of a factor
-
-    @property
-    def worded(self) -> str:
-        """The text as it stands alone."""
-        return f"doubtful: {self.text}" if self.kind == "doubt" and not self.is_sentence else self.text
 
 
 def propagated_of(found: "Mapping[str, Propagated | JkrollError]", name: str) -> Propagated | None:

@@ -81,7 +81,7 @@ def said_of(table: Table) -> tuple[str, ...]:
         return (table.reading,)
     from ..answers.notes import idle_in_words, left_out_in_words, parts_of_assumed
 
-    notes = [", ".join(parts_of_assumed(table.assumed))] if table.assumed else []
+    notes = ["assumed " + ", ".join(parts_of_assumed(table.assumed))] if table.assumed else []
     notes += [idle_in_words(idle)] if idle else []
     notes += left_out_in_words((source, "") for source in table.left_out)
     return table.reading, *(f"note: {text}" for text in notes)

@@ -15,7 +15,7 @@ from ..output.records import lines, write_json, write_plain
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Columns, Wanted
-from ..rows.sweep import Pair, Sweep
+from ..rows.sweep import Sweep
 from ..scene.scene import Scene
 from ..scene.wiring import formula_of
 from ..text import ending, fitting, quoted, say_wrapped
@@ -172,7 +172,7 @@ def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call)
     deliver(wanted, notes.watch(blocks), kind, form, call)
     if len(sweep) == 1 and not call.quiet:
         return _ended(notes, note_lines.of_answer(asked.answer(next(sweep.scenes()))))
-    return _ended(notes, [] if call.quiet else notes.lines(sweep.pairs, asked.kinds(sweep, wanted)))
+    return _ended(notes, notes.lines(asked.kinds(sweep, wanted), has_table=is_shown, quiet=call.quiet))
 
 
 def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
@@ -262,9 +262,9 @@ def write_answers(
         else:
             write_plain(only, out, form, alternatives=alternatives)
         out.flush()
-        if not quiet:
-            for line in note_lines.of_answer(only, has_head=kind == "table"):
-                say_wrapped(line, sys.stderr)
+        is_bare = kind == "bare" and quiet
+        for line in [] if is_bare else note_lines.of_answer(only, has_head=kind == "table", quiet=quiet):
+            say_wrapped(line, sys.stderr)
     out.flush()
     return _failed(len(failures), count, failures[0] if failures else None)
 
@@ -309,11 +309,9 @@ def _write_curve(call: Call) -> int:
     bare = OfCurve(shown, named=shown, doubts=False)
     wanted = bare if kind == "bare" else OfCurve.of(samples, shown)
     size = MAX_TABLE if kind == "table" else CURVE_BLOCK
-    pairs: list[Pair] = []  # of each row
 
     def columns() -> Iterator[Columns]:
         while some := [*islice(at, size)]:
-            pairs.extend((one.scene.material, one.scene.material2) for one in some)
             yield Columns.of_rows(wanted, [wanted.row(one) for one in some])
 
     notes = note_lines.OfRows()
@@ -321,4 +319,4 @@ def _write_curve(call: Call) -> int:
     curves = [*dict.fromkeys(one.curve for one in samples)]
     if len(sweep) == 1 and not call.quiet:
         return _ended(notes, note_lines.of_answer(curves[0]))
-    return _ended(notes, [] if call.quiet else notes.lines(pairs, [(curve.scene, curve.shown) for curve in curves]))
+    return _ended(notes, notes.lines([(curve.scene, curve.shown) for curve in curves], quiet=call.quiet))

@@ -118,7 +118,7 @@ class Answered:
 
     def __str__(self) -> str:
         values = [f"{name} = {value}" for name, value in self.values.items()]
-        doubts = [note.worded for note in self._found.doubts()]
+        doubts = [note.text for note in self._found.doubts()]
         return "\n".join([*values, *doubts, *self.notes])
 
 
@@ -156,7 +156,7 @@ def answer(
     >>> str(found["pull_off_force"]), found["P_c"].unit
     ('11.781 nN', 'N')
     >>> print(*found.doubts)
-    P_c = 14–15 nN by Maugis' law (Tabor parameter 0.14, z0 = 200–400 pm); --model maugis
+    P_c = 14–15 nN by Maugis' law, better here than JKR (Tabor parameter 0.14, z0 = 200–400 pm): --model maugis
     """
     described, _ = in_si(given)
     for name, value in described.items():

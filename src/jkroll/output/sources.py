@@ -88,6 +88,8 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS if key in fields]
     lines.append(f"  accuracy  {accuracy_of(steps[-1].formula.__name__)} above its arguments")
     lines.append(f"  power law {power_law(scene, result.name)}")
+    if quantity.definition and not result.law:
+        lines.append(f"  as        {quantity.definition}" + (f" ({quantity.reference})" if quantity.reference else ""))
     if quantity.note:
         lines.append(f"  note      {quantity.note}")
     return lines

@@ -1,6 +1,7 @@
 """Tables on a terminal, set by rich."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -9,17 +10,17 @@ from rich.console import Console
 from rich.table import Column, Table
 from rich.text import Text
 
-from ..answers.alternatives import head_of
-from ..answers.notes import parts_of_assumed, symbol_of
-from ..quantities.formatting import Format, amount, in_words, pretty, significant
+from ..answers.alternatives import Alternative, head_of
+from ..answers.notes import symbol_of
+from ..quantities.formatting import Format, amount, in_words, pretty, significant, with_known_prefix
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval
-from ..rows.columns import as_list
+from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA
-from ..scene.limits import OF_LAW
-from ..text import fitting, say, terminal_width
+from ..scene.limits import OF_LAW, codes_of
+from ..text import NO_BREAK_SPACE, fitting, say, terminal_width, wrapped
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -28,79 +29,82 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
-_AMOUNT = ("symbol", "value", "unit")
-_NAMED = ("quantity", *_AMOUNT)
-# The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
-_COLUMNS: Sequence[tuple[str, ...]] = ((*_NAMED, "Eq"), _NAMED, _AMOUNT)
-_COLUMNS_BY_CONVENTION: Sequence[tuple[str, ...]] = (
-    (*_NAMED, "definition", "reference"),
-    (*_NAMED, "definition"),
-    _NAMED,
-    _AMOUNT,
-)
-_TEXTS = ("quantity", "definition", "reference")  # which may be broken into lines, the last columns first
-MAX_ACROSS = 20  # scenes that are tried as columns
+_NAMED = ("quantity", "symbol", "unit")
+MAX_ACROSS = 20  # pairs that are tried as columns
 MIN_WRAPPED = 16  # characters of a column of texts on a narrow terminal
-GAP = 3  # between two columns
-_DIGITS_BESIDE = 4  # of a value that may stand in place of another
+GAP = 2  # between two columns
+_DIGITS = 4  # of a value on a terminal
+_OF_A_RANGE = 2  # of its ends
 
 
 def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     """Write the inputs of one scene, and its results below each other, or in a grid if it fits.
 
-    What may stand in their place has columns beside them, or a second table where these do not fit.
+    What may stand in their place has columns beside them; those that do not fit are a second table.
     """
-    say(_inputs({**answer.inputs, **answer.uncertain}, form, assumed=answer.assumed), out)
+    for line in _head(answer, form):
+        say(line, out)
     grid = answer.question.grid
     if grid and not any(result.law for result in answer.results) and _print(_grid_table(grid, answer, out, form), out):
-        _second_table(answer, out, form)
+        _second_table(answer, _beside(answer), out, form)
         return
-    results = [one for one in answer.results if one.value is None or one.name not in answer.question.noted]
-    by_convention = all(NOMENCLATURE[result.name].definition for result in results)
-    columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
-    rows = [_result_cells(result, answer, form) for result in results]
-    if answer.alternatives:
-        named = ("quantity", "symbol", _own_head(answer), *(one.head for one in answer.alternatives), "unit")
-        of_conventions = (*named, "definition", "reference")
-        if _print_first(results, rows, [of_conventions if by_convention else named], out):
+    columns = _beside(answer)
+    for count in range(len(columns), -1, -1):
+        if _print_results(answer, columns[:count], out, form):
+            _second_table(answer, columns[count:], out, form)
             return
-        if not by_convention and _print_first(results, rows, [named], out, ("quantity",)):
-            return
-    if _print_first(results, rows, columns_of, out, _TEXTS):
-        _second_table(answer, out, form)
-        return
-    for row in rows:
-        say(" ".join(row[head] for head in _AMOUNT if row[head]), out)
+    if _print_results(answer, [], out, form, heads=_NAMED[1:]):
+        _second_table(answer, columns, out, form)
+    else:
+        for result in _rows(answer):
+            row = _result_cells(result, answer, form)
+            say(" ".join(row[head] for head in ("symbol", _own_head(answer), "unit") if row[head]), out)
 
 
-def _print_first(
-    results: "Sequence[Result]",
-    rows: Sequence[Mapping[str, str]],
-    columns_of: Iterable[Sequence[str]],
-    out: TextIO,
-    wrapped: Collection[str] = (),
+def _rows(answer: "Answer") -> "list[Result]":
+    """Return the results that have a row: those without a note of their own, or another result of the same value."""
+    values = {result.value for result in answer.results if not NOMENCLATURE[result.name].note}
+    return [
+        one
+        for one in answer.results
+        if one.name not in answer.question.beside
+        and not (one.value is not None and NOMENCLATURE[one.name].note and one.value in values)
+    ]
+
+
+def _beside(answer: "Answer") -> "list[Alternative]":
+    """Return what has columns beside the results: what may stand in their place, and limits of theirs."""
+    values = {result.name: result.value for result in answer.results}
+    limits = [
+        Alternative(column[1], column[1], {column[0]: values[limit]})
+        for limit, column in answer.question.beside.items()
+        if column and values.get(limit) is not None and column[1] != _own_head(answer)
+    ]
+    return [*answer.alternatives, *limits]
+
+
+def _print_results(
+    answer: "Answer", beside: "Sequence[Alternative]", out: TextIO, form: Format, heads: Sequence[str] = _NAMED
 ) -> bool:
-    """Print the first of some choices of columns that fits, if one does; its texts are broken into lines where that helps."""
+    """Print the results with some alternatives beside them, if the terminal is wide enough, and return whether it was."""
+    *named, unit = heads
+    values = [_own_head(answer), *(one.head for one in beside)]
+    rows = _rows(answer)
+    cells = [_result_cells(result, answer, form) for result in rows]
     # Dimmed is what stands beside a headline, or has no value.
-    styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in results]
-    for heads in columns_of:
-        cells = [[row[head] for head in heads] for row in rows]
-        texts = [head for head in reversed(heads) if head in wrapped]
-        right = {head for head in heads if head not in (*_TEXTS, "symbol", "unit")}
-        for count in range(len(texts) + 1):
-            if _print(_table(heads, cells, out, right, styles, texts[:count]), out):
-                return True
-    return False
+    styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in rows]
+    texts = [[row[head] for head in (*named, *values, unit)] for row in cells]
+    return _print(_table([*named, *values, unit], texts, out, {*values}, styles), out)
 
 
-def _second_table(answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write what may stand in place of results below their table, if there is something."""
-    differing = {name for one in answer.alternatives for name, value in one.values.items() if value is not None}
-    results = [result for result in answer.results if result.name in differing]
-    if results:
+def _second_table(answer: "Answer", beside: "Sequence[Alternative]", out: TextIO, form: Format) -> None:
+    """Write alternatives below the table of the results that they differ from, if there are some."""
+    differing = {name for one in beside for name, value in one.values.items() if value is not None}
+    rows = [_result_cells(result, answer, form) for result in _rows(answer) if result.name in differing]
+    if rows:
+        heads = ["symbol", *(one.head for one in beside), "unit"]
         say("", out)
-        rows = [_result_cells(result, answer, form) for result in results]
-        _print_first(results, rows, [("symbol", *(one.head for one in answer.alternatives), "unit")], out)
+        _print(_table(heads, [[row[head] for head in heads] for row in rows], out, {*heads[1:-1]}), out, anyway=True)
 
 
 def _own_head(answer: "Answer") -> str:
@@ -115,69 +119,71 @@ def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Ta
 
     def cell(names: tuple[str, ...]) -> str:
         values = ((name, found.get(name)) for name in names)
-        return "\n".join("—" if value is None else amount(name, value, form) for name, value in values)
+        return "\n".join("–" if value is None else _with_unit(name, value, form) for name, value in values)
 
     rows = [[label, *map(cell, cells)] for label, cells in grid.rows.items()]
     return _table(grid.heads, rows, out, grid.heads[1:])
 
 
 def _result_cells(result: "Result", answer: "Answer", form: Format) -> dict[str, str]:
-    """Return the cells of a result by the heads of their columns, and of what may stand in its place in the same unit."""
-    quantity = NOMENCLATURE[result.name]
-    value, unit = ("—", "") if (found := result.measure) is None else form.rounded(result.name, found)
-    definition, reference = ("", "") if result.law else (quantity.definition, quantity.reference)
-    others = {one.head: one.values[result.name] for one in answer.alternatives if result.name in one.values}
-    known = [other for other in (found, *others.values()) if other is not None]
-    scale = form.common_unit(result.name, known[:1]) if known else None
-    scale = scale or (form.unit(result.name).removeprefix("1"), Unit(1, 1, ()))
-    cells = {}
-    for one in answer.alternatives:
-        same = "" if result.value is None else f"as {_own_head(answer)}"
-        other = others.get(one.head)
-        cells[one.head] = one.none if other is None else _short(other, scale, form)
-        if one.head not in others:
-            cells[one.head] = same
-    return {
-        "quantity": quantity.sentence,
-        "symbol": quantity.symbol,
-        "value": value,
-        _own_head(answer): value,
-        "unit": pretty(unit or (scale[0] if known else "")),
-        "Eq": result.equation,
-        "definition": definition,
-        "reference": reference or result.source,
-        **cells,
-    }
+    """Return the cells of a result by the heads of their columns, and of what may stand in its place, all in one unit."""
+    quantity, own, value = NOMENCLATURE[result.name], _own_head(answer), result.measure
+    cells = {"quantity": quantity.sentence, "symbol": symbol_beside(result.name, answer.inputs)}
+    beside = _beside(answer)
+    others = {one.head: one.values.get(result.name) for one in beside}
+    known = [each for each in (value, *others.values()) if each is not None]
+    unit = _unit(result.name, known[:1], form)
+    cells[own] = "–" if value is None else _cell(value, unit, form)
+    for one in beside:
+        other = others[one.head]
+        is_same = result.name not in one.values and value is not None
+        cells[one.head] = f"as {own}" if is_same else one.none if other is None else _cell(other, unit, form)
+    return {**cells, "unit": pretty(unit[0]) if known else ""}
 
 
-def _short(value: "float | Uncertain", unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value beside another in its unit: with four digits, a range with two, or with its error bar."""
-    if isinstance(value, tuple) and value.kind != "range":
+def _unit(name: str, values: "Sequence[float | Uncertain]", form: Format) -> tuple[str, Unit]:
+    """Return the unit that suits values, or else that of the quantity."""
+    text, unit = form.common_unit(name, values) or (form.unit(name).removeprefix("1"), Unit(1, 1, ()))
+    return with_known_prefix(name, text), unit
+
+
+def _with_unit(name: str, value: "float | Uncertain", form: Format) -> str:
+    """Return a value with its unit, which has a prefix that is known, or none."""
+    unit = _unit(name, [value], form)
+    if unit[0].startswith("1e"):
+        unit = form.unit(name), Unit(1, 1, ())
+    return f"{_cell(value, unit, form)} {pretty(unit[0])}".strip()
+
+
+def _cell(value: "float | str | Uncertain", unit: tuple[str, Unit], form: Format) -> str:
+    """Return a value in a unit: with four digits and their zeros, a range with two, or with its error bar."""
+    if isinstance(value, str) or (isinstance(value, tuple) and value.kind != "range"):
         return form.in_unit(value, unit)
     if isinstance(value, tuple):
         ends = (convert(end, unit[1]) for end in (value.low, value.high))
-        return "–".join(dict.fromkeys(significant(end, form.digits or 2) for end in ends))
+        return "–".join(dict.fromkeys(significant(end, form.digits or _OF_A_RANGE) for end in ends))
     number = convert(value, unit[1])
-    text = significant(number, form.digits or _DIGITS_BESIDE)
-    keeps_zeros = form.digits is None and 1e-4 <= abs(number) < 10**_DIGITS_BESIDE
-    return f"{number:#.{_DIGITS_BESIDE}g}".removesuffix(".") if keeps_zeros else text
+    keeps_zeros = form.digits is None and 1e-4 <= abs(number) < 10**_DIGITS
+    text = f"{number:#.{_DIGITS}g}" if keeps_zeros else significant(number, form.digits or _DIGITS)
+    return text.removesuffix(".")
 
 
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}
 
 
 def sweep_table(columns: "Columns", out: TextIO, form: Format) -> None:
-    """Write a table of several scenes; inputs that all of them share stand above.
+    """Write a table of several pairs; inputs that all of them share stand above.
 
-    A scene is a row. Where that is wider than the terminal, a scene is a column, and where this is too wide as well, a
+    A pair is a row. Where that is wider than the terminal, a pair is a column, and where this is too wide as well, a
     row again, of as many tables as it takes.
     """
     cells = _Cells(columns, form)
     common = {name: values[0] for name, values in cells.inputs.items() if len({*values}) == 1}
-    say(_inputs(common, form, f"{len(columns)} scenes"), out)
+    say(_broken([cells.counted(common), *_described(common, form)]), out)
     several = [name for name, values in cells.inputs.items() if len({*values} - {None}) != 1]
     leading = [name for name in several if not cells.is_implied(name)]
     results = [key for name in columns.wanted.names if name not in cells.inputs for key in (name, *cells.beside(name))]
+    results += [DOUBT] if any(cells.doubts) else []
     if _print(cells.table([*leading, *results], out), out):
         return
     if len(columns) <= MAX_ACROSS and any(_print(table, out) for table in cells.across(leading, results, out)):
@@ -197,6 +203,22 @@ class _Cells:
         self.inputs: dict[str, list[Any]] = {
             name: [in_words(name, value) for value in column] for name, column in columns.inputs.items()
         }
+
+    @cached_property
+    def doubts(self) -> list[str]:
+        """The worst doubt of each pair, with the number of others; one about the law has a column of values."""
+        texts = []
+        for bits in as_list(self.columns.doubts):
+            codes = codes_of(bits & ~OF_LAW)
+            texts.append(codes[0] + (f" ({len(codes) - 1} more)" if codes[1:] else "") if codes else "")
+        return texts
+
+    def counted(self, common: Collection[str]) -> str:
+        """Return how many pairs, or states of one, there are; `common`: the inputs that all of them share."""
+        if "state" in self.inputs:
+            return f"{len(self.columns)} states"
+        is_equal = "radius2" in self.inputs and "radius2" not in common and self.is_implied("radius2")
+        return f"{len(self.columns)} pairs" + (" of equal spheres (R2 = R1)" if is_equal else "")
 
     def values(self, name: str) -> list[Any]:
         """Return inputs or results, with their uncertainties if they have some; None is a gap."""
@@ -222,11 +244,13 @@ class _Cells:
     def column(self, key: str) -> list[str]:
         """Return the head and the cells of a column: of an input, of a result, or of what may stand in its place."""
         name, _, kind = key.partition("_by_")
+        if key == DOUBT:
+            return [DOUBT, *self.doubts]
         if not kind:
-            return column(name, self.values(name), self.form)
+            return column(name, self.values(name), self.form, exactly=name in self.inputs)
         ends = [self.columns.column(each) for each in self._ends(name, kind)]
         own = self.form.common_unit(name, [value for value in self.values(name) if value is not None])
-        unit = own or (self.form.unit(name).removeprefix("1"), Unit(1, 1, ()))
+        unit = own or _unit(name, [], self.form)
         head = "by 1 µm data" if kind in DATA else f"{symbol_of(name)} by {head_of(kind)}"
         cells = []
         for row in zip(*map(as_list, ends), strict=True):
@@ -234,7 +258,7 @@ class _Cells:
                 cells.append("no data" if kind in DATA else "–")
             else:
                 value = row[0] if len(row) == 1 else Interval(sum(row) / 2, min(row), max(row))
-                cells.append(_short(value, unit, self.form))
+                cells.append(_cell(value, unit, self.form))
         return [head if own or not unit[0] else f"{head} [{pretty(unit[0])}]", *cells]
 
     def _ends(self, name: str, kind: str) -> list[str]:
@@ -242,14 +266,20 @@ class _Cells:
         return [keys[end] for end in DATA] if kind in DATA else [keys[kind]]
 
     def table(self, names: Sequence[str], out: TextIO) -> Table:
-        """Return a table with a row for each scene."""
+        """Return a table with a row for each pair."""
         columns = [self.column(name) for name in names]
         heads = [column[0] for column in columns]
-        return _table(heads, [*zip(*(column[1:] for column in columns), strict=True)], out, set(heads))
+        right = {*heads} - {DOUBT, *(NOMENCLATURE[name].symbol or name for name in names if self.is_word(name))}
+        return _table(heads, [*zip(*(column[1:] for column in columns), strict=True)], out, right)
+
+    @staticmethod
+    def is_word(name: str) -> bool:
+        """Return whether a column has words, and no numbers."""
+        return name in NOMENCLATURE and NOMENCLATURE[name].is_word
 
     def across(self, leading: Sequence[str], results: Sequence[str], out: TextIO) -> Iterator[Table]:
-        """Iterate over tables with a column for each scene and a row for each result: with the words for it, and without."""
-        numbers = ["scene", *(str(number) for number in range(1, len(self.columns) + 1))]
+        """Iterate over tables with a column for each pair and a row for each result: with the words for it, and without."""
+        numbers = ["pair", *(str(number) for number in range(1, len(self.columns) + 1))]
         distinct = [self.column(name) for name in leading] or [numbers]
         heads = ["\n".join(parts) for parts in zip(*distinct, strict=True)]
         rows = [self.column(name) for name in results]
@@ -266,6 +296,8 @@ class _Cells:
         """Return whether an input repeats another: sphere 2 is as large as sphere 1, or the material sets a property."""
         if name == "energy":
             return "energy_ratio" in self.inputs
+        if name == "surface_energy":
+            return False
         if name == "radius2":
             return self.inputs[name] == self.inputs.get("radius")
         leader = self.inputs.get(_LEADERS.get(name, ""))
@@ -275,29 +307,70 @@ class _Cells:
         return len(pairs) == len({material for material, _ in pairs})
 
 
-def column(name: str, values: "Sequence[float | str | Uncertain | None]", form: Format) -> list[str]:
-    """Return the head and the cells of a column; the head has the unit, if one suits all of its values."""
+def column(
+    name: str, values: "Sequence[float | str | Uncertain | None]", form: Format, *, exactly: bool = True
+) -> list[str]:
+    """Return the head and the cells of a column; the head has the unit, if one suits all of its values.
+
+    `exactly`: whether values keep their digits, as inputs do; results have four.
+    """
     head = NOMENCLATURE[name].symbol or name
-    common = form.common_unit(name, [value for value in values if not isinstance(value, str | None)])
-    if common:
-        cells = ["—" if value is None else form.in_unit(value, common) for value in values]
-        return [f"{head} [{pretty(common[0])}]", *cells]
-    return [head, *("—" if value is None else amount(name, value, form) for value in values)]
+    numbers = [value for value in values if value is not None and not isinstance(value, str)]
+    common = form.common_unit(name, numbers)
+    if exactly and not common:
+        return [head, *("–" if value is None else amount(name, value, form) for value in values)]
+    unit = common or _unit(name, [], form)
+    cells = [
+        "–" if value is None else form.in_unit(value, unit) if exactly else _cell(value, unit, form) for value in values
+    ]
+    return [f"{head} [{pretty(unit[0])}]" if unit[0] else head, *cells]
 
 
-def _inputs(
-    inputs: "Mapping[str, float | str | Uncertain]", form: Format, start: str = "", assumed: Sequence[str] = ()
-) -> str:
-    """Return the inputs as understood, those that were assumed last, broken into lines between two of them."""
-    texts = {name: amount(name, value, form) for name, value in inputs.items() if name not in assumed}
-    parts = [text if name == "material" else f"{symbol_of(name)} = {text}" for name, text in texts.items()]
-    lines = [start]
-    for part in [*parts, *parts_of_assumed(assumed)]:
-        if lines[-1] and len(lines[-1]) + len(part) + 2 >= terminal_width():
-            lines[-1] += ","
-            lines.append("")
-        lines[-1] += f", {part}" if lines[-1] else part
-    return "\n".join(lines)
+def symbol_beside(name: str, inputs: Collection[str]) -> str:
+    """Return the symbol of a quantity, without the index of sphere 1 where no other value is that of sphere 2."""
+    quantity = NOMENCLATURE[name]
+    is_of_both = quantity.sphere == 1 and quantity.twin not in inputs and name != "radius"
+    return symbol_of(name).removesuffix("1") if is_of_both else symbol_of(name)
+
+
+def _head(answer: "Answer", form: Format) -> Iterator[str]:
+    """Iterate over the lines above a table: the inputs that were given, and those that were assumed."""
+    given = {name: one for name, one in {**answer.inputs, **answer.uncertain}.items() if name not in answer.assumed}
+    if "energy_ratio" in answer.inputs:
+        given.pop("energy", None)  # which follows from it
+    if parts := _described(given, form, answer.scene.data):
+        yield _broken(parts)
+    for note in answer.notes:
+        if note.kind == "assumed":
+            yield _broken([note.text])
+
+
+def _described(
+    inputs: "Mapping[str, float | str | Uncertain]", form: Format, of_materials: Collection[str] = ()
+) -> list[str]:
+    """Return inputs in words: materials with the values that are theirs in brackets, and what was typed."""
+    texts = {name: f"{symbol_beside(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
+    if "surface_energy" in texts and "surface_energy2" not in texts:
+        texts["surface_energy"] += " per surface"
+    if "radius2" in texts and inputs["radius2"] in (inputs.get("radius"), "plane"):
+        is_plane = inputs["radius2"] == "plane"
+        radius = amount("radius", inputs["radius"], form)
+        texts["radius"] = f"R1 = {radius} on a plane" if is_plane else f"R1 = R2 = {radius}"
+        del texts["radius2"]
+    for leader in ("material", "material2"):
+        if leader in texts:
+            own = [name for name in texts if _LEADERS.get(name) == leader and name in of_materials]
+            data = ", ".join(texts.pop(name) for name in own)
+            texts[leader] = f"{inputs[leader]} ({data})" if data else str(inputs[leader])
+    return [*texts.values()]
+
+
+def _broken(parts: Iterable[str]) -> str:
+    """Return parts of a sentence as one, in lines that fit; what belongs together stays so."""
+    joined = (
+        ", ".join(parts).replace(" = ", f"{NO_BREAK_SPACE}={NO_BREAK_SPACE}").replace(" (--", f"{NO_BREAK_SPACE}(--")
+    )
+    return "\n".join(wrapped(joined, terminal_width(), 2))
 
 
 def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
@@ -326,7 +399,7 @@ def _table(
     The columns named in `right` are set to the right, and those in `wrapped` broken into lines, within a word that is
     too long.
     """
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
+    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, show_edge=False)
     for head in heads:
         table.add_column(
             Text(fitting(head, out)),

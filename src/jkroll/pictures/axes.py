@@ -67,7 +67,7 @@ def described(name: str, unit: str = "") -> str:
     """Return a quantity as the title of an axis, with its symbol marked as mathematics.
 
     >>> described("load", "nN")
-    'load, tension negative, ⟦P⟧ [nN]'
+    'load; a pull is negative, ⟦P⟧ [nN]'
     """
     quantity = quantity_of(name)
     return quantity.sentence + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)

@@ -191,7 +191,7 @@ def curves_of_contact(
     )
     caption = (*fixed_inputs([*fixed]), *limits)
     about = _OF_MOMENT if panel == "moment" else OF_CURVE
-    doubtful = [note.worded for note in Answer(about, scenes[0]).doubts()] if is_one else []
+    doubtful = [note.text for note in Answer(about, scenes[0]).doubts()] if is_one else []
     return Picture("", tuple(panels), caption), (*(f"no curve: {error}" for error in missing), *doubtful, *notes)
 
 

@@ -112,6 +112,17 @@ def significant(value: float, digits: int) -> str:
     return f"{float(text):.0f}" if "e+" in text and abs(float(text)) < _PLAIN else text
 
 
+def with_known_prefix(name: str, unit: str) -> str:
+    """Return the unit of a quantity with its power of ten in place of a prefix that few know: pico to giga stay.
+
+    >>> with_known_prefix("well_energy", "aJ"), with_known_prefix("pull_off_force", "nN")
+    ('1e-18 J', 'nN')
+    """
+    si = NOMENCLATURE[name].unit
+    powers = {prefix + si: power for power, prefix in _PREFIXES.items() if not -12 <= power <= 9}
+    return f"1e{powers[unit]} {si}" if unit in powers else unit
+
+
 def pretty(unit: str) -> str:
     """Return a unit with superscripts.
 
@@ -144,7 +155,10 @@ def span(name: str, low: float, high: float) -> str:
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("atomic_spacing", 4e-10, 4e-10)
     ('14–15 nN', '400 pm')
     """
-    unit, scale = AS_USUAL.common_unit(name, [low, high]) or (NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ()))
+    plain = NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ())
+    unit, scale = AS_USUAL.common_unit(name, [low, high]) or plain
+    if with_known_prefix(name, unit) != unit:
+        unit, scale = plain
     texts = dict.fromkeys(significant(convert(end, scale), 2) for end in (low, high))
     return f"{(' to ' if low < 0 else '–').join(texts)} {pretty(unit)}".strip()
 

@@ -104,21 +104,21 @@ OF_DEM: Mapping[str, Quantity] = {
     "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff", example="0.165nm"),
     # sliding and twisting
     "shear_strength": Quantity("τ", "Pa", "shear strength of the contact (friction)", range=POSITIVE, option="--shear-strength", example="12MPa"),
-    "sliding_force": Quantity("F_slide", "N", "tangential force at which the contact slides (friction)"),
-    "sliding_displacement": Quantity("s_slide", "m", "elastic displacement at which the contact slides"),
-    "sliding_energy": Quantity("E_slide", "J", "elastic energy at which the contact slides"),
-    "peeling_force": Quantity("T_peel", "N", "tangential force at which the contact peels off", may_be_zero=True),
+    "sliding_force": Quantity("F_slide", "N", "shear force that slides all of it"),
+    "sliding_displacement": Quantity("s_slide", "m", "displacement at which sliding begins"),
+    "sliding_energy": Quantity("E_slide", "J", "energy to begin sliding"),
+    "peeling_force": Quantity("T_peel", "N", "shear force that peels it off", may_be_zero=True),
     "peeling_radius": Quantity("a_peel", "m", "contact radius at which it peels off"),
     "peeling_over_sliding": Quantity("T/F_slide", "1", "peeling force over the force to slide the contact as it peels", may_be_zero=True),
     "sliding_or_peeling_force": Quantity(
-        "T_first", "N", "tangential force at which a brittle contact slides or peels off", may_be_zero=True
+        "T_first", "N", "force that slides or peels it first", may_be_zero=True
     ),
     "rolling_over_sliding": Quantity("Q/T_first", "1", "yield force over the force that slides or peels"),
     "twisting_stiffness": Quantity("k_t", "N m", "torsional stiffness at the load", may_be_zero=True),
-    "twisting_moment": Quantity("M_twist", "N m", "moment at which the contact twists (torsion)"),
-    "twisting_angle": Quantity("φ_twist", "rad", "angle of torsion at which the contact twists"),
-    "twisting_energy": Quantity("E_twist", "J", "elastic energy of torsion at which the contact twists"),
-    "twisting_frequency": Quantity("f_twist", "Hz", "frequency of twisting (torsion)", may_be_zero=True),
+    "twisting_moment": Quantity("M_twist", "N m", "moment that starts twisting"),
+    "twisting_angle": Quantity("φ_twist", "rad", "angle at which twisting begins"),
+    "twisting_energy": Quantity("E_twist", "J", "energy to begin twisting"),
+    "twisting_frequency": Quantity("f_twist", "Hz", "twisting vibration", may_be_zero=True),
     # of pair_style granular in LAMMPS
     "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
     "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
@@ -132,35 +132,35 @@ OF_DEM: Mapping[str, Quantity] = {
     "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range=POSITIVE, option="--contacts", example="2500"),
     "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range=LOOSE, option="--filling-factor", example="0.1"),
     "restructuring_energy": Quantity(
-        "E_restr", "J", "impact energy at which aggregates restructure", note=_E_ROLL,
+        "E_restr", "J", "energy to restructure, Dominik & Tielens", note=_E_ROLL,
         definition="5E_roll(π/2)", of_identical=True, reference="Dominik & Tielens 1997",
     ),
     "restructuring_speed": Quantity(
-        "v_restr", "m/s", "impact speed at which aggregates restructure",
+        "v_restr", "m/s", "speed to restructure, Dominik & Tielens",
         definition="√(4E_restr/(Nm1))", of_identical=True, reference=_SPEED,
     ),
     "restructuring_energy_ormel": Quantity(
-        "E_restr(1)", "J", "impact energy at which aggregates restructure", note=_E_ROLL,
+        "E_restr(1)", "J", "energy to restructure, Ormel et al.", note=_E_ROLL,
         definition="E_roll(π/2)", of_identical=True, reference="Ormel et al. 2007",
     ),
     "restructuring_speed_ormel": Quantity(
-        "v_restr(1)", "m/s", "impact speed at which aggregates restructure",
+        "v_restr(1)", "m/s", "speed to restructure, Ormel et al.",
         definition="√(4E_restr(1)/(Nm1))", of_identical=True, reference=_SPEED,
     ),
     "disruption_energy": Quantity(
-        "E_disr", "J", "impact energy of catastrophic fragmentation",
+        "E_disr", "J", "energy to break up, Wada et al. 2007",
         definition="10·2n_c U_grips", of_identical=True, reference=_WADA,
     ),
     "disruption_speed": Quantity(
-        "v_disr", "m/s", "impact speed of catastrophic fragmentation",
+        "v_disr", "m/s", "speed to break up, Wada et al. 2007",
         definition="√(4E_disr/(Nm1))", of_identical=True, reference=_SPEED,
     ),
     "disruption_energy_dust_simulation": Quantity(
-        "E_disr(1.8)", "J", "impact energy of catastrophic fragmentation",
+        "E_disr(1.8)", "J", "energy to break up, with E_break",
         definition="10·2n_c·1.8F_cδ_c", of_identical=True, reference=_WADA,
     ),
     "disruption_speed_dust_simulation": Quantity(
-        "v_disr(1.8)", "m/s", "impact speed of catastrophic fragmentation",
+        "v_disr(1.8)", "m/s", "speed to break up, with E_break",
         definition="√(4E_disr(1.8)/(Nm1))", of_identical=True, reference=_SPEED,
     ),
     "compressive_strength": Quantity(
@@ -227,11 +227,11 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         # what the user gives
         "material": Quantity("", "", "material of sphere 1", sphere=1, twin="material2"),
         "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
-        "state": Quantity("state", "", "state of the contact on its force curve"),
+        "state": Quantity("state", "", "state on the force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2, twin="material"),
         **_BOTH_SPHERES,
-        "yield_displacement": Quantity("ξ", "m", "yield displacement", range=POSITIVE, option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
-        "load": Quantity("P", "N", "load, tension negative", "5", range=FINITE, option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
+        "yield_displacement": Quantity("ξ", "m", "critical rolling displacement", range=POSITIVE, option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
+        "load": Quantity("P", "N", "load; a pull is negative", "5", range=FINITE, option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
         "gravity": Quantity("g", "m/s^2", "gravity", range=POSITIVE, option="--gravity", example="1.62m/s2"),
         "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range=POSITIVE, option="--energy", example="1e-18J"),
         "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1"),
@@ -248,28 +248,28 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         # the contact
         "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range=SIZE),
         "pull_off_force_dmt": Quantity(
-            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="small, hard spheres tend to it"
+            "P_DMT", "N", "limit for small, hard spheres", "1"
         ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range=POSITIVE),
-        "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range=POSITIVE),
+        "approach": Quantity("δ0", "m", "approach without load", "3", range=POSITIVE),
         "pull_off_force_lennard_jones": Quantity(
-            "P_LJ", "N", "pull-off force by the 3-9 law of Lennard-Jones", "",
+            "P_LJ", "N", "by Lennard-Jones' 3-9 law", "",
             note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR",
         ),
         "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5", range=ABOVE_MINUS_1, may_be_zero=True),
         "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range=POSITIVE),
         "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5", may_be_zero=True),
         "approach_at_load": Quantity(
-            "δ", "m", "approach of the centres at the load", "6", range=FINITE, option="--approach", example="0.05nm",
+            "δ", "m", "approach (indentation)", "6", range=FINITE, option="--approach", example="0.05nm",
             may_be_zero=True,
         ),
         "contact_area": Quantity("A_c", "m^2", "area of the contact at the load", "5", may_be_zero=True),
         "contact_radius_at_pull_off": Quantity("a_pull", "m", "contact radius at pull-off", "5"),
-        "approach_at_pull_off": Quantity("δ_pull", "m", "approach of the centres at pull-off", "6"),
+        "approach_at_pull_off": Quantity("δ_pull", "m", "approach at pull-off", "6"),
         "contact_area_at_pull_off": Quantity("A_pull", "m^2", "area of the contact at pull-off", "5"),
         "contact_radius_at_fold": Quantity("a_fold", "m", "contact radius where fixed grips let go", "6", may_be_zero=True),
-        "approach_at_fold": Quantity("δ_fold", "m", "approach of the centres where fixed grips let go", "6"),
-        "contact_area_at_fold": Quantity("A_fold", "m^2", "area of the contact where fixed grips let go", "6", may_be_zero=True),
+        "approach_at_fold": Quantity("δ_fold", "m", "approach where fixed grips let go", "6"),
+        "contact_area_at_fold": Quantity("A_fold", "m^2", "its area where fixed grips let go", "6", may_be_zero=True),
         "load_ratio": Quantity("P/P_c", "1", "load over the pull-off force", "4", range=FINITE, may_be_zero=True, shown_with=STATE_OR_LOAD),
         "contact_radius_ratio": Quantity("a/a0", "1", "contact radius over that without load", "4", may_be_zero=True, shown_with=STATE_OR_LOAD),
         "approach_ratio": Quantity("δ/δ0", "1", "approach over that without load", "4", range=FINITE, may_be_zero=True, shown_with=STATE_OR_LOAD),
@@ -279,41 +279,41 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
         "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load", may_be_zero=True),
-        "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8", may_be_zero=True),
-        "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
+        "hertz_pressure": Quantity("p_H", "Pa", "pressing part of the pressure (Hertz)", "8", may_be_zero=True),
+        "boussinesq_pressure": Quantity("p_B", "Pa", "pulling part (flat punch)", "9"),
         "well_energy": Quantity(
-            "U", "J", "binding energy of the spheres", "6", definition="6/5 P_cδ0 = 1.4537 F_cδ_c"
+            "U", "J", "depth of the energy well", "6", definition="6/5 P_cδ0 = 1.4537 F_cδ_c"
         ),
         "pull_off_work": Quantity(
-            "U_grips", "J", "separation work from P = 0, fixed grips", "6", definition="1.27338 P_cδ0 = 1.5426 F_cδ_c"
+            "U_grips", "J", "work to separate, fixed grips", "6", definition="1.27338 P_cδ0 = 1.5426 F_cδ_c"
         ),
         "pull_off_work_at_dead_load": Quantity(
-            "U_load", "J", "separation work from P = 0, dead load", "6", definition="0.88252 P_cδ0 = 1.0691 F_cδ_c"
+            "U_load", "J", "work to separate, dead load", "6", definition="0.88252 P_cδ0 = 1.0691 F_cδ_c"
         ),
         "sticking_energy": Quantity(
-            "U_stick", "J", "largest relative energy ½mv² that sticks", "48",
+            "U_stick", "J", "energy that sticks, Thornton & Ning", "48",
             definition="0.77224 P_cδ0 = 0.9355 F_cδ_c", reference="Thornton & Ning 1998, Eq 52",
         ),
         # rolling
-        "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
+        "yield_moment": Quantity("M", "N m", "moment that starts rolling", "25"),
         "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
         "half_circles_moment": Quantity("M_half", "N m", "moment of the two half-circles", "19"),
         "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment at a fixed approach", "25"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
-        "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
+        "yield_force": Quantity("Q", "N", "force that starts rolling", "26"),
         "yield_force_fixed_load": Quantity(
             "Q_P", "N", "the same under a load of fixed direction", "26",
             note="for a load that keeps its direction; that of Q turns with the line of centres", shown_with=STATE_OR_LOAD,
         ),
-        "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
-        "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
+        "yield_force_ratio": Quantity("Q/P_c", "1", "force over pull-off force", "27"),
+        "yield_angle": Quantity("δ_α", "rad", "angle where rolling starts", "28"),
         "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
         "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
         # chains
-        "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
-        "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain on its first contact", "29", shown_with=["monomers"]),
-        "n_grav": Quantity("N_grav", "1", "spheres of the longest level chain", "30"),
-        "bond_number": Quantity("Bo", "1", "pull-off force over the weight of sphere 1"),
+        "r_min": Quantity("R_min", "m", "tightest bend of a chain", "28"),
+        "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain", "29", shown_with=["monomers"]),
+        "n_grav": Quantity("N_grav", "1", "longest level chain, spheres", "30"),
+        "bond_number": Quantity("Bo", "1", "pull-off force over weight of sphere 1"),
         "adhesion_hysteresis": Quantity(
             "Δw", "J/m^2", "work of adhesion as it opens less that as it closes", range=POSITIVE,
             option="--adhesion-hysteresis", example="5mJ/m2"
@@ -323,22 +323,22 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             option="--hysteresis-fraction", example="40%"
         ),
         "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
-        "hysteresis_moment": Quantity("M_hyst", "N m", "moment that adhesion hysteresis supplies"),
+        "hysteresis_moment": Quantity("M_hyst", "N m", "moment by adhesion hysteresis"),
         "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
         # vibrations
-        "vertical_frequency": Quantity("f_z", "Hz", "frequency of the vertical vibration", "35", may_be_zero=True),
-        "rolling_frequency": Quantity("f_roll", "Hz", "frequency of the rolling vibration", "40"),
+        "vertical_frequency": Quantity("f_z", "Hz", "vibration along the centres", "35", may_be_zero=True),
+        "rolling_frequency": Quantity("f_roll", "Hz", "rolling vibration", "40"),
         "rolling_frequency_as_printed": Quantity(
             "f_roll(41)", "Hz", "rolling frequency as printed", "41",
             note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²", of_identical=True,
         ),
         "rolling_frequency_no_slip": Quantity(
-            "f_free", "Hz", "rolling frequency without slip", "40",
+            "f_free", "Hz", "rolling vibration without slip", "40",
             note="unequal spheres that do not slip also move their centres, which Eq (40) leaves out",
         ),
-        "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation", may_be_zero=True),
+        "sliding_frequency": Quantity("f_slide", "Hz", "sliding vibration, with rotation", may_be_zero=True),
         "time_step": Quantity("Δt", "s", "time step for a simulation"),
-        "rayleigh_time": Quantity("t_R", "s", "time of a Rayleigh wave around half of sphere 1", may_be_zero=True),
+        "rayleigh_time": Quantity("t_R", "s", "Rayleigh wave around half of sphere 1", may_be_zero=True),
         # validity
         "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
@@ -349,7 +349,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", may_be_zero=True),
         "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
         "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
-        "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
+        "yield_energy": Quantity("W_yield", "J", "energy to begin rolling", "25"),
         "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
         "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
         # ratios
@@ -358,22 +358,22 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
-        "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
+        "n_roll": Quantity("n_roll", "1", "turns, contact slides freely", "48"),
         "n_roll_energy_balance": Quantity(
-            "n_bal", "1", "turns by the energy balance", "48",
+            "n_bal", "1", "turns, rolls without slip", "48",
             note="7/2 of Eq (48), for rolling without slip from the start",
         ),
         "n_roll_after_impact": Quantity(
-            "n_imp", "1", "turns after a tangential impact", "48",
+            "n_imp", "1", "turns, arrives without spin", "48",
             note="5/2 of Eq (48), for an arrival without spin that then rolls without slip", shown_with=["speed"],
         ),
         # energies and speeds by convention
         "fold_energy": Quantity(
-            "F_cδ_c", "J", "pull-off force times depth of the fold",
+            "F_cδ_c", "J", "unit of energy, Wada et al. 2007",
             definition="0.82548 P_cδ0", reference="code Lumajord/DustSimulation, after Wada et al. 2007",
         ),
         "break_energy_dust_simulation": Quantity(
-            "E_break", "J", "rule for the energy to break a contact",
+            "E_break", "J", "energy to break it, DustSimulation",
             note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J",
             definition="1.8 F_cδ_c = 1.4859 P_cδ0", reference="code Lumajord/DustSimulation",
         ),
@@ -391,26 +391,26 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas", hidden_with=["rolling_angle"],
         ),
         "sticking_energy_paszun_dominik": Quantity(
-            "E_stick(1.07)", "J", "relative energy that sticks, for v_stick(1.07)",
+            "E_stick(1.07)", "J", "energy that sticks, Paszun & Dominik",
             definition="0.3290 P_cδ0 = 0.3985 F_cδ_c",
             reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
         ),
         "sticking_energy_pencil_code": Quantity(
-            "E_stick(19.2)", "J", "relative energy that sticks",
+            "E_stick(19.2)", "J", "energy that sticks, Pencil Code",
             definition="2·9.6 γ^(5/3) R^(4/3) / E*^(2/3) = 0.7977 F_cδ_c",
             reference="code pencil-code/pencil-code",
         ),
         "sticking_speed": Quantity(
-            "v_stick", "m/s", "largest relative speed that sticks",
+            "v_stick", "m/s", "speed that sticks, Thornton & Ning",
             definition="√(2U_stick/m) = √(14.18/m) (w⁵R⁴/E*²)^(1/6)", reference="Thornton & Ning 1998, Eq 54",
         ),
         "sticking_speed_paszun_dominik": Quantity(
-            "v_stick(1.07)", "m/s", "largest relative speed that sticks",
+            "v_stick(1.07)", "m/s", "speed that sticks, Paszun & Dominik",
             definition="1.07 (γ/R)^(5/6) / (E*^(1/3) ρ^(1/2))",
             reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
         ),
         "sticking_speed_pencil_code": Quantity(
-            "v_stick(19.2)", "m/s", "largest relative speed that sticks",
+            "v_stick(19.2)", "m/s", "speed that sticks, Pencil Code",
             definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
         ),
         **OF_DEM,

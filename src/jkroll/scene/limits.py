@@ -33,6 +33,7 @@ class Limit(NamedTuple):
     fine: str
     stated: frozenset[str] = frozenset()  # inputs; unless one of them was stated, the limit is not judged
     laws: tuple[str, ...] = ()  # of attraction, under which alone the limit is judged
+    ends_meaning: bool = False  # a number that is said to be in doubt has no meaning
     conclusion: str = ""  # the name of what follows, if it is not that of the number
     factor: Callable[[Scene, Collection[str]], Any] | None = (
         None  # what is judged, if it is not the number beside which it is told
@@ -120,14 +121,8 @@ class Doubt(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """The text with the number: "a/z0 = 2.15, below 3: contact radius below 3 atoms"."""
-        return f"{NOMENCLATURE[self.limit.name].symbol} = {self.value:.3g}, {self.text}"
-
-    @property
-    def brief(self) -> str:
-        """The number and its code: "a/z0 = 0.21 (few-atoms)"."""
-        symbol = NOMENCLATURE[self.limit.name].symbol
-        return f"{symbol} = {self.value:.3g} ({self.code})"
+        """What follows, with the number: "contact radius below 3 atoms (a/z0 = 2.15)"."""
+        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {self.value:.3g})"
 
     @property
     def bits(self) -> Any:
@@ -168,21 +163,25 @@ LIMITS = (
         "at or beyond pull-off", "only fixed grips hold this state",
         "stable at its load",
         STATE_OR_LOAD,
+        ends_meaning=True,
     ),
     Limit(
         "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "xi-over-limit"},
         "above 1", "ξ is too large for the formula, the leading edge would interpenetrate",
         "below 1: the shifted contact is possible",
+        ends_meaning=True,
     ),
     Limit(
         "displacement_over_contact_radius", _DISPLACEMENT, ">", {1.0: "xi-over-contact"},
         "above 1", "ξ is larger than the contact",
         "below 1: ξ is within the contact",
+        ends_meaning=True,
     ),
     Limit(
         "rolling_over_sliding", frozenset({"yield_force"}), ">=", {1.0: "slides-first"},
         "above 1", "the contact slides or peels off before it rolls",
         "below 1: it rolls before it slides or peels off",
+        ends_meaning=True,
     ),
     Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
@@ -198,17 +197,20 @@ LIMITS = (
         "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
         "below 1", "no chain bends within one of its spheres",
         "above 1: a chain can bend so far",
+        ends_meaning=True,
     ),
     Limit(
         "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
         "below 1", "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         "above 1: a sphere stands out level",
+        ends_meaning=True,
     ),
     *(
         Limit(
             "energy_over_yield", frozenset({turns}), "<=", {least: code},
-            f"below {least:g}", f"with {energy} the contact springs back and does not roll",
+            f"below {least:g}", f"with {energy} the contact springs back",
             f"above {least:g}: with {energy} it rolls",
+            ends_meaning=True,
         )
         for turns, least, code, energy in (
             ("n_roll", 7 / 2, "does-not-roll-sliding", "the (2/7)W0 of n_roll"),
@@ -221,15 +223,16 @@ LIMITS = (
         "above 1", "after a head-on impact the spheres do not stick",
         "below 1: the spheres stick",
         IMPACT,
+        ends_meaning=True,
     ),
     Limit(
         "hysteresis_ratio", _MOMENT, ">", {1.0: "moment-unexplained"},
-        "above 1", "the moment exceeds what adhesion hysteresis can supply (2cRw); viscous, plastic or capillary loss could",
+        "above 1", "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
         "below 1: adhesion hysteresis can supply it",
     ),
     Limit(
         "tabor_parameter", _STICKING, "<", {JUMP: "sticking-unsure"},
-        f"below {JUMP:g}", "the contact forms and opens smoothly, adhesion alone loses almost no energy; μ goes as 1/z0 (--z0)",
+        f"below {JUMP:g}", "the contact forms and opens smoothly, adhesion alone loses almost no energy",
         "contacts jump together and apart",
         conclusion="has_jump",
     ),
@@ -257,6 +260,7 @@ MEANINGS = {
     for limit in LIMITS
     for threshold, code in limit.codes.items()
 }
+ENDING_MEANING = frozenset(code for limit in LIMITS if limit.ends_meaning for code in limit.codes.values())
 NOT_JUDGED = 1 << len(CODES)
 UNCHECKED = "unchecked"
 OF_LAW = sum(limit.bits for limit in LIMITS if limit.factor is not None)  # the codes of a law that is not exact
