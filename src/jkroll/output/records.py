@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 from ..quantities.formatting import Format, in_words
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
-from ..quantities.values import is_uncertain
-from ..rows.columns import DOUBT, STATUS, Columns, Wanted, as_list, remarks_of
+from ..rows.columns import DOUBT, STATUS, Columns, Wanted, as_list, middle, remarks_of
 from ..scene.limits import codes
 from ..text import json_text, say, spelled
 
@@ -212,7 +211,7 @@ def _inputs(columns: Columns, line_format: LineFormat) -> Iterator[Any]:
 
 def middles(column: Any) -> Any:
     """Return the column of an input without uncertainties."""
-    return [one.value if is_uncertain(one) else one for one in column] if isinstance(column, list) else column
+    return [*map(middle, column)] if isinstance(column, list) else column
 
 
 def _results(columns: Columns, form: Format, line_format: LineFormat) -> Iterator[Any]:

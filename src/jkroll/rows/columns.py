@@ -115,31 +115,22 @@ class Wanted:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
         return [header(name).replace(name, key, 1) for name in self.names for key in self.keys_of(name)]
 
+    def _with(self, **changed: Any) -> "Wanted":
+        """Return the same quantities with other columns beside them."""
+        sides = self.sides if self.uncertainties else None
+        same = {"inputs": self.inputs, "sides": sides, "doubts": self.doubts, "alternatives": self.alternatives}
+        return Wanted(self.names, named=self.named, **{**same, **changed})
+
     def with_sides(self, sides: Collection[str]) -> "Wanted":
         """Return the same quantities with columns for some sides of their uncertainties."""
-        of_each = dict.fromkeys(self.names, sides)
-        return Wanted(
-            self.names,
-            named=self.named,
-            inputs=self.inputs,
-            sides=of_each,
-            doubts=self.doubts,
-            alternatives=self.alternatives,
-        )
+        return self._with(sides=dict.fromkeys(self.names, sides))
 
     def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str], *, data: bool = False) -> "Wanted":
         """Return the same quantities, some of them with columns of what may stand in their place.
 
         `scenes`: of each kind of rows; `data`: whether measured forces have columns, too.
         """
-        return Wanted(
-            self.names,
-            named=self.named,
-            inputs=self.inputs,
-            sides=self.sides if self.uncertainties else None,
-            doubts=self.doubts,
-            alternatives=kinds_beside(scenes, [name for name in self.names if name in names], data=data),
-        )
+        return self._with(alternatives=kinds_beside(scenes, [name for name in self.names if name in names], data=data))
 
     def values_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
         """Return the values that may stand in place of the quantities shown, by their keys."""
@@ -171,7 +162,7 @@ class Wanted:
         reasons = reasons_of(found)
         values = {name: outcome for name, outcome in found.items() if name not in reasons}
         numbers: dict[str, float] = {**values, **self.values_beside(scene, [*found])}
-        inputs = scene.echo(scene.inputs_used(self.names, [*found])) if self.inputs else {}
+        inputs = scene.echo(scene.inputs_used(self.names, self.names)) if self.inputs else {}
         if self.uncertainties and scene.is_uncertain:
             from ..scene.uncertainty import uncertainties
 
@@ -272,8 +263,7 @@ class Columns:
         self.failed.discard(place)
         self.tell([place], row.reasons, is_empty=row.is_empty)
         for name, column in self.inputs.items():
-            value = row.inputs.get(name)
-            column[place] = value.value if is_uncertain(value) and not isinstance(column, list) else value
+            column[place] = middle(row.inputs.get(name))
 
     def put_part(self, rows: Sequence[int], part: "Columns") -> None:
         """Take the columns of some rows."""
@@ -408,26 +398,10 @@ class _Arrays:
         for key, value in wanted.values_beside(scene, [*self.outcomes]).items():
             numbers[wanted.places[key]] = where(self.shown[key.rpartition("_by_")[0]], value, numpy.nan)
         self.known = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, JkrollError)]
-        self.columns = Columns(wanted, self._of_unequal([*self.outcomes]), numbers, None)
-        self.columns.doubts = self._doubts()
-
-    def _of_unequal(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the columns of inputs, which are fewer for unequal spheres if some quantities are those of identical ones."""
-        import numpy
-
-        inputs = self._inputs(names)
-        always = [name for name in names if self.shown[name] is True]
-        if always and len(always) == len(names):
-            return inputs
-        unequal = numpy.broadcast_to(numpy.logical_not(self.scene.is_identical), self.size)
-        of_unequal = self._inputs(always)
-        return {name: _either(unequal, of_unequal[name], column) for name, column in inputs.items()}
-
-    def _inputs(self, shown: Sequence[str]) -> dict[str, Any]:
-        """Return the columns of inputs for the quantities that are shown."""
-        names = self.wanted.inputs
-        inputs = self.scene.echo(self.scene.inputs_used(self.wanted.names, shown)) if names else {}
-        return {name: repeated(inputs.get(name), self.size) for name in names}
+        inputs = scene.echo(scene.inputs_used(wanted.names, wanted.names)) if wanted.inputs else {}
+        of_rows = {name: repeated(inputs.get(name), size) for name in wanted.inputs}
+        self.empty = {name: numpy.isnan(numbers[wanted.places[name]]) for name in wanted.names}
+        self.columns = Columns(wanted, of_rows, numbers, self._doubts())
 
     def _doubts(self) -> Any:
         """Return the doubts of each row, of the quantities that have a value there."""
@@ -436,11 +410,10 @@ class _Arrays:
         bits = numpy.zeros(self.size, dtype=numpy.int64)
         if self.wanted.doubts and self.known:
             bits[...] = bits_of(doubts(self.scene, self.known))
-            has_value = {name: ~numpy.isnan(self.columns.column(name)) for name in self.known}
-            if not all(rows.all() for rows in has_value.values()):
+            if any(self.empty[name].any() for name in self.known):
                 concerned = numpy.zeros_like(bits)
-                for name, rows in has_value.items():
-                    concerned |= numpy.where(rows, possible_bits(self.scene, [name]), 0)
+                for name in self.known:
+                    concerned |= numpy.where(self.empty[name], 0, possible_bits(self.scene, [name]))
                 bits &= concerned
         return bits
 
@@ -454,7 +427,7 @@ class _Arrays:
         again = numpy.zeros(self.size, dtype=bool)
         names = [name for name, is_shown in self.shown.items() if is_shown is not False]
         shown = [numpy.broadcast_to(self.shown[name], self.size) for name in names]
-        gaps = [is_shown & numpy.isnan(self.columns.column(name)) for name, is_shown in zip(names, shown, strict=True)]
+        gaps = [is_shown & self.empty[name] for name, is_shown in zip(names, shown, strict=True)]
         rows = (
             numpy.flatnonzero(numpy.any(gaps, axis=0) | ~numpy.any(shown, axis=0)) if names else numpy.arange(self.size)
         )
@@ -504,25 +477,15 @@ def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
         yield rows[keys == key]
 
 
-def _either(rows: Any, column: Any, otherwise: Any) -> Any:
-    """Return a column of an input in some rows, and another one elsewhere."""
-    import numpy
-
-    if isinstance(column, list) and isinstance(otherwise, list):
-        return [own if is_own else other for is_own, own, other in zip(rows.tolist(), column, otherwise, strict=True)]
-    return numpy.where(rows, numpy.asarray(column, dtype=float), numpy.asarray(otherwise, dtype=float))
+def middle(value: Any) -> Any:
+    """Return the middle of an input that has an uncertainty; any other value as it is."""
+    return value.value if is_uncertain(value) else value
 
 
 def repeated(value: Any, size: int) -> Any:
-    """Return a column of a value that is the same in all rows; a column as it is, of which each value may be uncertain."""
+    """Return the column of an input: a text in each row, or numbers, without their uncertainties."""
     import numpy
 
-    if is_uncertain(value):
-        parts = {"value": value.value, **value.sides}
-        rows = zip(*(numpy.broadcast_to(part, size).tolist() for part in parts.values()), strict=True)
-        return [value._replace(**dict(zip(parts, row, strict=True))) for row in rows]
-    if isinstance(value, numpy.ndarray):
-        return numpy.broadcast_to(value, size).copy()
-    if isinstance(value, float | int):
-        return numpy.full(size, float(value))
-    return [value] * size
+    if value is None or isinstance(value, str):
+        return [value] * size
+    return numpy.full(size, middle(value), dtype=float)

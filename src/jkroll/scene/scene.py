@@ -45,7 +45,8 @@ def check_range(name: str, value: Any) -> None:
     if isinstance(value, NUMBER):
         if not takes(name, value):
             raise OutOfRange(name, value, _wanted(limits, value))
-    elif (refused := ~takes(name, value)).any():
+    elif not _takes_all(name, value):
+        refused = ~takes(name, value)
         place = tuple(places[0].item() for places in refused.nonzero())
         first = value[place].item()
         raise OutOfRange(name, first, _wanted(limits, first), place)
@@ -57,6 +58,12 @@ def takes(name: str, value: Any) -> Any:
     is_large_enough = (size >= LEAST) | limits.admits(0.0)
     is_small_enough = (size <= MOST) | (value == INFINITY)
     return limits.admits(value) & is_large_enough & is_small_enough
+
+
+def _takes_all(name: str, values: Any) -> bool:
+    """Return whether a scene takes each element of an array: nearly always all lie between two finite numbers that it takes."""
+    least, most = values.min(initial=INFINITY), values.max(initial=-INFINITY)
+    return bool((most < INFINITY and takes(name, least) and takes(name, most)) or takes(name, values).all())
 
 
 def _wanted(limits: Range, value: float) -> str:
