@@ -12,8 +12,8 @@ from unittest.mock import patch
 
 import numpy as np
 
+import jkroll.batch.job
 import jkroll.batch.lines
-import jkroll.batch.one
 import jkroll.rows.sweep
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
@@ -187,7 +187,7 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
 
     with ExitStack() as stack:
         stack.enter_context(patch.object(jkroll.batch.lines, "evaluated", observed))
-        stack.enter_context(patch.object(jkroll.batch.one, "table_of", of_sample))
+        stack.enter_context(patch.object(jkroll.batch.job, "table_of", of_sample))
         ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
     if ran.code == 2:
         raise Refused(ran.err)

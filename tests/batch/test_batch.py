@@ -17,8 +17,7 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.batch import files
-from jkroll.batch.one import table_with
-from jkroll.batch.settings import Job, Settings
+from jkroll.batch.job import Job, Settings
 from jkroll.errors import JkrollError
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
@@ -135,7 +134,7 @@ def agree(size: int, seed: int) -> None:
     """Among the others and alone a row has the same numbers, to some ulp, the same doubts and the same status."""
     header, *lines = random_table(size, seed).splitlines()
     names = tuple(header.split(","))
-    table = table_with(names, [], Job(Settings(), {}, known_materials()))
+    table = Job(Settings(), {}, known_materials()).table(names, [])
     rows = [line.encode().split(b",") for line in lines]
     block = table.block(size, {name: [row[place] for row in rows] for name, place in table.places.items()}, {})
     together = evaluated(table.wanted, block)
@@ -545,7 +544,7 @@ def test_any_number_of_processes_writes_the_same_bytes(run: Run) -> None:
 
 @pytest.mark.parametrize("compression", ["gz", "zst"])
 def test_compressed_tables(run: Run, compression: str) -> None:
-    from jkroll.batch.formats import compressor, decompressed
+    from jkroll.batch.files import compressor, decompressed
 
     if compression == "zst":
         pytest.importorskip("zstandard")

@@ -12,9 +12,8 @@ import pytest
 
 from harness import Run
 from jkroll import Interval, Measured
-from jkroll.batch.formats import FileFormat
-from jkroll.batch.one import input_format, output_format
-from jkroll.batch.settings import Settings
+from jkroll.batch.files import FileFormat, input_format, output_format
+from jkroll.batch.job import Settings
 from jkroll.errors import BadRequest, BadTable
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows.header import Header, column_options, stated_meanings, understood

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.batch.settings import Settings
+from jkroll.batch.job import Settings
 from jkroll.cli.commands import COMMANDS, OUTPUT, Call, Option, flags_of
 from jkroll.cli.reader import HINTS, SYNONYMS, read
 from jkroll.errors import JkrollError

@@ -8,10 +8,10 @@ from ..materials.library import Materials
 from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
 from ..text import first_of, say, say_wrapped
+from .job import Job, Settings
 from .lines import Tally
 from .many import convert_many, is_many
 from .one import convert_one
-from .settings import Job, Part, Settings
 
 MAX_CODES = 4  # of doubts that are named at the end
 MAX_GAPS = 4  # kinds of rows with empty cells that are explained at the end
@@ -26,7 +26,7 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
         if settings.resume or settings.dask:
             flag = "--resume" if settings.resume else "--dask"
             raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
-        tally, code = convert_one(Part(path, settings.target), job), 0
+        tally, code = convert_one(path, job), 0
     if not settings.quiet:
         _say_notes(tally, settings)
     if tally.failed:

@@ -3,7 +3,7 @@
 A thread reads and computes while another one writes, so `--jobs` changes nothing.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing, contextmanager
 from math import isnan
@@ -20,33 +20,33 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.block import Block
 from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import BLOCK, DOUBT, STATUS, Columns, Wanted, remarks_of
-from ..rows.header import is_input, stated_meanings
+from ..rows.header import is_input
 from ..rows.readings import Reading
-from ..rows.table import Table, TableBlock
+from ..rows.table import TableBlock
 from ..scene.limits import codes
 from ..text import quoted, shown
 from .files import Input, output_to
-from .lines import SAMPLE, Tally, computed, said_of
+from .job import Job, said_of
+from .lines import SAMPLE, Tally, computed
 from .progress import Bar
-from .settings import Job, Part
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 
 Batch = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
-TableWith = Callable[[tuple[str, ...], list[list[str]], Job], Table]
 
 
-def convert_parquet(part: Part, job: Job, table_with: TableWith) -> Tally:
-    """Convert a Parquet file; `table_with` returns what the job asks of a header and the cells of the first rows."""
-    if "-" in (part.path, part.target):
+def convert_parquet(path: str, job: Job) -> Tally:
+    """Convert a Parquet file."""
+    target = job.settings.target
+    if "-" in (path, target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    with closing(Input(part.path)) as given:
-        given.check_output(part.target)
-        with _readable(part.path):
-            table = _File(given, job, table_with)
+    with closing(Input(path)) as given:
+        given.check_output(target)
+        with _readable(path):
+            table = _File(given, job)
         with Bar(table.size, quiet=job.settings.quiet) as bar:
-            tally = _write(part.target, table.schema, table.batches(), bar)
+            tally = _write(target, table.schema, table.batches(), bar)
     return tally._replace(said=said_of(table.table))
 
 
@@ -63,14 +63,13 @@ def _readable(path: str) -> Iterator[None]:
 class _File:
     """A Parquet file whose rows are computed."""
 
-    def __init__(self, given: Input, job: Job, table_with: TableWith) -> None:
+    def __init__(self, given: Input, job: Job) -> None:
         self.given, self.strict = given, job.settings.strict
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         names = tuple(file.schema_arrow.names)
         if not names:
             raise BadTable("the table has no columns")
-        meanings = stated_meanings(names, job.settings.columns, job.settings.measured)
-        self.table = table = table_with(names, _first_rows(file, meanings), job)
+        self.table = table = job.table(names, _first_rows(file, job.meanings(names)))
         texts = {*table.said, *table.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in table.added]
         self.schema = pyarrow.schema([*file.schema_arrow, *fields], metadata=file.schema_arrow.metadata)

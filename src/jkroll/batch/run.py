@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 from ..errors import BadRow
 from ..text import say
 from .files import output_to
+from .job import Settings
 from .lines import Converted, Tally
 from .progress import Bar
-from .settings import Settings
 
 if TYPE_CHECKING:
     from .workers import Worker

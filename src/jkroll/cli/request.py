@@ -105,7 +105,7 @@ def is_table(word: str) -> bool:
     """Return whether a word is the name of a file that holds a table."""
     if "." not in word:
         return False
-    from ..batch.formats import format_of_name
+    from ..batch.files import format_of_name
 
     return format_of_name(word) is not None
 

@@ -16,7 +16,7 @@ from .request import format_name, known_materials_of
 def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
     from ..batch.command import run
-    from ..batch.settings import Settings
+    from ..batch.job import Settings
 
     if not call.words:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
