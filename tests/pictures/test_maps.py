@@ -390,7 +390,10 @@ def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
         "graphite",
         "iron",
     }
-    assert "no curve: vertical_frequency needs Young's modulus and Poisson's ratio; gold has none" in ran.err
+    assert (
+        "no curve: frequency of the vertical vibration needs Young's modulus and Poisson's ratio; gold has none"
+        in ran.err
+    )
 
 
 def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
@@ -553,7 +556,7 @@ def test_no_value_anywhere_is_a_failure(run: Run) -> None:
         ran = run(f"map yield-force quartz 10nm {axes}")
         assert (ran.code, ran.out) == (1, "")
         assert ran.err.startswith(
-            "jkroll: yield_force has no value anywhere on these axes: load: -500 nN is beyond pull-off;"
+            "jkroll: yield_force has no value anywhere on these axes: load: -500 nN breaks this contact"
         )
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, materials_of_user
-from ..quantities.formatting import Format
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
@@ -131,7 +131,15 @@ def curve_request(call: Call) -> "tuple[Request, Loads | None]":
     loads = inputs.pop("load", None)
     if "approach_at_load" in inputs:
         raise BadRequest("--curve goes through all approaches; it takes none")
-    return request_of(call._replace(inputs=inputs)), loads_of(loads) if loads is not None else None
+    request = request_of(call._replace(inputs=inputs))
+    ends = loads.split(":") if loads is not None else []
+    if len(ends) == 2 and not all(ends):
+        pull = amount("load", -request.sweep.kinds[0]["pull_off_force"])
+        end = "lower" if not ends[0] else "upper"
+        raise BadRequest(
+            f"--load: {quoted(loads)} has no {end} end; write both, as in -5nN:20nN (an example); pull-off is at {pull}"
+        )
+    return request, loads_of(loads) if loads is not None else None
 
 
 def _is_part(text: str) -> bool:

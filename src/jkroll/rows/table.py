@@ -254,7 +254,7 @@ def _aliases(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -
     for text in _materials_named(columns, rows):
         with suppress(JkrollError):
             if (name := known[text].name).casefold() != text.strip().casefold():
-                found[text] = f"material: {quoted(text)} is {name}"
+                found[text] = f"material {quoted(text)} is {name}"
     return found
 
 
@@ -274,7 +274,7 @@ def wanted_of(
             raise BadRequest(f"--quantities: {name} is an input here")
         outcomes = [_lack_of(name, scene) for scene in scenes]
         if all(isinstance(error, MissingInput) and not isinstance(error, NotInLaw) for error in outcomes):
-            texts = [message or f"material: {quoted(text)} is not known" for text, message in labels.items()]
+            texts = [message or f"no material {quoted(text)}" for text, message in labels.items()]
             if texts:
                 raise BadTable("; ".join([texts[0], str(outcomes[0])]))
             raise next(filter(None, outcomes))
