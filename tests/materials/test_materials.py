@@ -136,7 +136,7 @@ def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch
     for word in (*words, "mine"):
         after = run("report", word, "1um", "--csv", "--quiet")
         if word in refused:
-            assert after == (2, "", f"jkroll: material: {refused[word]}\n")
+            assert after == (2, "", f"jkroll: material {refused[word]}\n")
         else:
             assert after == before[word]
     rows = run("report all 1um --csv --quiet").out.splitlines()

@@ -132,14 +132,16 @@ def curve_request(call: Call) -> "tuple[Request, Loads | None]":
     if "approach_at_load" in inputs:
         raise BadRequest("--curve goes through all approaches; it takes none")
     request = request_of(call._replace(inputs=inputs))
-    ends = loads.split(":") if loads is not None else []
+    if loads is None:
+        return request, None
+    ends = loads.split(":")
     if len(ends) == 2 and not all(ends):
         pull = amount("load", -request.sweep.kinds[0]["pull_off_force"])
         end = "lower" if not ends[0] else "upper"
         raise BadRequest(
             f"--load: {quoted(loads)} has no {end} end; write both, as in -5nN:20nN (an example); pull-off is at {pull}"
         )
-    return request, loads_of(loads) if loads is not None else None
+    return request, loads_of(loads)
 
 
 def _is_part(text: str) -> bool:
