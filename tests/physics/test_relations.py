@@ -237,7 +237,6 @@ def test_every_formula_is_documented_and_takes_its_parameters_by_name() -> None:
         fields = docstring_fields(formula)
         assert all(fields.get(key) for key in ("summary", "formula")), fields
         assert {"Always.", "Definition."}.isdisjoint(fields.values()), name  # a row that says nothing is left out
-        assert ">>>" in (formula.__doc__ or ""), name
         parameters = inspect.signature(formula).parameters.values()
         assert all(parameter.kind is parameter.KEYWORD_ONLY for parameter in parameters), name
 
