@@ -451,7 +451,7 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
 
 def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     """Iterate over the bare numbers that are not those of rows. Inputs, which are no columns of rows, are among them."""
-    call = call_of(ask)
+    call = call_of(ask.words())
     names = question_of(call, QUESTIONS[call.command]).headline
     lines = answered(run, *ask.words("--bare")).out.splitlines()
     for row, line in enumerate(lines):
