@@ -1,6 +1,6 @@
 """The commands: their words and options, as they are typed and explained, and the function that runs each."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import cache, partial
 from importlib import import_module
 from types import MappingProxyType

@@ -29,7 +29,9 @@ def run_question(call: Call) -> int:
     """Answer the question of a command for every scene that was described; return the exit code."""
     check_format(call)
     question = question_of(call, QUESTIONS[call.command])
-    form = call.form(question.headline if call.kind == "bare" else question.quantities)
+    if call.kind == "bare":
+        question = question._replace(quantities=question.headline)
+    form = call.form(question.quantities)
     if call.quantities:
         _refuse_inputs(question, call.sweep)
     return write(call, call.sweep, question, form, partial(Answer, question))
