@@ -29,6 +29,7 @@ from jkroll.cli.process import main
 PATH = Path(__file__).parent / "corpus" / "command_lines.txt"
 _ENVIRONMENT = {"XDG_CONFIG_HOME": "/nonexistent", "COLUMNS": "80", "LINES": "24", "TERM": "dumb"}
 _FOREIGN = ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR", "NO_COLOR", "COLORTERM")
+_directories: set[Path] = set()  # in which lines may be run
 _UNFORESEEN = ("Traceback", "should have foreseen")
 
 
@@ -101,9 +102,13 @@ def commands(typed: str) -> Iterator[Command]:
 def among_input_files() -> Iterator[None]:
     """Go into a new directory that holds the input files, where lines can be run."""
     with tempfile.TemporaryDirectory() as directory, chdir(directory):
+        _directories.add(Path.cwd())
         for name in CONTENTS:
             _restore(name)
-        yield
+        try:
+            yield
+        finally:
+            _directories.clear()
 
 
 def _restore(name: str) -> None:
@@ -113,7 +118,9 @@ def _restore(name: str) -> None:
 
 
 def run(line: Line) -> Outcome:
-    """Run a line in this process, and leave the directory as it was."""
+    """Run a line in this process, and leave the directory as it was. Raises RuntimeError outside of `among_input_files`."""
+    if Path.cwd() not in _directories:
+        raise RuntimeError(f"{Path.cwd()} is no directory of among_input_files, of which all other files are deleted")
     code, out, err = 0, "", ""
     with mock.patch.dict(os.environ, _ENVIRONMENT):
         for name in _FOREIGN:

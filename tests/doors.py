@@ -17,10 +17,9 @@ import jkroll.batch.lines
 import jkroll.rows.sweep
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.cli.commands import Call
+from jkroll.cli.call import Call
 from jkroll.cli.question import question_of
 from jkroll.cli.reader import read
-from jkroll.cli.request import request_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.rows.block import Block
@@ -99,22 +98,22 @@ def computed(*, by_arrays: bool) -> Iterator[None]:
         yield
 
 
-def call_of(ask: Ask) -> Call:
-    """Return the call that the words of a question stand for."""
-    action: Any = read(ask.words())
+def call_of(words: Sequence[str]) -> Call:
+    """Return the call that words stand for."""
+    action: Any = read(words)
     call: Call = action.args[0]
     return call
 
 
 def scenes_of(ask: Ask) -> list[Scene]:
     """Return the scenes of a list."""
-    return [*request_of(call_of(ask)).sweep.scenes()]
+    return [*call_of(ask.words()).sweep.scenes()]
 
 
 def of_list(ask: Ask, *, by_arrays: bool, alternatives: bool = False) -> Rows:
     """Return the rows of a list, or with what may stand in place of its results."""
-    call = call_of(ask)
-    sweep, question = request_of(call).sweep, question_of(call, QUESTIONS[call.command])
+    call = call_of(ask.words())
+    sweep, question = call.sweep, question_of(call, QUESTIONS[call.command])
     with computed(by_arrays=by_arrays):
         wanted = sweep.wanted(question.quantities, question.named)
         if alternatives:

@@ -14,7 +14,7 @@ SYMBOLS = {
     "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis", "part": "hysteresis_fraction",
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
     "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span", "a_M": "unloaded_radius_maugis",
-    "fold": "fold_approach_maugis",
+    "fold": "fold_approach_maugis", "edge_c": "edge_ratio_at_pull_off", "edge_fold": "edge_ratio_at_fold",
 }  # fmt: skip
 
 
@@ -39,6 +39,12 @@ def ratio(_a: Exact, t: Exact) -> Exact:
 def span(edge: Exact, lambda_: Exact) -> Exact:
     """Return T of a contact."""
     return maugis.radius_of(1 / edge, lambda_) / edge
+
+
+def approach_terms(edge: Exact, lambda_: Exact) -> list[Exact]:
+    """Return the two terms of the approach of a contact, in its unit."""
+    T = span(edge, lambda_)
+    return [(edge * T) ** 2, -4 * lambda_ * T / 3]
 
 
 def angle(edge: Exact) -> Exact:
@@ -142,6 +148,15 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     ),
     "edge_ratio_at_pull_off": lambda lambda_: ratio(*maugis.pull_off(lambda_)),
     "pull_off_force_maugis": lambda w, R, lambda_: -maugis.load(*maugis.pull_off(lambda_), lambda_) * pi * w * R,
+    "contact_radius_at_pull_off_maugis": lambda edge_c, w, R, E, lambda_: (
+        edge_c * span(edge_c, lambda_) * length_unit(w, R, E)
+    ),
+    "contact_radius_at_fold_maugis": lambda edge_fold, w, R, E, lambda_: (
+        edge_fold * span(edge_fold, lambda_) * length_unit(w, R, E) if edge_fold else mpf(0)
+    ),
+    "approach_at_pull_off_maugis": lambda edge_c, w, R, E, lambda_: (
+        sum(approach_terms(edge_c, lambda_)) * approach_unit(w, R, E)
+    ),
     "edge_ratio_at_fold": lambda lambda_: ratio(*maugis.fold(lambda_)) if maugis.folds_in_contact(lambda_) else mpf(0),
     "fold_approach_maugis": lambda w, R, E, lambda_: maugis.lowest_approach(lambda_) * approach_unit(w, R, E),
     # Maugis' law: what a state has
@@ -178,6 +193,9 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
         max(3 * abs(P) / (4 * E * edge * T), sigma0 * T / (2 * E) * 3 * (edge + 1 / edge) * angle(edge))
         if edge > 1
         else max((edge * T) ** 2 / R, 2 * sigma0 * T / E)
+    ),
+    "approach_at_pull_off_maugis": lambda edge_c, w, R, E, lambda_: (
+        max(map(abs, approach_terms(edge_c, lambda_))) * approach_unit(w, R, E)
     ),
     "load_maugis": lambda edge, T, R, E, sigma0: max(hertz(edge, T, R, E), attraction(edge, T, sigma0)),
     "sticking_energy_maugis": lambda edge0, w, R, E, lambda_: (

@@ -139,6 +139,8 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "load_ratio": P / P_c,
             "contact_radius_ratio": a_,
             "approach_ratio": delta / delta0,
+            "contact_area": pi * (a0 * a_) ** 2,
+            **_breaking(a0, delta0),
             "stiffness": P_c / delta0 * slope,
             "hertz_pressure": 6 * P_c / (pi * a0**2) * a_,
             "boussinesq_pressure": -2 * P_c / (pi * a0**2) / sqrt(a_),
@@ -189,6 +191,17 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "energy_over_sticking": W0 / (ENERGIES["sticking_energy"] * adhesion_energy),
         }
     )
+
+
+def _breaking(a0: Exact, delta0: Exact) -> dict[str, Exact]:
+    """The states where the contact breaks, by √â there: under a constant tension and between fixed grips."""
+    found = {}
+    for name, y in (("pull_off", PULL_OFF_ROOT), ("fold", FOLD_ROOT)):
+        radius = a0 * y**2
+        found[f"contact_radius_at_{name}"] = radius
+        found[f"contact_area_at_{name}"] = pi * radius**2
+        found[f"approach_at_{name}"] = delta0 * (3 * y**4 - 2 * y)
+    return found
 
 
 def _sliding(
@@ -375,6 +388,7 @@ SYMBOLS = {
     "I1": "moment_of_inertia", "I2": "moment_of_inertia2", "I": "reduced_moment_of_inertia",
     "P": "load", "P_c": "pull_off_force", "a0": "contact_radius", "delta0": "approach",
     "s": "load_margin", "x": "load_factor", "a": "contact_radius_at_load", "delta": "approach_at_load",
+    "a_pull": "contact_radius_at_pull_off", "a_fold": "contact_radius_at_fold",
     "r": "distance", "p_H": "hertz_pressure", "p_B": "boussinesq_pressure",
     "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment",
     "mean_M": "mean_rolling_moment", "A": "half_circle_radius",
@@ -461,6 +475,13 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "load_factor": lambda s: (1 + s) / 2,
     "contact_radius_at_load": lambda a0, x: a0 * cbrt(x**2),
     "approach_at_load": lambda delta0, x: delta0 * (3 * cbrt(x) ** 4 - 2 * cbrt(x)),
+    "contact_area": lambda a: pi * a**2,
+    "contact_area_at_pull_off": lambda a_pull: pi * a_pull**2,
+    "contact_area_at_fold": lambda a_fold: pi * a_fold**2,
+    "contact_radius_at_pull_off": lambda a0: a0 * PULL_OFF_ROOT**2,
+    "contact_radius_at_fold": lambda a0: a0 * FOLD_ROOT**2,
+    "approach_at_pull_off": lambda delta0: delta0 * (3 * PULL_OFF_ROOT**4 - 2 * PULL_OFF_ROOT),
+    "approach_at_fold": lambda delta0: delta0 * (3 * FOLD_ROOT**4 - 2 * FOLD_ROOT),
     "load_ratio": lambda P, P_c: P / P_c,
     "contact_radius_ratio": lambda a, a0: a / a0,
     "approach_ratio": lambda delta, delta0: delta / delta0,

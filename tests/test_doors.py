@@ -397,7 +397,7 @@ def _in_law(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
 def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
     scene, x, y = Scene(PLAIN_VALUES), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
     regions, _ = limits_on_map(scene, quantity, x, y, limits_of(scene, quantity))
-    marks = {"a/z0": "a/z0<3", "more than 5 %": "law>", "more than a factor of 2": "law>×2"}
+    marks = {"a/z0": "few-atoms", "more than 5 %": "law-off", "more than a factor of 2": "law-off-2x"}
     drawn = [
         (region.excess(over(scene, x, y)) > 0, code)
         for mark, code in marks.items()
@@ -451,7 +451,7 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
 
 def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     """Iterate over the bare numbers that are not those of rows. Inputs, which are no columns of rows, are among them."""
-    call = call_of(ask)
+    call = call_of(ask.words())
     names = question_of(call, QUESTIONS[call.command]).headline
     lines = answered(run, *ask.words("--bare")).out.splitlines()
     for row, line in enumerate(lines):

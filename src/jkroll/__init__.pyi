@@ -42,6 +42,7 @@ from .physics.contact import approach_at_load as approach_at_load
 from .physics.contact import approach_ratio as approach_ratio
 from .physics.contact import boussinesq_pressure as boussinesq_pressure
 from .physics.contact import boussinesq_pressure_at_approach as boussinesq_pressure_at_approach
+from .physics.contact import contact_area as contact_area
 from .physics.contact import contact_radius as contact_radius
 from .physics.contact import contact_radius_at_load as contact_radius_at_load
 from .physics.contact import contact_radius_ratio as contact_radius_ratio
@@ -74,6 +75,12 @@ from .physics.dmt import stiffness_dmt as stiffness_dmt
 from .physics.dmt import unloaded_approach_dmt as unloaded_approach_dmt
 from .physics.dmt import unloaded_radius_dmt as unloaded_radius_dmt
 from .physics.jkr import adhesion_energy as adhesion_energy
+from .physics.jkr import approach_at_fold as approach_at_fold
+from .physics.jkr import approach_at_pull_off as approach_at_pull_off
+from .physics.jkr import contact_area_at_fold as contact_area_at_fold
+from .physics.jkr import contact_area_at_pull_off as contact_area_at_pull_off
+from .physics.jkr import contact_radius_at_fold as contact_radius_at_fold
+from .physics.jkr import contact_radius_at_pull_off as contact_radius_at_pull_off
 from .physics.jkr import load_at_factor as load_at_factor
 from .physics.jkr import load_factor_at_approach as load_factor_at_approach
 from .physics.jkr import load_margin_at_approach as load_margin_at_approach
@@ -83,9 +90,12 @@ from .physics.jkr import pull_off_work_at_dead_load as pull_off_work_at_dead_loa
 from .physics.jkr import sticking_energy as sticking_energy
 from .physics.jkr import well_energy as well_energy
 from .physics.maugis import adhesive_force_maugis as adhesive_force_maugis
+from .physics.maugis import approach_at_pull_off_maugis as approach_at_pull_off_maugis
 from .physics.maugis import approach_maugis as approach_maugis
 from .physics.maugis import approach_maugis_at_load as approach_maugis_at_load
 from .physics.maugis import contact_displacement as contact_displacement
+from .physics.maugis import contact_radius_at_fold_maugis as contact_radius_at_fold_maugis
+from .physics.maugis import contact_radius_at_pull_off_maugis as contact_radius_at_pull_off_maugis
 from .physics.maugis import contact_radius_maugis as contact_radius_maugis
 from .physics.maugis import edge_ratio_at_approach as edge_ratio_at_approach
 from .physics.maugis import edge_ratio_at_fold as edge_ratio_at_fold

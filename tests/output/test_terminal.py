@@ -45,7 +45,7 @@ def test_scenes_that_do_not_differ_are_numbered(run: Run) -> None:
 
 def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("jkroll.cli.question.MAX_TABLE", 99)
-    monkeypatch.setattr("jkroll.cli.question._OfQuestion.most_in_table", 99)
+    monkeypatch.setattr("jkroll.rows.sweep.Sweep.most_in_table", 99)
     monkeypatch.setattr("jkroll.rows.sweep.BLOCK", 40)
     for way in (10**9, -1):  # by floats, and by arrays
         monkeypatch.setattr("jkroll.rows.sweep.WORTH_ARRAYS", way)
@@ -114,15 +114,15 @@ def test_many_doubts_are_a_number_and_its_limit(run: Run) -> None:
     assert worded.count(": ") == 4  # "note: doubtful: ", and two doubts
     assert more.endswith(": jkroll guide models")
     assert dict(re.findall(r"(\S+) = \S+ \((\S+)\)", more)) == {
-        "a/z0": "<3",
-        "ξ/ξ_max": ">=1",
-        "μ": "law>×2",
-        "Q/T_first": ">=1",
-        "M/2cRw": ">1",
-        "p_H/E*": ">0.1",
-        "ξ/a": ">1",
-        "δ_α": ">1",
-        "e_h": ">0.01",
+        "a/z0": "few-atoms",
+        "ξ/ξ_max": "xi-over-limit",
+        "μ": "law-off-2x",
+        "Q/T_first": "slides-first",
+        "M/2cRw": "moment-unexplained",
+        "p_H/E*": "may-yield",
+        "ξ/a": "xi-over-contact",
+        "δ_α": "large-angle",
+        "e_h": "wide-contact",
     }
 
 
@@ -157,8 +157,8 @@ def test_doubts_stand_by_size_unless_error_bars_are_wider(run: Run, words: str, 
 def test_every_law_has_its_own_doubt(run: Run) -> None:
     notes = run("pull-off quartz 100nm,100um --model jkr,dmt").err.splitlines()
     assert notes[0] == (
-        "note: doubtful: law>25%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 25 %: rows 1, 4; "
-        "law>5%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 5 %: row 3"
+        "note: doubtful: law-off-25%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 25 %: rows 1, 4; "
+        "law-off-5%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 5 %: row 3"
     )
 
 

@@ -312,11 +312,11 @@ def test_the_command(run: Run) -> None:
     table = run(*words, "pull_off_force=300nN,1e26N", "--csv")
     assert table.out.splitlines() == [
         "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2],doubt,status",
-        "quartz,2e-6,plane,3e-7,0.015915494309189534,law>5%,",
+        "quartz,2e-6,plane,3e-7,0.015915494309189534,law-off-5%,",
         "quartz,2e-6,plane,1e26,,,no value gives it",
     ]
     assert (
-        "note: doubtful: law>5%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 5 %: row 1"
+        "note: doubtful: law-off-5%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 5 %: row 1"
         in table.err.splitlines()
     )
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
@@ -360,8 +360,8 @@ def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
     assert column(ran.out, "doubt") == column(
         run("pull-off", "quartz", radii.replace(",", "m,") + "m", "--csv").out, "doubt"
     )
-    assert column(ran.out, "doubt") == ["law>25% a/z0<3 p_H/E*>0.1", "law>25%", ""]
-    assert "; a/z0<3, elasticity is in doubt: row 1; also p_H/E*>0.1 (row 1)" in ran.err
+    assert column(ran.out, "doubt") == ["law-off-25% few-atoms may-yield", "law-off-25%", ""]
+    assert "; few-atoms, contact radius below 3 atoms: row 1; also may-yield (row 1)" in ran.err
     assert not any(column(run("infer gamma quartz 1um --measured pull_off_force=1e26N,2e26N --csv").out, "doubt"))
 
 
@@ -418,7 +418,7 @@ def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run:
             "'gama' cannot be inferred; did you mean surface_energy?",
         ),
         ("infer young quartz 1um --measured pull_off_force=3nN", 1, "youngs_modulus: pull_off_force does not depend"),
-        ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull_off_force needs radius of sphere 1; give"),
+        ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull-off force needs radius of sphere 1; give"),
     ],
 )
 def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: str) -> None:

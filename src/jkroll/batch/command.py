@@ -7,6 +7,7 @@ from ..errors import ROWS_FAILED, BadRequest
 from ..materials.library import Materials
 from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
+from ..scene.limits import UNCHECKED
 from ..text import first_of, say, say_wrapped
 from .job import Job, Settings
 from .lines import Tally
@@ -47,7 +48,8 @@ def _say_notes(tally: Tally, settings: Settings) -> None:
     if tally.not_judged:
         some = f"{tally.not_judged} of {tally.rows} rows"
         say_wrapped(
-            f"note: ? in {some}: a limit could not be judged, as it needs an input that is not given", sys.stderr
+            f"note: {UNCHECKED} in {some}: a limit could not be judged, as it needs an input that is not given",
+            sys.stderr,
         )
     for gaps in [*tally.gaps.values()][:MAX_GAPS]:
         say_wrapped(f"note: {gaps.sentence()}", sys.stderr)

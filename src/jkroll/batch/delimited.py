@@ -18,8 +18,8 @@ from ..errors import BadTable
 from ..output.records import LineFormat, Lines
 from ..quantities.formatting import Format
 from ..rows.header import is_input
-from ..rows.readings import MATERIALS
 from ..rows.table import Table
+from ..rows.words import MATERIALS
 from ..text import quoted
 from .decimals import has_decimal_commas, points_among_commas, with_points
 from .lines import BOM, MAX_RECORD, SAMPLE, Converted, Head, check_encoding, computed

@@ -13,7 +13,7 @@ from ..rows.columns import Columns, Wanted
 from ..rows.inferred import Unknowns
 from ..rows.reasons import Gaps, joined, worded
 from ..rows.rows import evaluated
-from ..scene.limits import NOT_JUDGED, codes
+from ..scene.limits import CODES, NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
@@ -62,8 +62,8 @@ class Tally(NamedTuple):
         )
 
     def most_frequent_codes(self) -> list[tuple[str, int]]:
-        """Return the codes of doubts with their numbers of rows, the most frequent first."""
-        return sorted(self.codes.items(), key=lambda item: (-item[1], item[0]))
+        """Return the codes of doubts with their numbers of rows, the most frequent first, then those that matter most."""
+        return sorted(self.codes.items(), key=lambda item: (-item[1], CODES.index(item[0])))
 
 
 def _rows_of_codes(bits: Any) -> Counter[str]:

@@ -9,8 +9,7 @@ from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..quantities.errors import UnknownQuantity
 from ..text import quoted, say_wrapped
-from .commands import Call
-from .request import format_name, known_materials_of
+from .call import Call
 
 
 def run_batch(call: Call) -> int:
@@ -18,7 +17,7 @@ def run_batch(call: Call) -> int:
     from ..batch.command import run
     from ..batch.job import Settings
 
-    if not call.words:
+    if not call.subject:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
     if call.settings.keys() >= {"format", "delimiter"}:
         raise BadRequest("--format and --delimiter exclude each other")
@@ -36,7 +35,7 @@ def run_batch(call: Call) -> int:
         measured=measured,
         **call.settings,
     )
-    return run(call.words[0], settings, call.inputs, known_materials_of(call.materials))
+    return run(call.subject, settings, call.inputs, call.materials)
 
 
 def _inverse(call: Call) -> tuple[str, str]:
@@ -65,8 +64,7 @@ def run_materials(call: Call) -> int:
     """List the materials, or show one in full; return the exit code."""
     from ..output.catalogue import write_materials
 
-    kind = format_name(call)
-    materials = known_materials_of(call.materials)
+    kind, materials = call.kind, call.materials
     lists_all = not call.words or call.words[0].casefold() == "all"
     chosen = [*materials.materials.values()] if lists_all else [materials[word] for word in call.words[0].split(",")]
     write_materials(chosen, sys.stdout, kind, whole=not lists_all and len(chosen) == 1)
@@ -85,9 +83,9 @@ def run_quantities(call: Call) -> int:
     from ..output.catalogue import write_quantities
     from ..output.search import Hits, hits_of, quantities_named, write_hits
 
-    kind = format_name(call)
+    kind = call.kind
     names = quantities_named(call.words)
-    hits = Hits([], names, []) if names else hits_of(call.words, known_materials_of(None).materials.values())
+    hits = Hits([], names, []) if names else hits_of(call.words, call.materials.materials.values())
     if hits.quantities:
         write_quantities(hits.quantities, sys.stdout, kind)
     elif any(hits) and kind in ("table", "plain"):
@@ -110,7 +108,7 @@ def run_guide(call: Call) -> int:
     elif topic in topics():
         write_text(page(topic), sys.stdout)
     else:
-        write_hits(call.words, hits_of(call.words, known_materials_of(None).materials.values()), sys.stdout)
+        write_hits(call.words, hits_of(call.words, call.materials.materials.values()), sys.stdout)
     return 0
 
 
@@ -128,4 +126,4 @@ def run_bench(call: Call) -> int:
     from ..bench.report import Plot, write_bench
 
     plot = Plot(call.plot, inches_of(call.width), call.style or "paper", not call.uncaptioned) if call.plot else None
-    return write_bench(sys.stdout, format_name(call), quick=call.quick, plot=plot)
+    return write_bench(sys.stdout, call.kind, quick=call.quick, plot=plot)

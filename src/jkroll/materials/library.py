@@ -366,9 +366,12 @@ class UnknownMaterial(JkrollError):
         self.name, self.known, self.guess, self.phrase = name, tuple(known), guess, "unknown material"
 
     def __str__(self) -> str:
-        hint = f"did you mean {self.guess}? " if self.guess else ""
+        known = first_of(self.known, MAX_LISTED)
+        if self.guess:
+            return f"no material {quoted(self.name)}; did you mean {self.guess}? There are {known}"
         return (
-            f"material: {quoted(self.name)} is not known; {hint}known materials are {first_of(self.known, MAX_LISTED)}"
+            f"no material {quoted(self.name)}. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an "
+            f"example), add it to a file (jkroll guide materials), or write one of: {known}"
         )
 
 
@@ -380,7 +383,7 @@ class UnclearMaterial(JkrollError):
         self.name, self.meanings, self.phrase = name, meanings, "unclear material"
 
     def __str__(self) -> str:
-        return f"material: {quoted(self.name)} is {self.meanings}"
+        return f"material {quoted(self.name)} is {self.meanings}"
 
 
 class Materials:
@@ -501,7 +504,7 @@ def _clash(name: str, shipped: Material, added: Material) -> UnclearMaterial:
 
 
 def _choice(materials: Sequence[Material]) -> str:
-    """Return the materials that a name stands for, with their surface energies, and their sets if they differ."""
+    """Return the materials that a name stands for, with their surface energies and states, or their sets if they differ."""
     from ..quantities.formatting import amount
 
     has_sets = len({material.title for material in materials}) > 1
@@ -509,9 +512,9 @@ def _choice(materials: Sequence[Material]) -> str:
     for material in materials:
         energy = material.properties.get("surface_energy")
         known = [amount("surface_energy", energy)] if energy is not None else []
-        about = ", ".join([*known, *([material.title] if has_sets else [])])
+        about = ", ".join(filter(None, [*known, material.state or (material.title if has_sets else "")]))
         texts.append(f"{material.name} ({about})" if about else material.name)
-    return f"{', '.join(texts[:-1])} or {texts[-1]}: which?"
+    return f"one of several; write {', '.join(texts[:-1])} or {texts[-1]}"
 
 
 def path_of(path: Path) -> str:

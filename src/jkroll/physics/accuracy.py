@@ -48,6 +48,9 @@ OTHERS = {
     "unloaded_approach_maugis": "12 ulp",
     "edge_ratio_at_pull_off": "6 ulp",
     "pull_off_force_maugis": "8 ulp",
+    "contact_radius_at_pull_off_maugis": "6 ulp",
+    "contact_radius_at_fold_maugis": "6 ulp",
+    "approach_at_pull_off_maugis": "8 ulp of the larger term",
     "edge_ratio_at_fold": "4 ulp, times 1 plus its condition in λ",
     "fold_approach_maugis": "8 ulp",
     # maugis_energies

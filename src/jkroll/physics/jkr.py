@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
+from .dimensions import Area, Energy, Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt, where, within
 
 FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
@@ -31,9 +31,6 @@ def load_margin_of_factor(*, load_factor: Number) -> Number:
 
     Source:   Eq (5), as x = (1 + s)/2.
     Valid:    0 < x.
-
-    >>> load_margin_of_factor(load_factor=0.5)
-    0.0
     """
     return 2 * load_factor - 1
 
@@ -45,9 +42,6 @@ def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
 
     Source:   Eq (5).
     Valid:    0 < x, both branches.
-
-    >>> load_at_factor(pull_off_force=1.0, load_factor=0.5)
-    -1.0
     """
     return 4 * pull_off_force * load_factor * (load_factor - 1)
 
@@ -77,9 +71,6 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
     Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1 loses.
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
-
-    >>> load_margin_at_approach(approach_at_load=1.0, approach=1.0)
-    1.0
     """
     return (1 + 2 * _approach_over_root(approach_at_load / approach)) / 3
 
@@ -104,6 +95,89 @@ def _root_of_excess(eta: Any, excess: Any) -> Any:
         slope = eta * (6 + eta * (6 + 2 * eta))
         eta = eta - (eta * eta * (3 + eta * (2 + eta / 2)) - excess) / where(slope == 0, 1.0, slope)
     return eta
+
+
+# --- The states where the contact breaks ------------------------------------------------------------------------------
+
+
+def contact_radius_at_pull_off(*, contact_radius: Length) -> Length:
+    """Return the radius of the contact circle at which a constant tension breaks the contact.
+
+        a_pull = a0/4^(1/3) = 0.6299605 a0
+
+    Source:   Eq (5) at P = −P_c.
+    Valid:    JKR.
+
+    >>> round(contact_radius_at_pull_off(contact_radius=1.0), 7)
+    0.6299605
+    """
+    return contact_radius / cbrt(4.0)
+
+
+def contact_radius_at_fold(*, contact_radius: Length) -> Length:
+    """Return the radius of the contact circle at which fixed grips let go.
+
+        a_fold = a0/36^(1/3) = 0.3028534 a0
+
+    Source:   Eq (6), where dδ/da = 0.
+    Valid:    JKR.
+
+    >>> round(contact_radius_at_fold(contact_radius=1.0), 7)
+    0.3028534
+    """
+    return contact_radius / cbrt(36.0)
+
+
+def approach_at_pull_off(*, approach: Length) -> Length:
+    """Return the approach of the centres at which a constant tension breaks the contact: negative, they are stretched.
+
+        δ_pull = −δ0/16^(1/3) = −0.3968503 δ0
+
+    Source:   Eqs (5) and (6) at P = −P_c.
+    Valid:    JKR.
+
+    >>> round(approach_at_pull_off(approach=1.0), 7)
+    -0.3968503
+    """
+    return -approach / cbrt(16.0)
+
+
+def approach_at_fold(*, approach: Length) -> Length:
+    """Return the least approach of the centres, at which fixed grips let go.
+
+        δ_fold = −(9/16)^(1/3) δ0 = −0.8254818 δ0
+
+    Source:   Eq (6), where dδ/da = 0.
+    Valid:    JKR.
+
+    >>> round(approach_at_fold(approach=1.0), 7)
+    -0.8254818
+    """
+    return FOLD_APPROACH * approach
+
+
+def contact_area_at_pull_off(*, contact_radius_at_pull_off: Length) -> Area:
+    """Return the area of the contact circle at which a constant tension breaks the contact.
+
+        A_pull = πa_pull²
+
+    Source:   Geometry.
+    Valid:    Any law of attraction with a contact there.
+    """
+    return pi * contact_radius_at_pull_off**2
+
+
+def contact_area_at_fold(*, contact_radius_at_fold: Length) -> Area:
+    """Return the area of the contact circle at which fixed grips let go.
+
+        A_fold = πa_fold²
+
+    contact_radius_at_fold  [m]  ≥ 0
+
+    Source:   Geometry.
+    Valid:    Any law of attraction; 0 where the grips hold on to spheres that attract without touching.
+    """
+    return pi * contact_radius_at_fold**2
 
 
 # --- Energies ---------------------------------------------------------------------------------------------------------

@@ -87,7 +87,9 @@ OF_MAUGIS: Mapping[str, Quantity] = {
     ),
     "zone_radius": Quantity("c", "m", "radius of the zone of attraction"),
     "contact_displacement": Quantity("ξ_contact", "m", "displacement of the contact circle"),
-    "fold_approach_maugis": Quantity("δ_fold", "m", "least approach that fixed grips hold"),
+    "fold_approach_maugis": Quantity(
+        "δ_fold", "m", "least approach that fixed grips hold", variant_of="approach_at_fold"
+    ),
     "state_energy_maugis": Quantity("Φ", "J", "energy of the state"),
 }
 
@@ -261,6 +263,13 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "δ", "m", "approach of the centres at the load", "6", range=FINITE, option="--approach", example="0.05nm",
             may_be_zero=True,
         ),
+        "contact_area": Quantity("A_c", "m^2", "area of the contact at the load", "5", may_be_zero=True),
+        "contact_radius_at_pull_off": Quantity("a_pull", "m", "contact radius at pull-off", "5"),
+        "approach_at_pull_off": Quantity("δ_pull", "m", "approach of the centres at pull-off", "6"),
+        "contact_area_at_pull_off": Quantity("A_pull", "m^2", "area of the contact at pull-off", "5"),
+        "contact_radius_at_fold": Quantity("a_fold", "m", "contact radius where fixed grips let go", "6", may_be_zero=True),
+        "approach_at_fold": Quantity("δ_fold", "m", "approach of the centres where fixed grips let go", "6"),
+        "contact_area_at_fold": Quantity("A_fold", "m^2", "area of the contact where fixed grips let go", "6", may_be_zero=True),
         "load_ratio": Quantity("P/P_c", "1", "load over the pull-off force", "4", range=FINITE, may_be_zero=True, shown_with=STATE_OR_LOAD),
         "contact_radius_ratio": Quantity("a/a0", "1", "contact radius over that without load", "4", may_be_zero=True, shown_with=STATE_OR_LOAD),
         "approach_ratio": Quantity("δ/δ0", "1", "approach over that without load", "4", range=FINITE, may_be_zero=True, shown_with=STATE_OR_LOAD),

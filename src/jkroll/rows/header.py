@@ -1,6 +1,7 @@
 """The header of a table: the columns that are inputs, with their units, those that pass through, and what is refused."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from types import MappingProxyType
 from typing import NamedTuple
@@ -10,27 +11,15 @@ from ..quantities.errors import QUANTITY_SYNONYMS, BareNumber, QuantityError
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
-from ..quantities.units import dimension_of, kind_of
 from ..quantities.values import unit_of, value_of
 from ..text import closest, first_of, quoted, shown
-from .cells import Column, Side, is_number
-from .readings import (
-    MATERIALS,
-    Reading,
-    fits,
-    is_of_directions,
-    key,
-    read,
-    reading_of,
-    unit_alone,
-    unit_for,
-    unit_in_header,
-    with_unit,
-    words_of,
-)
+from .cells import Column, is_number
+from .readings import Reading, fits, named, read, reading_of, unit_for, with_unit
+from .sides import with_sides
+from .words import MATERIALS, key
 
-_PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
-_MAX_SAID = 8  # columns that pass through and are named
+_MAX_SAID = 60  # columns that pass through and are named
+_OF_DIRECTIONS = re.compile(r"\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
 
 
 class Header(NamedTuple):
@@ -39,7 +28,6 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[tuple[str, int], ...]  # name and place of the columns that name materials
-    alike: tuple[str, ...] = ()  # columns that pass through though they look like quantities
     meanings: Mapping[str, Reading] = MappingProxyType({})  # what `--column` says of headers
     preamble: int = 0  # lines before the header that are passed over
 
@@ -49,7 +37,7 @@ class Header(NamedTuple):
         return frozenset({column.name for column in self.inputs} | {name for name, _ in self.materials})
 
     def reading(self) -> str:
-        """Return the sentence that says how the table is read. What looks like a quantity stands first among what passes through."""
+        """Return the sentence that says how the table is read."""
         materials = [_from(name, "", self.texts[place]) for name, place in self.materials]
         sentence = f"read: {', '.join([*materials, *map(self._reading_of, self.inputs)]) or 'no input'}"
         if self.preamble:
@@ -60,7 +48,7 @@ class Header(NamedTuple):
         others = [text for place, text in enumerate(self.texts) if place not in places and text.strip()]
         if not others:
             return sentence
-        passing = [_easy(text) for text in dict.fromkeys((*self.alike, *others)) if text.strip()]
+        passing = [_easy(text) for text in dict.fromkeys(others)]
         count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
         return f"{sentence}; passed through: {count}{first_of(passing, _MAX_SAID)}"
 
@@ -91,16 +79,14 @@ def _easy(text: str) -> str:
 def stated_meanings(names: Iterable[str], texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
     """Return the meaning of columns that options say: of those that `--column` names and their uncertainties, and of those of a measured quantity."""
     chosen = column_options(texts, measured)
-    of_measured = {key(measured): measured, key(NOMENCLATURE[measured].symbol): measured} if measured else {}
-    values = {head: reading.name for head, reading in chosen.items() if reading.name and not reading.part}
-    of_chosen = {word: name for head, name in values.items() for word in words_of(head)}
-    found: dict[str, Reading] = {}
-    for head in map(str.strip, names):
-        reading = read(head, of_measured) if of_measured else Reading()
-        if reading.name != measured:
-            reading = read(head, of_chosen) if of_chosen else Reading()
-            reading = reading if reading.part and not reading_of(head).is_input else Reading()
-        if reading.is_input:
+    more = {key(word): measured for word in (measured, NOMENCLATURE[measured].symbol)} if measured else {}
+    for head, reading in chosen.items():
+        if reading.name and not reading.part:
+            more[named(head, reading.name)[0]] = reading.name
+    found = {}
+    for head in map(str.strip, names) if more else ():
+        reading = read(head, more)
+        if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
             found[head] = reading
     return found | chosen
 
@@ -124,7 +110,7 @@ def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Readin
         if head in found:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
         if reading.name and reading.name not in MATERIALS and reading.unit_text is None:
-            reading = reading._replace(unit_text=unit_in_header(head, reading.name))
+            reading = reading._replace(unit_text=named(head, reading.name)[1])
         found[head] = reading
     return found
 
@@ -147,48 +133,27 @@ def understood(
         meant = f"; did you mean {quoted(guess)}?" if guess else ""
         raise BadTable(f"--column: the table has no column {quoted(text)}{meant}")
     columns = [[row[place].strip() for row in rows] for place in range(len(texts))]
-    cells = [*map(_first, columns)]
-    readings = [_meaning(text, column, meanings) for text, column in zip(texts, columns, strict=True)]
-    for place, text in enumerate(texts[1:], 1):  # ± alone is of the column at its left
-        left, is_stated = readings[place - 1], text.strip() in meanings
-        is_alone = unit_alone(text) is not None and not (
-            readings[place].name or is_stated or cells[place][:1].isalpha()
-        )
-        if is_alone and left.is_input and not left.part and left.name not in MATERIALS:
-            readings[place] = Reading(left.name, unit_alone(text) or None, "both")
-    readings = [*_along_directions(texts, readings, meanings)]
-    names = _names(readings)
-    readings = [_of_sphere(reading, {*names, *given}) for reading in readings]
-    names = _names(readings)
-    inputs: list[Column] = []
-    materials: list[tuple[str, int]] = []
-    parts: dict[str, dict[str, int]] = {}  # the places of the parts of an input's uncertainty
-    seen: dict[str, str] = {}
-    alike = [text for text, reading in zip(texts, readings, strict=True) if reading.is_alike or reading.problem]
-    refused = {
-        text: (reading, cell)
-        for text, reading, cell in zip(texts, readings, cells, strict=True)
-        if reading.problem and reading.name not in names
-    }
-    for place, (text, reading) in enumerate(zip(texts, readings, strict=True)):
-        name = reading.name
-        if reading.is_input and name in MATERIALS:
-            materials.append((name, place))
-        elif reading.is_input and reading.part:
-            parts.setdefault(name, {})[reading.part] = place
-        elif reading.is_input:
-            inputs.append(_column(place, name, reading.unit_text, text))
-        _check_new(text, f"{name} {reading.part}" if reading.is_input else text, seen)
+    readings = [_meaning(text, cells, meanings) for text, cells in zip(texts, columns, strict=True)]
+    readings = [_beside(place, readings, texts, meanings, given) for place in range(len(texts))]
+    _check_twice(texts, readings)
+    names = {reading.name for reading in readings if reading.is_input and reading.part in ("", "low")}
+    refused = {place: each for place, each in enumerate(readings) if each.problem and each.name not in names}
     if refused:
-        raise _refusal(refused)
-    for name, places in parts.items():
-        alike += _add_parts(name, places, texts, readings, inputs, meanings)
-    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(alike), meanings)
-
-
-def _names(readings: Iterable[Reading]) -> set[str]:
-    """Return the inputs that columns give."""
-    return {reading.name for reading in readings if reading.is_input and reading.part in ("", "low")}
+        raise _refusal(refused, texts, [*map(_first, columns)])
+    inputs = {}
+    materials: list[tuple[str, int]] = []
+    parts: dict[str, dict[str, Column]] = {}  # the columns of the uncertainty of an input
+    for place, reading in enumerate(readings):
+        if reading.is_input and reading.name in MATERIALS:
+            materials.append((reading.name, place))
+        elif reading.is_input and reading.part:
+            parts.setdefault(reading.name, {})[reading.part] = _column(place, reading)
+        elif reading.is_input:
+            inputs[reading.name] = _column(place, reading)
+    for name, columns_of_parts in parts.items():
+        if column := with_sides(inputs.get(name), columns_of_parts, dict(enumerate(texts)), meanings.keys()):
+            inputs[name] = column
+    return Header(tuple(texts), tuple(inputs.values()), tuple(materials), meanings)
 
 
 def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -> Reading:
@@ -197,51 +162,64 @@ def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -
         return stated
     reading, cell = reading_of(text), _first(cells)
     if reading.is_symbol and not reading.part and not _have_units(cells, reading.name):
-        return Reading(is_alike=True)
+        return Reading()
     if key(text) in ("model", "law") and cell.casefold() in LAWS:
         return Reading("model", problem="the law is an option: --model dmt")
-    is_text = cell[:1].isalpha() and reading.name not in MATERIALS
-    return Reading(is_alike=True) if reading.problem and is_text else reading
+    is_unread = reading.problem or not reading.name
+    return Reading() if is_unread and cell[:1].isalpha() else reading
 
 
-def _along_directions(
-    texts: Sequence[str], readings: Sequence[Reading], meanings: Mapping[str, Reading]
-) -> Iterator[Reading]:
-    """Iterate over readings, with the refusal of moduli that are those along directions, as another column says."""
-    other = next(filter(is_of_directions, texts), "")
-    problem = f"{quoted(other)} beside it says that it is the modulus along a direction"
-    for text, reading in zip(texts, readings, strict=True):
-        is_modulus = reading.name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings
-        yield reading._replace(problem=problem, meant=()) if other and is_modulus else reading
-
-
-def _of_sphere(reading: Reading, names: Collection[str]) -> Reading:
-    """Return R as the radius of sphere 1 where sphere 2 has one, else its refusal."""
-    if reading.is_input and reading.meant and not reading.part and "radius2" not in names:
-        both = "R is the radius of a sphere or the reduced radius, half of it for equal spheres"
-        return reading._replace(problem=both)
+def _beside(
+    place: int,
+    readings: Sequence[Reading],
+    texts: Sequence[str],
+    meanings: Mapping[str, Reading],
+    given: Collection[str],
+) -> Reading:
+    """Return the meaning of a column in the light of the others. ± alone is of the column at its left."""
+    reading = readings[place]
+    if texts[place].strip() in meanings:
+        return reading
+    if reading.part and not reading.name:
+        left = readings[place - 1] if place else Reading()
+        is_value = left.is_input and not left.part and left.name not in MATERIALS
+        is_of_left = is_value and (reading.unit_text in (None, "%") or fits(reading.unit_text, left.name))
+        return reading._replace(name=left.name) if is_of_left else Reading()
+    if reading.name in ("youngs_modulus", "youngs_modulus2"):
+        other = next(filter(_OF_DIRECTIONS.match, texts), "")
+        problem = f"{quoted(other)} beside it says that it is the modulus along a direction"
+        return reading._replace(problem=problem, meant=()) if other else reading
+    is_of_spheres = "radius2" in given or any(each.is_input and each.name == "radius2" for each in readings)
+    if reading.is_input and reading.meant and not reading.part and not is_of_spheres:
+        return reading._replace(
+            problem="R is the radius of a sphere or the reduced radius, half of it for equal spheres"
+        )
     return reading
 
 
-def _refusal(refused: Mapping[str, tuple[Reading, str]]) -> BadTable:
+def _check_twice(texts: Sequence[str], readings: Sequence[Reading]) -> None:
+    """Raise BadTable for the second column of one meaning, if it has a name."""
+    seen: dict[tuple[str, str], str] = {}
+    for text, reading in zip(texts, readings, strict=True):
+        meaning = (reading.name, reading.part) if reading.is_input else (text, "passes")
+        if meaning in seen and text.strip():
+            other = seen[meaning]
+            both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
+            raise BadTable(f"header: {both}, of which one must go")
+        seen[meaning] = text
+
+
+def _refusal(refused: Mapping[int, Reading], texts: Sequence[str], cells: Sequence[str]) -> BadTable:
     """Return the error of columns that may be inputs and cannot be read."""
-    problems = [
-        f"{quoted(text)}{f' (first cell {quoted(cell)})' if cell else ''}: {reading.problem}"
-        for text, (reading, cell) in refused.items()
-    ]
-    remedies = [
-        " or ".join(_option(text, each) for each in reading.meant or ("",)) for text, (reading, _) in refused.items()
-    ]
-    if len(remedies) > 1:
-        return BadTable(f"header: {_sentence('; '.join(problems))} Write {' '.join(remedies)}")
-    ((text, (reading, _)),) = refused.items()
-    remedy = remedies[0] if reading.meant else f"a column {with_unit(reading.name)} in its place"
-    return BadTable(f"header: {_sentence(problems[0])} Write {remedy}, or {_option(text, '')} to pass it through")
-
-
-def _sentence(text: str) -> str:
-    """Return a text that ends as a sentence does."""
-    return text if text.endswith("?") else f"{text}."
+    problems, remedies = [], []
+    for place, reading in refused.items():
+        cell = f" (first cell {quoted(cells[place])})" if cells[place] else ""
+        problems.append(f"{quoted(texts[place])}{cell}: {reading.problem}")
+        remedies.append(" or ".join(_option(texts[place], each) for each in reading.meant or ("",)))
+    if len(refused) == 1 and not reading.meant:
+        remedies = [f"a column {with_unit(reading.name)} in its place"]
+    passing = f", or {_option(texts[place], '')} to pass it through" if len(refused) == 1 else ""
+    return BadTable(f"header: {'; '.join(problems)}. Write {' '.join(remedies)}{passing}")
 
 
 def _option(text: str, meaning: str) -> str:
@@ -250,110 +228,50 @@ def _option(text: str, meaning: str) -> str:
     return f'--column "{value}"' if "'" in value else f"--column '{value}'"
 
 
-def _check_new(text: str, meaning: str, seen: dict[str, str]) -> None:
-    """Raise BadTable for the second column of one meaning, if it has a name. `seen`: the headers of before, by what they mean."""
-    if meaning in seen and meaning.strip():
-        other = seen[meaning]
-        both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
-        raise BadTable(f"header: {both}, of which one must go")
-    seen[meaning] = text
-
-
 # --- Units and error bars ---------------------------------------------------------------------------------------------
 
 
-def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
+def _column(place: int, reading: Reading) -> Column:
     """Return the column of an input. Without a unit its cells carry their own, or are plain numbers if it is a ratio."""
+    name, unit_text = reading.name, reading.unit_text
+    if reading.part and unit_text == "%":
+        return Column(place, name, "%", None)
     if not unit_text or (unit_text in ("1", "-") and NOMENCLATURE[name].unit == "1"):
         return Column(place, name, "", None)
-    try:
-        unit = unit_of(unit_text, name)
-        if unit.dimension != dimension_of(NOMENCLATURE[name].unit):
-            raise QuantityError(name, unit_text, f"is {kind_of(unit.dimension)}")
-    except QuantityError as error:
-        raise BadTable(f"header: {quoted(text)}: {quoted(unit_text)} {error.problem()}") from None
-    return Column(place, name, unit_text, unit)
-
-
-def _add_parts(
-    name: str,
-    places: Mapping[str, int],
-    texts: Sequence[str],
-    readings: Sequence[Reading],
-    inputs: list[Column],
-    meanings: Mapping[str, Reading],
-) -> list[str]:
-    """Add the columns of an uncertainty to that of its input, and return the headers of those that make none. Raises BadTable."""
-    base = next((column for column in inputs if column.name == name), None)
-    kinds = ("both",) if "both" in places else ("minus", "plus") if base else ("low", "high")
-    left = [texts[place] for part, place in places.items()]
-    if {*kinds} <= places.keys() and (base or kinds == ("low", "high")):
-        columns = {part: _side(places[part], name, readings[places[part]].unit_text, texts) for part in kinds}
-        if base is None:
-            first = columns["low"] if columns["low"].unit_text else columns["high"]
-            base = first._replace(place=places["low"])
-            inputs.append(base)
-        sides = []
-        for part, column in columns.items():
-            if len(kinds) > 1 and column.unit_text not in ("", base.unit_text):
-                stated = f", {base.unit_text}" if base.unit_text else "; that has none"
-                raise BadTable(
-                    f"header: {quoted(texts[column.place])}: its unit must be that of the other column{stated}"
-                )
-            sides.append(Side(part, column.place, "" if column.unit_text == base.unit_text else column.unit_text))
-        inputs[inputs.index(base)] = base._replace(sides=tuple(sides))
-        left = [texts[place] for part, place in places.items() if part not in kinds]
-        if other := next(
-            (texts[place] for part, place in places.items() if part not in kinds and part in ("minus", "plus")), ""
-        ):
-            used = quoted(texts[sides[0].place])
-            raise BadTable(f"header: {used} and {quoted(other)} are both uncertainties of {name}; one must go")
-    elif base is None and not {"low", "high"}.isdisjoint(places):
-        raise BadTable(f"header: {quoted(left[0])} is one end of a range of {name}, and the other is missing: {_PARTS}")
-    if lost := [text for text in left if text.strip() in meanings]:
-        raise BadTable(f"header: {quoted(lost[0])} is not an uncertainty of {name}: {_PARTS}")
-    return left
-
-
-def _side(place: int, name: str, unit_text: str | None, texts: Sequence[str]) -> Column:
-    """Return the column of a part of an uncertainty."""
-    return Column(place, name, "%", None) if unit_text == "%" else _column(place, name, unit_text, texts[place])
+    return Column(place, name, unit_text, unit_of(unit_text, name))
 
 
 def check_units(header: Header, rows: Sequence[Sequence[str]]) -> None:
     """Raise BadTable for columns that have a unit neither in their header nor in their first cell; `rows`: the first ones."""
-    lacking: dict[str, tuple[str, str]] = {}  # what columns mean, and their first cells
+    problems, remedies = [], []
     is_row_of_units = False
     for column in header.inputs:
         first = _first([row[column.place] for row in rows])
-        if not first or column.unit is not None or column.exponent is not None:
+        if not first or column.exponent is not None or column.unit is not None or _is_value(first, column.name):
             continue
-        parts = {column.place: ""} | {side.place: f"_{side.part}" for side in column.sides}
         unit_text = unit_for(first.strip("[]() "), column.name)
-        try:
-            value_of(first, column.name)
-        except BareNumber:
-            pass
-        except QuantityError:
-            is_row_of_units |= bool(unit_text)
-            if not unit_text:
-                continue  # a bad row, not a bad header
-        else:
-            continue
-        lacking |= {
-            header.texts[place]: (f"{column.name}{part} [{unit_text or 'UNIT'}]", first)
-            for place, part in parts.items()
-        }
-    if lacking:
-        remedy = " ".join(_option(text, meaning) for text, (meaning, _) in lacking.items())
-        if is_row_of_units:
-            raise BadTable(f"header: the first row has units. Delete it, and write {remedy}")
-        several = "; ".join(
-            f"{quoted(text)} has no unit, and neither has its first cell {quoted(cell)}"
-            for text, (_, cell) in lacking.items()
-        )
-        passing = f", or {_option(next(iter(lacking)), '')} to pass it through" if len(lacking) == 1 else ""
-        raise BadTable(f"header: {several}. Write {remedy} with its unit{passing}")
+        is_row_of_units |= bool(unit_text)
+        parts = {column.place: "", **{side.place: f"_{side.part}" for side in column.sides}}
+        for place, part in parts.items():
+            text = header.texts[place]
+            problems.append(f"{quoted(text)} has no unit, and neither has its first cell {quoted(first)}")
+            remedies.append(_option(text, f"{column.name}{part} [{unit_text or 'UNIT'}]"))
+    if is_row_of_units:
+        raise BadTable(f"header: the first row has units. Delete it, and write {' '.join(remedies)}")
+    if problems:
+        passing = f", or {_option(text, '')} to pass it through" if len(problems) == 1 else ""
+        raise BadTable(f"header: {'; '.join(problems)}. Write {' '.join(remedies)} with its unit{passing}")
+
+
+def _is_value(cell: str, name: str) -> bool:
+    """Return whether a cell says its unit, or is no value at all, which makes a bad row and no bad header."""
+    try:
+        value_of(cell, name)
+    except BareNumber:
+        return False
+    except QuantityError:
+        return not unit_for(cell.strip("[]() "), name)
+    return True
 
 
 def check_inputs(header: Header, measured: str = "") -> None:
@@ -378,7 +296,8 @@ def check_inputs(header: Header, measured: str = "") -> None:
 
 def is_input(text: str, meanings: Mapping[str, Reading] = MappingProxyType({})) -> bool:
     """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
-    return unit_alone(text) is not None or (meanings.get(text.strip()) or reading_of(text)).is_input
+    reading = meanings.get(text.strip()) or reading_of(text)
+    return reading.is_input or bool(reading.part)
 
 
 def holds_input(text: str, cell: str, meanings: Mapping[str, Reading]) -> bool:

@@ -1,19 +1,22 @@
 """Rows of the inverse problem: the values of unknowns at which each scene has its measured values."""
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from math import nan
 from typing import TYPE_CHECKING, Any, Self
 
 from ..errors import JkrollError, NoResult
+from ..materials.library import Material
 from ..quantities.nomenclature import PROPERTIES
-from ..quantities.values import is_uncertain
+from ..quantities.values import Spread, is_uncertain
 from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Problem
 from ..scene.limits import bits_of, doubts
+from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from .columns import Columns, LeftOut, NotShown, Row, Wanted, fill_sides, left_out, put_row, repeated
 from .reasons import ROW, UNCERTAINTY
+from .sweep import Pair, Sweep
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Sources
@@ -63,6 +66,10 @@ class Unknowns(Wanted):
     def with_sides(self, sides: Collection[str]) -> Self:
         """Return the same unknowns with columns for some sides of their uncertainties."""
         return type(self)(self.names, self.quantities, inputs=self.inputs, sides=sides, doubts=self.doubts)
+
+    def with_alternatives(self, scenes: Sequence[Any], names: Collection[str], *, data: bool = False) -> Self:  # noqa: ARG002
+        """Return the same unknowns: each value is one of its own law."""
+        return self
 
     def sources_in(self, scene: Problem) -> "Sources | None":
         """Return the sources of uncertainty of the unknowns; None if there is no uncertainty."""
@@ -165,3 +172,38 @@ class Unknowns(Wanted):
         both = (scene.scene.material, scene.scene.material2)
         is_property = any(name in PROPERTIES for name in self.names)
         return is_property and None not in both and not all(solid.name for solid in both if solid is not None)
+
+
+class Problems(Sweep):
+    """The rows of the inverse problem: each has measured values among its inputs."""
+
+    most_answers = 10_000  # each takes milliseconds
+    most_in_table = 500
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        measured: Mapping[str, Sequence[Spread]],
+        pairs: Sequence[Pair],
+        spreads: Mapping[str, Sequence[Spread]],
+        models: Sequence[str | None],
+    ) -> None:
+        """`names`: of the unknowns; `measured`: the lists and ranges of the values of each quantity."""
+        super().__init__(pairs, {**spreads, **measured}, models)
+        self.names, self.quantities = names, [*measured]
+
+    def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Problem:
+        """Return a row of inputs among which are the measured values."""
+        return Problem.of(self.names, self.quantities, given, *spheres, model=model)
+
+    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
+        """Return the columns of the unknowns, as `Unknowns.of` does."""
+        return Unknowns.of(self.names, self.quantities, self.kinds)
+
+    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:  # noqa: ARG002
+        """Return the columns of the unknowns alone."""
+        return Unknowns(self.names, self.quantities, doubts=doubts)
+
+    def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
+        """Return a scene of each kind of rows, with the measured quantities."""
+        return [(problem.filled(), self.quantities) for problem in self.kinds]

@@ -31,15 +31,18 @@ Pair = tuple[Material | None, Material | None]
 class Sweep:
     """The rows of a call."""
 
+    most_answers = 1_000_000  # that are written one by one
+    most_in_table = 10_000  # rows that are computed one by one for a table on a terminal
+
     def __init__(
-        self,
-        pairs: Sequence[Pair],
-        spreads: Mapping[str, Sequence[Spread]],
-        models: Sequence[str | None],
-        scene: Callable[..., Any] = Scene,
+        self, pairs: Sequence[Pair], spreads: Mapping[str, Sequence[Spread]], models: Sequence[str | None]
     ) -> None:
-        """`spreads`: the lists and ranges of each input, by name. `scene`: makes a row of inputs, of materials and of a law."""
-        self.pairs, self.spreads, self.models, self.scene = pairs, spreads, models, scene
+        """`spreads`: the lists and ranges of each input, by name."""
+        self.pairs, self.spreads, self.models = pairs, spreads, models
+
+    def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Any:
+        """Return a row of inputs, of the materials of its spheres, and of a law."""
+        return Scene(given, *spheres, model=model)
 
     @cached_property
     def starts(self) -> dict[str, list[int]]:
@@ -95,6 +98,15 @@ class Sweep:
             inputs=in_order(inputs - shown),
             sides=sides,
         )
+
+    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
+        """Return the columns of some quantities alone: those not asked for by name may concern identical spheres only."""
+        shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
+        return Wanted(quantities, named=shown, doubts=doubts)
+
+    def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:
+        """Return a scene of each kind of rows, with the quantities that it shows."""
+        return [(scene, self.shown(scene, wanted.names, wanted.named)) for scene in self.kinds]
 
     def shown(self, scene: Scene, quantities: Sequence[str], named: Collection[str]) -> list[str]:
         """Return those of some quantities that were asked for by name, or that concern some row of a kind."""

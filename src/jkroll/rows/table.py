@@ -27,8 +27,8 @@ from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import Header, check_inputs, check_units
 from .inferred import Unknowns
-from .readings import MATERIALS
 from .rows import groups
+from .words import MATERIALS
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source, Sources
@@ -222,9 +222,7 @@ def say_reading(columns: Header) -> None:
 
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
-    """Say on stderr which names of materials in the first rows are unclear, and that nothing gives a radius."""
-    for message in filter(None, table.labels.values()):
-        say_wrapped(f"note: {message}", sys.stderr)
+    """Say on stderr that nothing gives a radius."""
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
         say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
 
@@ -256,7 +254,7 @@ def _aliases(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -
     for text in _materials_named(columns, rows):
         with suppress(JkrollError):
             if (name := known[text].name).casefold() != text.strip().casefold():
-                found[text] = f"material: {quoted(text)} is {name}"
+                found[text] = f"material {quoted(text)} is {name}"
     return found
 
 
@@ -276,7 +274,7 @@ def wanted_of(
             raise BadRequest(f"--quantities: {name} is an input here")
         outcomes = [_lack_of(name, scene) for scene in scenes]
         if all(isinstance(error, MissingInput) and not isinstance(error, NotInLaw) for error in outcomes):
-            texts = [message or f"material: {quoted(text)} is not known" for text, message in labels.items()]
+            texts = [message or f"no material {quoted(text)}" for text, message in labels.items()]
             if texts:
                 raise BadTable("; ".join([texts[0], str(outcomes[0])]))
             raise next(filter(None, outcomes))

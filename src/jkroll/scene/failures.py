@@ -12,7 +12,7 @@ from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
 from ..quantities.values import parse_quantity
 from ..text import listed
 from .wiring import parameters_of
@@ -29,7 +29,7 @@ class MissingInput(JkrollError):
         self.phrase = needs_in_words(self.missing)
 
     def __str__(self) -> str:
-        return f"{self.wanted} {self.reason()}"
+        return f"{NOMENCLATURE[self.wanted].sentence} {self.reason()}"
 
     def reason(self) -> str:
         """Return why there is no value, without the name of the quantity."""
@@ -49,7 +49,10 @@ class MissingInput(JkrollError):
         give = listed([options, *radii] if options else radii)
         others = " or ".join(map(_as_typed, self.instead))
         instead = others and (f" or {others}" if len(self.missing) == 1 else f"; {others} may replace some")
-        return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
+        if self.lacking:
+            return f"{words}; {self.lacking}; give, for example, {give}{instead}"
+        name_one = "name a material, such as quartz, or " if {*self.missing} <= {*PROPERTIES} else ""
+        return f"{words}; {name_one}give {give}{instead}"
 
 
 def needs_in_words(missing: Iterable[str]) -> str:
@@ -165,10 +168,10 @@ class BeyondPullOff(NoContact):
     def reason(self) -> str:
         """Return which loads this contact holds."""
         load, _ = _told_apart("load", self.load, self.least)
-        text = f"{load} is beyond pull-off; this contact holds down to {_held('load', self.least)}"
+        text = f"{load} breaks this contact, which holds a pull down to {_held('load', self.least)}"
         if not self.by_maugis:
             return text
-        return f"{text}; by Maugis' law it holds down to {_held('load', self.by_maugis)} (--model maugis)"
+        return f"{text} ({_held('load', self.by_maugis)} by Maugis' law: --model maugis)"
 
 
 class BeyondFold(NoContact):
@@ -185,7 +188,7 @@ class BeyondFold(NoContact):
         """Return which approaches this contact holds."""
         approach, _ = _told_apart("approach_at_load", self.approach, self.least)
         least = _held("approach_at_load", self.least)
-        return f"{approach} is beyond the fold; fixed grips hold this contact down to {least}"
+        return f"at {approach} the spheres have parted; the farthest that a stiff machine holds them is {least}"
 
 
 class TooMuchHysteresis(NoResult):

@@ -129,7 +129,8 @@ def unseparated(unknowns: Sequence[str], quantities: Iterable[str], condition: f
     """Return the error of two quantities with a condition number that is too large; `remark` says what is left open."""
     most = f"{MAX_CONDITION:.0e}".replace("+0", "")
     size = f"κ = {condition:.2g} is above {most}" if condition < inf else f"κ is above {most}"
-    return Unseparated(unknowns, f"{listed(quantities)} do not separate them: {remark} ({size})")
+    text = f"{listed(quantities)} cannot give both: {remark} ({size}); measure another quantity, or give one of the two"
+    return Unseparated(unknowns, text)
 
 
 def unsolved(unknowns: Sequence[str], measured: Values, quantity: str, span: tuple[float, float]) -> NoSolution:

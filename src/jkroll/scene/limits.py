@@ -120,14 +120,14 @@ class Doubt(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """The text with the number: "a/z0 = 2.15, few atoms in the contact: elasticity is in doubt"."""
+        """The text with the number: "a/z0 = 2.15, below 3: contact radius below 3 atoms"."""
         return f"{NOMENCLATURE[self.limit.name].symbol} = {self.value:.3g}, {self.text}"
 
     @property
     def brief(self) -> str:
-        """The number and the limit that it exceeds: "a/z0 = 0.21 (<3)"."""
+        """The number and its code: "a/z0 = 0.21 (few-atoms)"."""
         symbol = NOMENCLATURE[self.limit.name].symbol
-        return f"{symbol} = {self.value:.3g} ({self.code.removeprefix(symbol)})"
+        return f"{symbol} = {self.value:.3g} ({self.code})"
 
     @property
     def bits(self) -> Any:
@@ -156,7 +156,7 @@ LAW_MATTERS = 1.05  # factor between the answers of two laws
 # The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
 LIMITS = (
     Limit(
-        "tabor_parameter", _ELASTICITY, ">", {LAW_MATTERS: "law>5%", 1.25: "law>25%", 2.0: "law>×2"},
+        "tabor_parameter", _ELASTICITY, ">", {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
         "off by more than {}", f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {{}}",
         f"within 5 % of {LAWS[BETWEEN].title}",
         laws=tuple(law for law in LAWS if law != BETWEEN),
@@ -164,89 +164,89 @@ LIMITS = (
     ),
     Limit("tabor_parameter", _ELASTICITY, ">", {}, "", "", f"{LAWS[BETWEEN].title} covers all from DMT to JKR", laws=(BETWEEN,)),
     Limit(
-        "load_margin", frozenset({"load_factor"}), "<=", {0.0: "s<=0"},
+        "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
         "at or beyond pull-off", "only fixed grips hold this state",
         "stable at its load",
         STATE_OR_LOAD,
     ),
     Limit(
-        "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "ξ/ξ_max>=1"},
-        "above 1", "the shifted circle is impossible: its leading edge would interpenetrate",
+        "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "xi-over-limit"},
+        "above 1", "ξ is too large for the formula, the leading edge would interpenetrate",
         "below 1: the shifted contact is possible",
     ),
     Limit(
-        "displacement_over_contact_radius", _DISPLACEMENT, ">", {1.0: "ξ/a>1"},
-        "above 1", "the contact would lose its apex",
-        "below 1: the contact keeps its apex",
+        "displacement_over_contact_radius", _DISPLACEMENT, ">", {1.0: "xi-over-contact"},
+        "above 1", "ξ is larger than the contact",
+        "below 1: ξ is within the contact",
     ),
     Limit(
-        "rolling_over_sliding", frozenset({"yield_force"}), ">=", {1.0: "Q/T_first>=1"},
+        "rolling_over_sliding", frozenset({"yield_force"}), ">=", {1.0: "slides-first"},
         "above 1", "the contact slides or peels off before it rolls",
         "below 1: it rolls before it slides or peels off",
     ),
     Limit(
-        "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "T/F_slide<1"},
+        "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
         "below 1", "the contact peels off before it slides, if it is brittle",
         "above 1: it slides before it peels off",
     ),
     Limit(
-        "yield_angle", frozenset({"yield_angle", "r_min"}), ">", {1.0: "δ_α>1"},
+        "yield_angle", frozenset({"yield_angle", "r_min"}), ">", {1.0: "large-angle"},
         "above 1 rad", "angles are small in the model",
         "below 1 rad: a small angle",
     ),
     Limit(
-        "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "R_min/R1<1"},
+        "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
         "below 1", "no chain bends within one of its spheres",
         "above 1: a chain can bend so far",
     ),
     Limit(
-        "n_grav", frozenset({"n_grav"}), "<", {1.0: "N_grav<1"},
+        "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
         "below 1", "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         "above 1: a sphere stands out level",
     ),
     *(
         Limit(
-            "energy_over_yield", frozenset({turns}), "<=", {least: f"W0/W_yield<={least:g}"},
+            "energy_over_yield", frozenset({turns}), "<=", {least: code},
             f"below {least:g}", f"with {energy} the contact springs back and does not roll",
             f"above {least:g}: with {energy} it rolls",
         )
-        for turns, least, energy in (
-            ("n_roll", 7 / 2, "the (2/7)W0 of n_roll"),
-            ("n_roll_after_impact", 7 / 5, "the (5/7)W0 of n_imp"),
-            ("n_roll_energy_balance", 1.0, "all of W0, as n_bal,"),
+        for turns, least, code, energy in (
+            ("n_roll", 7 / 2, "does-not-roll-sliding", "the (2/7)W0 of n_roll"),
+            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the (5/7)W0 of n_imp"),
+            ("n_roll_energy_balance", 1.0, "does-not-roll", "all of W0, as n_bal,"),
         )
     ),
     Limit(
-        "energy_over_sticking", _TURNS, ">", {1.0: "W0/U_stick>1"},
+        "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
         "above 1", "after a head-on impact the spheres do not stick",
         "below 1: the spheres stick",
         IMPACT,
     ),
     Limit(
-        "hysteresis_ratio", _MOMENT, ">", {1.0: "M/2cRw>1"},
+        "hysteresis_ratio", _MOMENT, ">", {1.0: "moment-unexplained"},
         "above 1", "the moment exceeds what adhesion hysteresis can supply (2cRw); viscous, plastic or capillary loss could",
         "below 1: adhesion hysteresis can supply it",
     ),
     Limit(
-        "tabor_parameter", _STICKING, "<", {JUMP: "μ<0.7"},
-        f"below {JUMP:g}", "a Lennard-Jones (3–9) contact makes and breaks without a jump, and adhesion alone loses nothing; μ goes as 1/z0 (--z0)",
+        "tabor_parameter", _STICKING, "<", {JUMP: "sticking-unsure"},
+        f"below {JUMP:g}", "the contact forms and opens smoothly, adhesion alone loses almost no energy; μ goes as 1/z0 (--z0)",
         "contacts jump together and apart",
         conclusion="has_jump",
     ),
     Limit(
-        "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "a/z0<3"},
-        "few atoms in the contact", "elasticity is in doubt",
+        "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
+        "below 3", "contact radius below 3 atoms",
         "many atoms in the contact",
     ),
     Limit(
-        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "p_H/E*>0.1"},
+        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
         "above 0.1", "even a solid without flaws yields under less; no plasticity is modelled",
         "below 0.1: a solid without flaws would not yield",
     ),
     Limit(
-        "profile_error", _ELASTICITY, ">", {0.01: "e_h>0.01"},
-        "above 1 %", "the contact is so wide that a sphere is no paraboloid",
-        "below 1 %: in the contact, spheres are paraboloids",
+        "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
+        "above 1 %", "contact too wide for the formulas",
+        "below 1 %: narrow enough for the formulas",
     ),
 )  # fmt: skip
 
@@ -258,6 +258,7 @@ MEANINGS = {
     for threshold, code in limit.codes.items()
 }
 NOT_JUDGED = 1 << len(CODES)
+UNCHECKED = "unchecked"
 OF_LAW = sum(limit.bits for limit in LIMITS if limit.factor is not None)  # the codes of a law that is not exact
 
 
@@ -321,8 +322,8 @@ def codes_of(bits: int) -> tuple[str, ...]:
 
 @cache
 def codes(bits: int) -> str:
-    """Return the codes that bits stand for as a text, and "?" if there are limits that could not be judged."""
-    return " ".join([*codes_of(bits), *(["?"] if bits & NOT_JUDGED else [])])
+    """Return the codes that bits stand for as a text, and UNCHECKED if there are limits that could not be judged."""
+    return " ".join([*codes_of(bits), *([UNCHECKED] if bits & NOT_JUDGED else [])])
 
 
 def not_judged(found: Iterable[Doubt]) -> dict[str, list[str]]:
