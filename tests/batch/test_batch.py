@@ -394,15 +394,15 @@ HEADERS = {
     "radius [nm],radius [nm]": "header: two columns 'radius [nm]', of which one must go",
     "radius [nm],radius [um]": "header: the columns 'radius [nm]' and 'radius [um]', of which one must go",
     "a,a,radius [nm]": "header: two columns 'a', of which one must go",
-    "radius [nn]": mistaken("radius [nn]", "'nn' has an unknown unit 'nn'; did you mean nm?", "radius [UNIT]"),
-    "radius [kg]": mistaken("radius [kg]", "'kg' is a mass; expected a length such as 100nm.", "radius [UNIT]"),
-    "radius [kg": mistaken("radius [kg", "its unit is that of a mass.", "radius [UNIT]"),
-    "Energy (old)": mistaken("Energy (old)", "'old' has an unknown unit 'old'; did you mean joule?", "energy [UNIT]"),
+    "radius [nn]": mistaken("radius [nn]", "what stands behind radius is not its unit.", "radius [UNIT]"),
+    "radius [kg]": mistaken("radius [kg]", "what stands behind radius is not its unit.", "radius [UNIT]"),
+    "radius [kg": mistaken("radius [kg", "what stands behind radius is not its unit.", "radius [UNIT]"),
+    "Energy (old)": mistaken("Energy (old)", "what stands behind energy is not its unit.", "energy [UNIT]"),
     "young GP": mistaken("young GP", "what stands behind youngs_modulus is not its unit.", "youngs_modulus [UNIT]"),
     "youngs_moduls": mistaken(
         "youngs_moduls", "what stands behind youngs_modulus is not its unit.", "youngs_modulus [UNIT]"
     ),
-    "material [m]": mistaken("material [m]", "a material has no unit.", "material"),
+    "material [m]": mistaken("material [m]", "what stands behind material is not its unit.", "material"),
     "material;radius": "header: 'material;radius' has semicolons between its columns; write --delimiter semicolon",
     "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
         "\\t", "?"

@@ -335,7 +335,9 @@ _PLUS_MINUS = r"([^±()]+)±([^±()]+)"  # 25±5 mJ/m2, 25 mJ/m2 ± 5 mJ/m2, 25 
 
 
 def _read(text: str, dimension: Dimension) -> Uncertain | None:
-    """Read a text in one of the forms above, or a range; None for any other."""
+    """Read a text in one of the forms above, of which the usual one is asked first, or a range; None for any other."""
+    if match := re.fullmatch(_PLUS_MINUS, text):
+        return _plus_minus(match[1], match[2], dimension)
     if match := re.fullmatch(_IN_BRACKETS, text):
         value, uncertainty, power, unit = match.groups()
         return _symmetric(_decimal(value, power), _decimal(uncertainty, power), unit_in(unit, dimension))
@@ -350,8 +352,6 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
     if match := re.fullmatch(_TWO_SIDES, text):
         value, plus, minus, unit = match.groups()
         return _measured(_decimal(value), _decimal(minus), _decimal(plus), unit_in(unit, dimension))
-    if match := re.fullmatch(_PLUS_MINUS, text):
-        return _plus_minus(match[1], match[2], dimension)
     if " to " in text:
         return _interval(text, dimension)
     if re.search(r"[^\d\s]\s*\(", text):

@@ -279,12 +279,13 @@ def wanted_of(
                 raise BadTable("; ".join([texts[0], str(outcomes[0])]))
             raise next(filter(None, outcomes))
     has_own_2 = any(NOMENCLATURE[name].sphere == 2 for name in columns.names)
+    missing = [scene.missing(offered) for scene in scenes]
     possible = [
         name
         for name in offered
         if name not in columns.names
         and not (NOMENCLATURE[name].of_identical and has_own_2)
-        and any(scene.shows(name) and _lack_of(name, scene) is None for scene in scenes)
+        and any(scene.shows(name) and name not in lacks for scene, lacks in zip(scenes, missing, strict=True))
     ]
     names = tuple(dict.fromkeys((*explicit, *possible)))
     if not names:
