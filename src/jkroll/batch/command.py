@@ -58,7 +58,7 @@ def _say_notes(tally: Tally, settings: Settings) -> None:
 
 
 def _summary(name: str, tally: Tally) -> str:
-    """Return the sentence on the values of an input that was sought: how many, where the middle half lies, mean and scatter."""
+    """Return the sentence on the values of an input that was sought: count, median, quartiles, mean and scatter."""
     import numpy
 
     values = numpy.concatenate(tally.inferred)
@@ -68,4 +68,5 @@ def _summary(name: str, tally: Tally) -> str:
         return sentence
     low, median, high = numpy.quantile(found, [0.25, 0.5, 0.75]).tolist()
     middle = f"median {amount(name, median)}, quartiles {amount(name, low)} and {amount(name, high)}"
-    return f"{sentence}; {middle}; mean {amount(name, float(found.mean()))}, scatter {amount(name, float(found.std(ddof=1)))}"
+    mean, scatter = float(found.mean()), float(found.std(ddof=1))
+    return f"{sentence}; {middle}; mean {amount(name, mean)}, scatter {amount(name, scatter)}"

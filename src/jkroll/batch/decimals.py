@@ -37,9 +37,10 @@ def has_decimal_commas(are_read: Sequence[bool], columns: Sequence[Sequence[byte
 
 
 def _decimal_marks(cells: Sequence[bytes]) -> Iterator[bytes]:
-    """Iterate over the decimal marks of the numbers of a column. A number whose mark may be of thousands stands for itself.
+    """Iterate over the decimal marks of the numbers of a column.
 
-    The marks of thousands, and those of lists, which stand in a number more than once, are left out.
+    A mark that stands in a number more than once is of thousands or of a list, and is left out. Where a mark may be of
+    thousands, the number itself comes in its place.
 
     >>> [*_decimal_marks((b"0,125", b"1,200e3", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3"))]
     [b',', b',', b',', b'1,200']

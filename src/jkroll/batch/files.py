@@ -40,7 +40,7 @@ class FileFormat(NamedTuple):
 
 
 def format_of_name(path: str) -> FileFormat | None:
-    """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for Parquet that is compressed once more.
+    """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for x.parquet.gz.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
     (FileFormat(kind='csv', compression='gzip'), None)
@@ -89,13 +89,14 @@ def output_format(settings: Settings, of_input: FileFormat) -> FileFormat:
     if found.kind != of_input.kind:
         name = os.path.basename(settings.target).partition(".")[0]
         raise BadTable(
-            f"-o: the output has the format of the input, {of_input.kind}; write {quoted(f'{name}.{of_input.kind}')}, and convert it with another program"
+            f"-o: the output has the format of the input, {of_input.kind}; write {quoted(f'{name}.{of_input.kind}')}, "
+            "and convert it with another program"
         )
     return found
 
 
 def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
-    """Return the format of an output whose name says none, and say which one it is where the name ends as if it said one.
+    """Return the format of an output whose name states none. A note names it if the name has another ending.
 
     Raises BadRequest for a format that is another program's.
     """
@@ -110,7 +111,7 @@ def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
 
 
 def compressor(compression: str) -> Callable[[bytes], bytes]:
-    """Return a function that compresses a block by itself: compressed blocks behind each other are one file to every reader."""
+    """Return a function that compresses a block by itself: such blocks behind each other are one compressed file."""
     if compression == "gzip":
         return _gzip
     if compression == "zstd":
@@ -243,7 +244,10 @@ def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
 
 
 def _end_of_lines(text: bytes) -> int:
-    """Return where the last line ends that is within CHUNK bytes, or else the first line. Raises BadTable for one that is too long."""
+    """Return where the last line within CHUNK bytes ends, or the first line if that is longer.
+
+    Raises BadTable for a line of more than MAX_RECORD bytes.
+    """
     end = text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
     if not end and len(text) >= MAX_RECORD:
         raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")

@@ -94,7 +94,10 @@ class Job(NamedTuple):
 
 
 def said_of(table: Table) -> tuple[str, ...]:
-    """Return the lines about a table as a whole: how it is read, which inputs are assumed in all rows, which options change nothing, and what enters no error bar."""
+    """Return the lines about a table as a whole.
+
+    They say how it is read, which inputs are assumed, which options change nothing, and what enters no error bar.
+    """
     idle = idle_of(table)
     if not (table.assumed or idle or table.left_out):
         return (table.reading,)

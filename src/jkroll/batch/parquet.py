@@ -6,7 +6,6 @@ A thread reads and computes while another one writes, so `--jobs` changes nothin
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing, contextmanager
-from math import isnan
 from typing import Any
 
 import numpy
@@ -14,7 +13,7 @@ import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest, BadTable
-from ..output.records import middles, names_of_columns
+from ..output.records import middles, names_of_columns, shown_results
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.block import Block
@@ -138,23 +137,14 @@ def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, targ
 
 def _results(columns: Columns, units: Format, remarks: Iterable[str]) -> Iterator[Any]:
     """Iterate over the columns of results and of remarks."""
-    for name in columns.wanted.names:
-        for key in columns.wanted.keys_of(name):
-            yield as_column(_changed(name, columns.column(key), units))
+    for column in shown_results(columns, units):
+        yield as_column(numpy.asarray(column, dtype=float))
     of_rows: Mapping[str, Any] = {
         DOUBT: lambda row: codes(int(columns.doubts[row])) or None,
         STATUS: columns.status.get,
     }
     for name in remarks:
         yield pyarrow.array(map(of_rows[name], range(len(columns))), "string")
-
-
-def _changed(name: str, column: Any, units: Format) -> Floats:
-    """Return a column of a quantity in the unit and with the digits in which it is written."""
-    numbers = numpy.asarray(column, dtype=float)
-    if not units.changes(name):
-        return numbers
-    return numpy.array([value if isnan(value) else units.number(name, value) for value in numbers.tolist()])
 
 
 def _write(target: str, schema: Any, batches: Iterator[Batch], bar: Bar) -> Tally:
@@ -201,7 +191,7 @@ def as_column(values: Floats) -> Any:
 
 
 def _first_rows(file: Any, meanings: Mapping[str, Reading]) -> list[list[str]]:
-    """Return the first rows as cells of text, those of the inputs alone. Raises BadTable for an input of another type."""
+    """Return the cells of inputs in the first rows as texts. Raises BadTable for an input of another type."""
     schema = file.schema_arrow
     inputs = [field for field in schema if is_input(field.name, meanings)]
     for field in inputs:
@@ -221,7 +211,7 @@ def _is_cell(kind: Any) -> bool:
 
 
 def _text(value: object, name: str = "") -> str:
-    """Return a value as a cell of text, a float as its shortest, an infinite input as its word; an empty one for null."""
+    """Return a value as a cell of text: an infinite input is a word, null an empty cell."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     if value == INFINITY and name in NOMENCLATURE:

@@ -41,11 +41,8 @@ class BadRecord(JkrollError):
     """Error raised for a record of a file that is no row."""
 
     def __init__(self, problem: str, phrase: str = "") -> None:
-        super().__init__(problem, phrase)
-        self.problem, self.phrase = problem, phrase
-
-    def __str__(self) -> str:
-        return self.problem
+        super().__init__(problem)
+        self.phrase = phrase
 
 
 class BadCells(JkrollError):
@@ -104,11 +101,11 @@ class Wanted:
         return {side: f"{name}_{side}" for side in self.sides.get(name, ())}
 
     def keys_of(self, name: str) -> tuple[str, ...]:
-        """Return the keys of the columns of a quantity: its own, those of its uncertainty, and of what may stand in its place."""
+        """Return the keys of the columns of a quantity, of its uncertainty, and of what may stand in its place."""
         return (name, *self.sides_of(name).values(), *self.beside(name).values())
 
     def beside(self, name: str) -> dict[str, str]:
-        """Return the keys of the columns of what may stand in place of a quantity, by its kind: "pull_off_force_by_maugis"."""
+        """Return the keys of the columns of what may stand in place of a quantity: "pull_off_force_by_maugis"."""
         return {kind: f"{name}_by_{kind}" for kind in self.alternatives.get(name, ())}
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
@@ -246,7 +243,10 @@ class Columns:
         return self.numbers[self.wanted.places[key]]
 
     def tell(self, rows: Sequence[int], reasons: Reasons, *, is_empty: bool) -> None:
-        """Note why cells of some rows are empty, by the reasons of the first of them; `is_empty`: whether all cells are."""
+        """Note the status of some rows, by the reasons of the first of them.
+
+        `is_empty`: whether all of their cells are empty.
+        """
         if not reasons:
             return
         self.status.update(dict.fromkeys(rows, status_of(reasons)))
@@ -256,22 +256,18 @@ class Columns:
 
     def put(self, place: int, row: Row) -> None:
         """Take a row that was computed by itself, in place of what arrays gave."""
-        self.numbers[:, place] = row.numbers
-        self.doubts[place] = row.doubts
-        for remarks in (self.status, self.reasons):
-            remarks.pop(place, None)
+        self.status.pop(place, None)
+        self.reasons.pop(place, None)
         self.failed.discard(place)
-        self.tell([place], row.reasons, is_empty=row.is_empty)
-        for name, column in self.inputs.items():
-            column[place] = middle(row.inputs.get(name))
+        self.put_part([place], Columns.of_rows(self.wanted, [row]))
 
     def put_part(self, rows: Sequence[int], part: "Columns") -> None:
-        """Take the columns of some rows."""
+        """Take the columns of some rows, of which nothing was told before."""
         self.numbers[:, rows] = part.numbers
         self.doubts[rows] = part.doubts
         for name, column in self.inputs.items():
             for place, value in zip(rows, as_list(part.inputs[name]), strict=True):
-                column[place] = value
+                column[place] = middle(value)
         self.status.update((rows[row], status) for row, status in part.status.items())
         self.reasons.update((rows[row], reasons) for row, reasons in part.reasons.items())
         self.failed.update(rows[row] for row in part.failed)
@@ -350,7 +346,7 @@ def fill_sides(
 
 
 def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[str] = ()) -> LeftOut | None:
-    """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one.
+    """Return the remark on uncertainties without columns, if there are some. Raises NotShown if a cell has one.
 
     `stated`: what has an uncertainty in a cell, beside the inputs of the scene.
     """
@@ -371,14 +367,8 @@ def put_row(columns: Columns, place: int, scene: Callable[[], Any]) -> None:
     try:
         row = columns.wanted.row(scene())
     except JkrollError as error:
-        lose(columns, place, error)
-    else:
-        columns.put(place, row)
-
-
-def lose(columns: Columns, place: int, error: JkrollError) -> None:
-    """Empty a row, for one reason."""
-    columns.put(place, Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error}))
+        row = Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error})
+    columns.put(place, row)
 
 
 class _Arrays:
@@ -418,9 +408,10 @@ class _Arrays:
         return bits
 
     def explain(self, scene_of: Callable[[int], Any]) -> Any:
-        """Note why cells are empty, and return the rows whose cells are not by floats; `scene_of` as `Wanted.columns` has it.
+        """Note why cells are empty. Return the rows that floats are to compute, as they do not confirm an empty cell.
 
-        Rows that lack the same results, from the same step on, have the reasons of the first of them.
+        Rows that lack the same results, from the same step on, have the reasons of the first of them. `scene_of`: as
+        `Wanted.columns` has it.
         """
         import numpy
 
@@ -465,7 +456,10 @@ class _Arrays:
 
 
 def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
-    """Iterate over the rows that have the same whole number in each column; `rows`: the places of those that are meant."""
+    """Divide rows into groups that have the same whole number in each column, and iterate over these.
+
+    `rows`: the places of the rows.
+    """
     import numpy
 
     keys = numpy.zeros(len(rows), dtype=numpy.int64)

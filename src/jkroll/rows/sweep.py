@@ -46,7 +46,7 @@ class Sweep:
 
     @cached_property
     def starts(self) -> dict[str, list[int]]:
-        """The place of the first value of each list or range of an input, and the number of all of its values, by name."""
+        """By input, the place of the first value of each list or range, and behind them the number of all values."""
         return {name: [*accumulate(map(len, spreads), initial=0)] for name, spreads in self.spreads.items()}
 
     @property
@@ -184,7 +184,7 @@ class Lists(Block):
 def entering(
     scenes: Iterable[Scene], shown: Callable[[Scene], Sequence[str]], quantities: Sequence[str]
 ) -> tuple[set[str], dict[str, set[str]]]:
-    """Return the inputs that enter the quantities which some scenes show, and the sides of the uncertainties of these."""
+    """Return the inputs of the quantities that scenes show, and the sides of the uncertainties of these quantities."""
     inputs: set[str] = set()
     sides: dict[str, set[str]] = {}
     for scene in scenes:
@@ -197,7 +197,7 @@ def entering(
 
 
 def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
-    """Return a value of each kind that is among the values of an input: plain, one that more follows from, uncertain."""
+    """Return a value of each kind that an input has: plain, one from which more follows, and uncertain."""
     special = FOLLOWS[name][0] if name in FOLLOWS else None
     found: dict[object, Any] = {}
     for spread in spreads:
