@@ -417,11 +417,13 @@ class _Arrays:
 
         again = numpy.zeros(self.size, dtype=bool)
         names = [name for name, is_shown in self.shown.items() if is_shown is not False]
-        shown = [numpy.broadcast_to(self.shown[name], self.size) for name in names]
-        gaps = [is_shown & self.empty[name] for name, is_shown in zip(names, shown, strict=True)]
-        rows = (
-            numpy.flatnonzero(numpy.any(gaps, axis=0) | ~numpy.any(shown, axis=0)) if names else numpy.arange(self.size)
-        )
+        gaps = [self.empty[name] & self.shown[name] for name in names]
+        is_lacking = numpy.zeros(self.size, dtype=bool)
+        for of_name in gaps:
+            is_lacking |= of_name
+        if not any(self.shown[name] is True for name in names):  # some rows may show nothing
+            is_lacking |= ~numpy.any([self.shown[name] for name in names], axis=0)
+        rows = numpy.flatnonzero(is_lacking)
         if not len(rows):
             return again
         steps = [value for name, value in self.scene.values.items() if isinstance(value, numpy.ndarray)]
