@@ -26,7 +26,7 @@ from .block import Block
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import Header, check_inputs, check_units
-from .inferred import Unknowns
+from .infer import Unknowns
 from .rows import groups
 from .words import MATERIALS
 
