@@ -222,7 +222,9 @@ def say_reading(columns: Header) -> None:
 
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
-    """Say on stderr that nothing gives a radius."""
+    """Say on stderr which labels may be names of materials, and that nothing gives a radius."""
+    for message in filter(None, table.labels.values()):
+        say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
         say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
 
