@@ -170,7 +170,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     words = f"batch grains.{end} -o out.{end} --quantities yield_force"
     ran = run(words)
     *lines, unknown, failed = ran.err.splitlines()
-    assert unknown.startswith("note: no material 'quarz'; did you mean quartz? There are gold, ")
+    assert unknown.startswith("note: no material 'quarz'; did you mean quartz? jkroll materials lists all")
     assert unknown.endswith(": row 3")
     assert [*lines[1:], failed] == [
         "note: assumed ξ = 200 pm (--xi), P = 0 N (--load)",
@@ -247,7 +247,7 @@ def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
 STATUS = {
     "x,unobtainium,100,0": (
         "unknown material",
-        "no material 'unobtainium'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), add it to a file (jkroll guide materials), or write one of: gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+        "no material 'unobtainium'; did you mean aluminium? jkroll materials lists all",
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),
     "x,quartz,0,0": ("bad radius", "radius: '0 nm' must be positive; expected a length such as 100nm"),

@@ -57,11 +57,11 @@ GOLD_2 = "gold has none in Table 1; give, for example, --young2 10GPa --poisson2
 MESSAGES = {
     "pull-off quarz 100nm": (
         2,
-        "no material 'quarz'; did you mean quartz? There are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+        "no material 'quarz'; did you mean quartz? jkroll materials lists all",
     ),
     "pull-off unobtainium 100nm": (
         2,
-        "no material 'unobtainium'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), add it to a file (jkroll guide materials), or write one of: gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+        "no material 'unobtainium'; did you mean aluminium? jkroll materials lists all",
     ),
     "pull-off quartz 100nn": (2, "radius: '100nn' has an unknown unit 'nn'; did you mean nm?"),
     "pull-off quartz 100N": (2, "radius: '100N' is a force; expected a length such as 100nm"),
@@ -208,7 +208,7 @@ MESSAGES = {
     "pull-off quartz 100nm --materials .": (2, "materials file '.': is not a regular file"),
     "materials lead": (
         2,
-        "no material 'lead'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), add it to a file (jkroll guide materials), or write one of: gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+        "no material 'lead'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), add it to a file (jkroll guide materials), or write one that jkroll materials lists",
     ),
 }
 

@@ -211,7 +211,7 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
                 {"pull_off_force": 3e-7, "pull_off_force_dmt": force},
                 {"radius2": math.inf},
                 Unseparated,
-                "and pull_off_force_dmt cannot give both: pull_off_force_dmt = 400 nN wherever pull_off_force = 300 nN; both stay",
+                "and pull_off_force_dmt cannot give both: both stay as they are along γ1 ∝ R1^-1 (κ is above 1e8)",
             )
             for force in (4e-7, 5e-7)  # what every pair gives, and what none does
         ),

@@ -94,7 +94,7 @@ class Inferred(Answer):
             return {}, None
         from ..scene.uncertainty import uncertainties_of_unknowns
 
-        return uncertainties_of_unknowns(self.solution.values, self.problem)
+        return uncertainties_of_unknowns(self.solution)
 
     @cached_property
     def _by_law(self) -> dict[str, Solution]:

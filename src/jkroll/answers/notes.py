@@ -28,7 +28,7 @@ CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at t
 ROUGH = 1e-6  # radius from which most spheres are rough
 _SMOOTH = 4.0  # the factor by which forces on smooth glass lie below the computed ones
 _ROUGHNESS = (
-    "smooth spheres: glass on smooth glass was measured at a half to a quarter of this (γ = 25 mJ/m²), rough spheres and grains in air at "
+    "smooth spheres: glass on smooth glass was measured at a half to a quarter of what γ = 25 mJ/m² gives, rough spheres and grains in air at "
     "1/10 to 1/100"
 )
 _STICKING = "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008)"

@@ -10,7 +10,7 @@ from ..errors import BadRow, BadTable
 from ..rows.block import Block
 from ..rows.cells import Floats
 from ..rows.columns import Columns, Wanted
-from ..rows.inferred import Unknowns
+from ..rows.infer import Unknowns
 from ..rows.reasons import Gaps, joined, worded
 from ..rows.rows import evaluated
 from ..scene.limits import CODES, NOT_JUDGED, codes

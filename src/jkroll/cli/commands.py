@@ -397,8 +397,8 @@ _COMMANDS = (
     ),
     Command(
         "materials",
-        "List the known materials, or show one in full.",
-        Words("[MATERIAL]", 1),
+        "List the known materials, find them by words, or show one in full.",
+        Words("[MATERIAL]...", INFINITY),
         lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
         "runners:run_materials",
         "quartz",

@@ -6,7 +6,7 @@ from ..answers.inferred import Inferred
 from ..answers.questions import Question, quantity_named
 from ..errors import BadRequest
 from ..quantities.values import Spread, spreads_of
-from ..rows.inferred import Problems
+from ..rows.infer import Problems
 from ..scene.inverse import SIZES, already_given, input_named
 from ..text import quoted
 from .call import Call, is_table

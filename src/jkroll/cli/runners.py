@@ -7,6 +7,7 @@ import sys
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
+from ..materials.library import UnknownMaterial
 from ..quantities.errors import UnknownQuantity
 from ..text import quoted, say_wrapped
 from .call import Call
@@ -61,13 +62,22 @@ def _inverse(call: Call) -> tuple[str, str]:
 
 
 def run_materials(call: Call) -> int:
-    """List the materials, or show one in full; return the exit code."""
+    """List the materials, or those that have some words, or show some in full; return the exit code."""
     from ..output.catalogue import write_materials
 
     kind, materials = call.kind, call.materials
-    lists_all = not call.words or call.words[0].casefold() == "all"
-    chosen = [*materials.materials.values()] if lists_all else [materials[word] for word in call.words[0].split(",")]
-    write_materials(chosen, sys.stdout, kind, whole=not lists_all and len(chosen) == 1)
+    text = " ".join(call.words)
+    lists_all = text.casefold() in ("", "all")
+    try:
+        named = [] if lists_all else [materials[word] for word in text.split(",")]
+        chosen = named or [*materials.materials.values()]
+    except UnknownMaterial:
+        from ..output.search import materials_with
+
+        named, chosen = [], materials_with(call.words, materials.materials.values())
+        if not chosen:
+            raise
+    write_materials(chosen, sys.stdout, kind, named=bool(named))
     sys.stdout.flush()
     if lists_all and not call.quiet:
         for clash in dict.fromkeys(map(str, materials.clashes.values())):

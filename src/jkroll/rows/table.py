@@ -26,7 +26,7 @@ from .block import Block
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import Header, check_inputs, check_units
-from .inferred import Unknowns
+from .infer import Unknowns
 from .rows import groups
 from .words import MATERIALS
 
@@ -230,9 +230,13 @@ def say_reading(columns: Header) -> None:
 
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
-    """Say on stderr that nothing gives a radius."""
+    """Say on stderr which labels may be names of materials, and that nothing gives a radius."""
+    for message in filter(None, table.labels.values()):
+        say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
         say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
+    for message in filter(None, table.labels.values()):
+        say_wrapped(f"note: {message}", sys.stderr)
 
 
 def _names_of_materials(

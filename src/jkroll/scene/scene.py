@@ -394,10 +394,9 @@ class Scene:
         if missing.lacking:
             return NotInLaw(name, missing.lacking, self.law.title)
         materials = {1: self.material, 2: self.material2 or self.material}
-        without = [materials[NOMENCLATURE[each].sphere] for each in missing.names if of_sphere(1, each) in PROPERTIES]
-        lacking = dict.fromkeys(
-            f"{material.name} has none in {material.title}" for material in without if material and material.name
-        )
+        properties = [each for each in missing.names if of_sphere(1, each) in PROPERTIES]
+        without = [(materials[NOMENCLATURE[each].sphere], of_sphere(1, each)) for each in properties]
+        lacking = dict.fromkeys(material.lack_of(name) for material, name in without if material and material.name)
         names = missing.names
         if XI in names and "radius" in self.given:
             lacking["that of two different solids is not known"] = None
