@@ -227,8 +227,6 @@ def say_gaps(table: Table, columns: Header, quantities: str) -> None:
         say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
         say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
-    for message in filter(None, table.labels.values()):
-        say_wrapped(f"note: {message}", sys.stderr)
 
 
 def _materials_named(columns: Header, rows: Sequence[Sequence[str]]) -> list[str]:
