@@ -252,7 +252,7 @@ def test_the_default_energy_is_said_to_be_beyond_sticking(run: Run) -> None:
     words = "W0 = P_cδ0 is 1.29 U_stick, the largest energy that sticks"
     assert words in run("n-roll quartz 100nm").err
     assert words not in run("n-roll quartz 100nm --energy-ratio 1").err
-    assert "the spheres do not stick" in run("n-roll quartz 100nm --speed 50m/s").err
+    assert "elastic spheres do not stick" in run("n-roll quartz 100nm --speed 50m/s").err
     ratio = jkroll.solve("energy_over_sticking", material="quartz", radius=1e-7, model="maugis")
     assert f"W0 = P_cδ0 of JKR is {ratio:.3g} U_stick" in run("n-roll quartz 100nm --model maugis").err
     of_dmt = run("n-roll quartz 100nm --model dmt").err

@@ -27,7 +27,7 @@ def test_one_plan_leads_to_answers_and_their_limits(monkeypatch: pytest.MonkeyPa
         return plan_for(*given)
 
     monkeypatch.setattr("jkroll.scene.scene.plan_for", counted)
-    scene = Scene(QUARTZ)
+    scene = Scene({**QUARTZ, "viscous_time": 1e-12})
     names = ("pull_off_force", "n_roll", *LIMIT_NAMES)
     values = scene.evaluate(names)
     assert all(scene[name] == value for name, value in values.items())

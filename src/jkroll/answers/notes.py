@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from math import log
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
@@ -25,6 +25,7 @@ _OF_SPINNING = ("n_roll", "n_roll_energy_balance")  # of a sphere that spins fro
 MAX_NAMES = 3  # of quantities in a note
 LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
+UNLIKE = 3.0  # ratio of two surface energies from which on a note has their harmonic mean
 ROUGH = 1e-6  # radius from which most spheres are rough
 _SMOOTH = 4.0  # the factor by which forces on smooth glass lie below the computed ones
 _ROUGHNESS = (
@@ -121,9 +122,18 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list
         and scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
         and "surface_energy2" in inputs
     ):
-        text = "w = 2√(γ1γ2) by the geometric mixing rule; a measured one is better (--work-of-adhesion)"
-        notes.append(Note("assumption", text))
+        text = "w = 2√(γ1γ2) by the geometric mixing rule"
+        notes.append(Note("assumption", f"{text}{_of_unlike(scene)}; a measured one is better (--work-of-adhesion)"))
     return notes + [Note("assumption", text) for text in _about_shear(scene, steps)]
+
+
+def _of_unlike(scene: Scene) -> str:
+    """Return the work of adhesion by the harmonic mean, where two surface energies are unlike: the geometric one is an upper estimate."""
+    energies: list[Any] = [scene.values.get(name) for name in ("surface_energy", "surface_energy2")]
+    if not all(isinstance(energy, float) for energy in energies) or max(energies) <= UNLIKE * min(energies):
+        return ""
+    work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies))
+    return f", an upper estimate for solids as unlike as these; by the harmonic one w = {work}"
 
 
 def _about_hamaker(scene: Scene) -> Note:
@@ -221,7 +231,15 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
         notes.append(_first_to_yield(scene))
     if not {"pull_off_force", "bond_number"}.isdisjoint(names) and scene.values.get("radius", 0.0) >= ROUGH:
         notes.append(Note("roughness", _ROUGHNESS, size=log(_SMOOTH)))
-    if "sticking_speed" in names:
+    if scene.values.get("restitution") == 0 and "restitution" in names:
+        notes.insert(
+            0,
+            Note(
+                "result",
+                f"e = 0: they stick, as v_stick = {amount('sticking_speed', scene['sticking_speed'])} is not below v",
+            ),
+        )
+    if "sticking_speed" in names and "viscous_time" not in scene.stated:
         is_dry = scene.values.get("surface_energy", _DRY) >= _DRY
         notes.insert(0, Note("result", _STICKING + ("" if is_dry else _IN_VACUUM)))
     notes += about_law(scene, names)

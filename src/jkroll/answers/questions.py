@@ -31,7 +31,10 @@ class Question(NamedTuple):
 
 
 _QUESTIONS = {
-    "pull-off": Question(("pull_off_force",), ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones")),
+    "pull-off": Question(
+        ("pull_off_force",),
+        ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones", "pull_off_force_rough"),
+    ),
     "yield-force": Question(
         ("yield_force",),
         (
@@ -124,6 +127,10 @@ _ENERGIES = Question(
         "sticking_speed_pencil_code",
     ),
 )
+_IMPACT = Question(
+    ("restitution",),
+    ("restitution", "sticking_speed", "viscosity_number", "lost_energy", "n_roll_after_impact"),
+)
 _THREE = Grid(
     ("", "stiffness", "yields at", "force or moment", "elastic energy"),
     {
@@ -162,6 +169,7 @@ QUESTIONS: Mapping[str, Question] = MappingProxyType(
         **_QUESTIONS,
         "report": _REPORT,
         "energies": _ENERGIES,
+        "impact": _IMPACT,
         "resistances": _RESISTANCES,
         "aggregates": _AGGREGATES,
     }

@@ -219,6 +219,8 @@ _HIDDEN_WHERE_USED = (
     "hamaker",
     "hamaker2",
     "cutoff",
+    "viscous_time",
+    "asperity_radius",
 )
 
 
@@ -342,6 +344,7 @@ _COMMANDS = (
     _question(
         "energies", DUST, "Energies and speeds to break, stick and roll, by author.", "quartz 100nm --angle 90deg"
     ),
+    _question("impact", DUST, "Restitution and sticking of a head-on collision.", "quartz 1um --speed 1m/s"),
     _question(
         "resistances",
         ROLLING,

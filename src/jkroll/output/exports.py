@@ -14,10 +14,11 @@ program.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from math import pi, sqrt
+from math import pi
 from typing import NamedTuple
 
 from ..errors import JkrollError
+from ..physics.viscous import ALL_STICK
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
@@ -160,7 +161,6 @@ _ABOUT_DUST_SIMULATION = (
     f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat, whose grains have 0.6 µm; "
     "rolling, sliding and twisting modifiers are 1"
 )
-ALL_STICK = 0.681745209228707968  # T* from which no grain bounces, however fast: of the force 2(T_vis/ν²)E*a dδ/dt
 
 
 class NotInProgram(JkrollError):
@@ -201,8 +201,7 @@ def dust_simulation_material(scene: Scene) -> Iterator[str]:
 def _about_dust_simulation(scene: Scene) -> Iterator[str]:
     """Iterate over the notes on a material file: its lines, and which grains stick at every speed by its viscous time."""
     yield _ABOUT_DUST_SIMULATION
-    time = float(_DAMPING[1]) / scene["poisson_ratio"] ** 2
-    ratio = time * sqrt(scene["contact_modulus"] * scene["contact_radius"] / scene["reduced_mass"])
+    ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
     largest = amount("radius", scene["radius"] * (ratio / ALL_STICK) ** (6 / 7), Format(digits=3))
     here = f"T* = {significant(ratio, 3)} here"
     sticks = f"{here}: these grains stick at every speed, as all below {largest} do with this viscous time"

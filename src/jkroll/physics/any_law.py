@@ -186,6 +186,24 @@ def pull_off_force_lennard_jones(
     return pi * work_of_adhesion * reduced_radius * (1.5 + 0.5 / (1 + 1.95 * tabor_parameter**1.4))
 
 
+def pull_off_force_rough(
+    *, pull_off_force_dmt: Force, reduced_radius: Length, asperity_radius: Length, cutoff: Length
+) -> Force:
+    """Return the force that separates two hard spheres with one hemispherical asperity between them.
+
+        F = P_DMT (s/(s + R) + 1/(1 + s/D0)²)
+
+    Source:   Rumpf 1990, as MFiX (des) cites and codes it for a wall: van der Waals' force on the asperity and on the sphere behind it.
+    Valid:    Nothing deforms; one asperity, on the line of centres, s well below R. Within 3 % of the pairwise sum on a plane.
+              It is P_DMT for s → 0.
+
+    >>> round(pull_off_force_rough(pull_off_force_dmt=1.0, reduced_radius=1e-6, asperity_radius=3.63e-9, cutoff=1.65e-10), 5)
+    0.00551
+    """
+    gap = 1 + asperity_radius / cutoff
+    return pull_off_force_dmt * (asperity_radius / (asperity_radius + reduced_radius) + 1 / (gap * gap))
+
+
 def work_of_adhesion_of_hamaker(*, hamaker: Energy, hamaker2: Energy, cutoff: Length) -> SurfaceEnergy:
     """Return the work of adhesion of two half-spaces that attract by van der Waals' forces and touch at the cutoff.
 

@@ -1,4 +1,4 @@
-"""Rolling of a sphere over a fixed one after a collision: Eqs 45-49."""
+"""Rolling of a sphere over a fixed one after a collision, Eqs 45-49, and the loss of a head-on collision."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .dimensions import (
     Number,
     Speed,
 )
-from .elementary import pi, sqrt
+from .elementary import at_least, at_most, pi, sqrt
 
 
 def energy(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
@@ -80,3 +80,39 @@ def n_roll_after_impact(*, energy: Energy, mean_rolling_moment: Moment) -> Numbe
     Valid:    A tangential impact on a fixed body 2, short beside the rolling; no slip after it.
     """
     return energy / (14 / 5 * pi * mean_rolling_moment)
+
+
+# --- Head-on collisions -----------------------------------------------------------------------------------------------
+
+
+def restitution(*, speed: Speed, sticking_speed: Speed) -> Number:
+    """Return the speed after a head-on collision over that before it: 0 for spheres that stick.
+
+        e = √(1 − U_stick/W) = √(1 − (v_stick/v)²), W = ½mv²
+
+    Source:   Energy: they lose U_stick at any speed. Thornton & Ning 1998 have this loss.
+    Valid:    An upper bound where the law is right: every other loss lowers e. Speeds well below √(E/ρ). With viscous
+              damping, whose loss grows with the speed, a bound too.
+
+    >>> restitution(speed=5.0, sticking_speed=3.0)
+    0.8
+    >>> restitution(speed=2.0, sticking_speed=3.0)
+    0.0
+    """
+    excess = at_least(speed - sticking_speed, 0.0)
+    return sqrt(excess / speed * ((speed + sticking_speed) / speed))
+
+
+def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> Energy:
+    """Return the relative energy that a head-on collision takes: all of ½mv² from spheres that stick.
+
+        W_lost = ½m min(v, v_stick)², which is U_stick from v_stick on
+
+    Source:   Energy, as `restitution`.
+    Valid:    A lower bound where the law is right.
+
+    >>> lost_energy(speed=5.0, sticking_speed=3.0, reduced_mass=2.0)
+    9.0
+    """
+    slower = at_most(speed, sticking_speed)
+    return reduced_mass * slower * slower / 2

@@ -10,6 +10,7 @@ from typing import Any
 from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
+from ..physics.viscous import LARGEST
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
@@ -207,6 +208,21 @@ class TooMuchHysteresis(NoResult):
         return f"{hysteresis} is above the work of adhesion, {work}, of which it is a part"
 
 
+class SticksAlways(NoResult):
+    """Error raised for a viscous damping so strong that spheres stick at every speed, or next to it."""
+
+    phrase = "sticks at every speed"
+    name = "viscosity_number"
+
+    def __init__(self, number: float) -> None:
+        super().__init__(number)
+        self.number = number
+
+    def reason(self) -> str:
+        """Return the viscosity number, and up to which one there is a sticking speed."""
+        return f"T* = {self.number:.4g} is above {LARGEST:g}: they stick at every speed that this damping can mean"
+
+
 class InFixedWords(NoResult):
     """Base class of the errors whose words hold no numbers."""
 
@@ -264,6 +280,14 @@ class NotPressed(InFixedWords):
     phrase = "no load that presses"
     words = "needs a load that presses the spheres; give --load 5nN"
     name = "rolling_resistance_coefficient"
+
+
+class NoPoissonRatio(InFixedWords):
+    """Error raised for a viscous damping over ν1ν2 where that is not positive."""
+
+    phrase = "Poisson's ratio not positive"
+    words = "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign"
+    name = "viscosity_number"
 
 
 class Apart(InFixedWords):
@@ -388,6 +412,10 @@ def failure_of(step: str, given: Mapping[str, Any]) -> NoResult | None:
             found = NotHeld(step)
         case "rolling_resistance_coefficient" if given["load"] <= 0:
             found = NotPressed()
+        case "viscosity_number" if given["poisson_ratio"] * given["poisson_ratio2"] <= 0:
+            found = NoPoissonRatio()
+        case "sticking_speed_viscous" if given["viscosity_number"] > LARGEST:
+            found = SticksAlways(given["viscosity_number"])
         case "contact_displacement" if given["edge_ratio"] == 0:
             found = Apart()
         case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:

@@ -31,6 +31,7 @@ SIZES = {
     "adhesion_hysteresis": (1e-9, 1e3),
     "youngs_modulus": (1.0, 1e15),
     "shear_strength": (1.0, 1e15),
+    "viscous_time": (1e-18, 1.0),
     "radius": (1e-12, 1e3),
     "load": (1e-15, 1e3),
 }
