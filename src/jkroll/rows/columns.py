@@ -26,7 +26,7 @@ from ..text import listed
 from .reasons import ROW, UNCERTAINTY, Gaps, Reasons, lack, status_of, worded
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Elements, Propagated, Sources
+    from ..scene.uncertainty import Propagated, Sources
 
 BLOCK = 1 << 12  # rows computed together as arrays: many for the calls of numpy, few for the cache
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
@@ -272,16 +272,20 @@ class Columns:
         self.reasons.update((rows[row], reasons) for row, reasons in part.reasons.items())
         self.failed.update(rows[row] for row in part.failed)
 
-    def put_sides(self, found: "Mapping[str, Elements]") -> Any:
+    def put_sides(self, found: "Mapping[str, Propagated | JkrollError]") -> Any:
         """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
         import numpy
 
         again = numpy.zeros(len(self), dtype=bool)
-        for name, elements in found.items():
+        for name, bar in found.items():
+            if isinstance(bar, JkrollError):
+                again |= ~numpy.isnan(self.column(name))
+                continue
+            width = bar.uncertainty.high - bar.uncertainty.low
             for side, key in self.wanted.sides_of(name).items():
-                if side in elements.sides:
-                    self.column(key)[...] = elements.sides[side]
-            again |= elements.is_open & ~numpy.isnan(self.column(name))
+                if side in bar.uncertainty.sides:
+                    self.column(key)[...] = where(width > 0, bar.uncertainty.sides[side], numpy.nan)
+            again |= numpy.isnan(width) & ~numpy.isnan(self.column(name))
         return again
 
     def add_remark(self, remark: JkrollError) -> None:

@@ -187,7 +187,7 @@ class Pairs:
         places = self._mesh.reshape(2, -1)
         return self.quantities(_zeros(places), places).reshape(self._mesh.shape)
 
-    def found(self) -> Solution:
+    def solution(self) -> Solution:
         """Return the one pair. Raises the reason why there is none."""
         self._check_separated()
         starts = self._in_cells()
@@ -277,7 +277,7 @@ class Pairs:
     def _left_open(self, place: Any) -> str:
         """Return the direction in which both quantities stay as they are, to the first order."""
         slopes = self.separation(numpy.zeros(1, dtype=int), place[:, None])[2][:, :, 0]
-        steepest = max(slopes, key=lambda own: float(numpy.hypot(*own)))
+        steepest = max(slopes, key=lambda slope: float(numpy.hypot(*slope)))
         (one, other), (second, first) = self.problem.unknowns, steepest.tolist()
         for name, small, large in ((other, second, first), (one, first, second)):
             if abs(small) <= _LEFT_OPEN * abs(large):
@@ -312,10 +312,8 @@ def _newton_step(residuals: Any, slopes: Any) -> Any:
 def _distinct(places: Any, errors: Any) -> list[int]:
     """Return the numbers of places that differ by more than their errors."""
     distinct: list[int] = []
-    left = numpy.arange(places.shape[1])
-    while left.size:
-        number = int(left[0])
-        distinct.append(number)
-        off = abs(places[:, left] - places[:, [number]])
-        left = left[(off > _SAME + errors[number] + errors[left]).any(axis=0)]
+    for number in range(places.shape[1]):
+        off = abs(places[:, distinct] - places[:, [number]])
+        if (off > _SAME + errors[number] + errors[distinct]).any(axis=0).all():
+            distinct.append(number)
     return distinct

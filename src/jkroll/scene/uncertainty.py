@@ -8,7 +8,7 @@ value among the places along the edges of their box: within 1 % of the distance 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import product
-from math import erfc, fsum, isfinite, isnan, nan, sqrt
+from math import erfc, fsum, isfinite, isnan, sqrt
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
@@ -130,19 +130,18 @@ Evaluate = Callable[[Sequence[Place]], Mapping[str, list[Any]]]  # quantities at
 
 
 class Propagated(NamedTuple):
-    """The uncertainty of a result, and the part that each source has in it."""
+    """The uncertainty of a result, and the part that each source has in it.
+
+    Of arrays it has arrays: nan where a place of the sources has no value, and no width where no source has an influence.
+    """
 
     uncertainty: Uncertain
-    shares: Mapping[str, float]  # by the first input of a source; of the variance, or of the width of a range
+    shares: Mapping[
+        str, float
+    ]  # by the first input of a source; of the variance, or of the width of a range; of numbers
 
 
-class Elements(NamedTuple):
-    """The uncertainty of a quantity of a scene of arrays, element by element."""
-
-    sides: Mapping[str, Any]  # minus and plus, or low and high; nan where there is none
-    is_open: Any  # where a place of the sources has no value; floats say why
-
-
+_Bar = tuple[Mapping[str, Any], Sequence[Any]]  # the sides of an error bar, and how far each source moves the value
 Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the reason why there is none
 
 
@@ -160,11 +159,9 @@ def uncertainties(
     return propagated(_evaluation(scene, [*values], sources.entering, alternative), values, sources.entering), sources
 
 
-def uncertainties_of_elements(
-    scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, Elements]:
+def uncertainties_of_elements(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
     """Return the uncertainties of quantities of a scene of arrays."""
-    return elements(_evaluation(scene, [*values], sources), values, sources)
+    return propagated(_evaluation(scene, [*values], sources), values, sources)
 
 
 def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
@@ -234,51 +231,14 @@ def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]
     return columns
 
 
-class _Bar(NamedTuple):
-    """An error bar of a number, or of each element of an array."""
-
-    sides: Mapping[str, Any]
-    parts: Sequence[Any]  # how far each source moves the value
-
-
-def propagated(evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]) -> Bars:
-    """Return the uncertainties of numbers, from sources of one kind."""
-    bars: Bars = {}
-    for name, bar in _bars(evaluate, values, sources).items():
-        if isinstance(bar, JkrollError):
-            bars[name] = bar
-        elif _has_influence(bar, values[name]):
-            bars[name] = Propagated(type(sources[0].given)(values[name], **bar.sides), _shares(sources, bar.parts))
-    return bars
-
-
-def elements(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Elements]:
-    """Return the uncertainties of arrays, as `propagated` does for numbers."""
-    import numpy
-
-    bars: dict[str, Elements] = {}
-    for name, bar in _bars(evaluate, values, sources).items():
-        if isinstance(bar, JkrollError):
-            bars[name] = Elements({}, is_open=True)
-            continue
-        is_known = _has_influence(bar, values[name])
-        is_open = numpy.isnan(sum(bar.sides.values()))
-        bars[name] = Elements({side: where(is_known, ends, nan) for side, ends in bar.sides.items()}, is_open)
-    return bars
-
-
-def _has_influence(bar: _Bar, value: Any) -> Any:
-    """Return whether the sources move a value by more than rounding does."""
-    return reduce(at_least, bar.parts) > ROUNDING * abs(value)
-
-
-def _bars(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, _Bar | JkrollError]:
-    """Return the error bars of numbers or arrays, or the reasons why they have none."""
+def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
+    """Return the uncertainties of numbers or arrays, from sources of one kind."""
     if not (sources and values):
         return {}
-    is_range = isinstance(sources[0].given, Interval)
+    given = sources[0].given
+    is_range = isinstance(given, Interval)
     outcomes = evaluate([*(_on_edges(sources) if is_range else _at_ends(sources))])
-    bars: dict[str, _Bar | JkrollError] = {}
+    bars: Bars = {}
     for name, value in values.items():
         error = next((outcome for outcome in outcomes[name] if isinstance(outcome, JkrollError)), None)
         if error is not None:
@@ -286,7 +246,14 @@ def _bars(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Sourc
             continue
         size = len(outcomes[name]) // len(sources)
         of_sources = [outcomes[name][size * axis : size * (axis + 1)] for axis in range(len(sources))]
-        bars[name] = (_range if is_range else _quadrature)(value, of_sources)
+        sides, parts = (_range if is_range else _quadrature)(value, of_sources)
+        is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
+        if not isinstance(is_still, bool):
+            still = value if is_range else 0.0
+            sides = {side: where(is_still, still, ends) for side, ends in sides.items()}
+            bars[name] = Propagated(given._replace(value=value, **sides), {})
+        elif not is_still:
+            bars[name] = Propagated(given._replace(value=value, **sides), _shares(sources, parts))
     return bars
 
 
@@ -299,14 +266,14 @@ def _at_ends(sources: Sequence[Source]) -> Iterator[Place]:
 
 
 def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
-    """Return a standard uncertainty: the changes at both ends of each source, each side added in quadrature."""
+    """Return a standard uncertainty, and how far each source moves the value: its changes at both ends, each side in quadrature."""
     changes = [(low - value, high - value) for low, high in of_sources]
     minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
     plus = hypot(*(at_least(at_least(low, high), 0.0) for low, high in changes))
     alike = abs(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
     middle = (minus + plus) / 2
     sides = {"minus": where(alike, middle, minus), "plus": where(alike, middle, plus)}
-    return _Bar(sides, [hypot(low, high) for low, high in changes])
+    return sides, [hypot(low, high) for low, high in changes]
 
 
 def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
@@ -333,7 +300,7 @@ def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
         edges = [_span(outcomes[start : start + STEPS + 1]) for start in range(0, len(outcomes), STEPS + 1)]
         parts.append(sum(most - least for least, most in edges) / len(edges))
         low, high = _span([low, high, *(end for edge in edges for end in edge)])
-    return _Bar({"low": low, "high": high}, parts)
+    return {"low": low, "high": high}, parts
 
 
 def _span(values: Sequence[Any]) -> tuple[Any, Any]:
@@ -373,7 +340,7 @@ def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
     return propagated(evaluate, solution.values, sources.entering), sources
 
 
-def uncertainties_of_elements_of_unknowns(solution: Solution, size: int) -> dict[str, Elements]:
+def uncertainties_of_elements_of_unknowns(solution: Solution, size: int) -> Bars:
     """Return the uncertainties of the unknowns that solve a problem of arrays."""
     from .unknowns import solutions
 
@@ -383,4 +350,4 @@ def uncertainties_of_elements_of_unknowns(solution: Solution, size: int) -> dict
         ends = [solutions(problem.replace(moved(sources, place)), size, near=solution.values) for place in places]
         return {name: [end.values[name] for end in ends] for name in problem.unknowns}
 
-    return elements(evaluate, solution.values, sources)
+    return propagated(evaluate, solution.values, sources)

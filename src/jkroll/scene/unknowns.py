@@ -42,7 +42,7 @@ def solutions(problem: Problem, size: int, near: Values | None = None) -> Soluti
         _put(whole, numpy.arange(size), part)
     for row in rest.tolist():
         try:
-            _put(whole, [row], Pairs(problem.rows(row)).found())
+            _put(whole, [row], Pairs(problem.rows(row)).solution())
             whole.condition[row] = _rounded(whole.condition[row])
         except NoResult as error:
             failures[row] = error
