@@ -264,7 +264,9 @@ def test_a_quantity_without_a_value_at_an_end_says_so(run: Run) -> None:
     answer = json.loads(run("contact", "quartz", "100nm", "--load", "-10±2nN", "--json").out)
     results = {result["name"]: result for result in answer["results"]}
     assert "uncertainty" not in results["approach_at_load"]
-    assert any("a, δ" in note and "no uncertainty" in note and "pull-off" in note for note in answer["notes"])
+    assert any(
+        "a, δ" in note and "no uncertainty" in note and "breaks this contact" in note for note in answer["notes"]
+    )
 
 
 @pytest.mark.parametrize(("load", "gamma"), [("-10±1nN", "25mJ/m2"), ("-9nN", "25±4mJ/m2"), ("-9±0.8nN", "25±3mJ/m2")])
