@@ -28,7 +28,7 @@ from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.alternatives import by_law
-from jkroll.scene.failures import BeyondFold, BeyondPullOff
+from jkroll.scene.failures import Failure
 from jkroll.scene.limits import LIMITS, NOT_JUDGED
 from jkroll.scene.scene import LEAST, Scene
 from jkroll.scene.uncertainty import sources_of
@@ -285,7 +285,8 @@ def is_at_its_end(scene: Scene) -> bool:
         step = AT_END * abs(value) or LEAST
         for wanted in ("contact_radius_at_load", "load_at_factor", "edge_ratio", "load_maugis"):
             around = [scene.replace(**{name: each}) for each in (value - step, value + step)]
-            if len({isinstance(each.evaluate((wanted,))[wanted], BeyondPullOff | BeyondFold) for each in around}) > 1:
+            outcomes = [each.evaluate((wanted,))[wanted] for each in around]
+            if len({isinstance(outcome, Failure) and not outcome.kind.has_contact for outcome in outcomes}) > 1:
                 return True
     return False
 

@@ -14,7 +14,7 @@ from jkroll.answers.questions import QUESTIONS
 from jkroll.errors import NoResult
 from jkroll.materials.library import known_materials
 from jkroll.scene.alternatives import factor_of_law
-from jkroll.scene.failures import TwoRigidBodies
+from jkroll.scene.failures import TWO_RIGID_BODIES, Failure
 from jkroll.scene.limits import CODES, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
@@ -213,7 +213,8 @@ def test_two_rigid_bodies_have_no_jkr_contact(given: dict[str, Any]) -> None:
         if name in ("pull_off_force_dmt", "r_min", "yield_angle"):
             assert value > 0
         elif name not in ("load", "n_roll_after_impact", "yield_force_fixed_load"):
-            assert isinstance(value, TwoRigidBodies), name
+            assert isinstance(value, Failure), name
+            assert value.kind == TWO_RIGID_BODIES
 
 
 def test_one_rigid_body_or_an_unknown_modulus_is_no_reason() -> None:

@@ -22,7 +22,7 @@ from ..physics.viscous import ALL_STICK
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
-from ..scene.failures import MissingInput, OfIdenticalSpheres, TwoRigidBodies
+from ..scene.failures import OF_IDENTICAL_SPHERES, TWO_RIGID_BODIES, Failure, MissingInput
 from ..scene.scene import Scene
 
 SKIN = 0.2  # of the neighbor lists, in radii of the smaller sphere
@@ -105,7 +105,9 @@ def lammps_input(scene: Scene) -> Iterator[str]:
             steps.append(pair["time_step"])
         except MissingInput as error:
             yield f"# {command.partition(' {')[0]} needs {error.needs()}"
-        except TwoRigidBodies as error:
+        except Failure as error:
+            if error.kind != TWO_RIGID_BODIES:
+                raise
             yield f"# {command.partition(' {')[0]}: {error}"
     yield f"timestep {min(steps):.12g}"
     yield from _rayleigh([scene if scene.is_identical else pair_of(scene, sphere) for sphere in spheres])
@@ -179,7 +181,7 @@ def dust_simulation_material(scene: Scene) -> Iterator[str]:
     scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_state(scene, "dust-simulation")
     if not scene.is_identical:
-        raise OfIdenticalSpheres
+        raise Failure(OF_IDENTICAL_SPHERES)
     if "shear_strength" in scene.given:
         raise NotInProgram("dust-simulation", "has the shear strength G/4π², and takes no other")
     if scene["poisson_ratio"] == 0:
@@ -217,7 +219,7 @@ def dust_collider_material(scene: Scene) -> Iterator[str]:
     scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_state(scene, "dust-collider")
     if not scene.is_identical:
-        raise OfIdenticalSpheres
+        raise Failure(OF_IDENTICAL_SPHERES)
     if "shear_strength" in scene.given:
         raise NotInProgram("dust-collider", "has a shear strength of its own, and takes no other")
     if scene["poisson_ratio"] == 0:

@@ -16,8 +16,9 @@ from ..physics.elementary import where
 from ..quantities.values import is_uncertain
 from ..scene.alternatives import beside, kinds_beside
 from ..scene.failures import (
+    OF_IDENTICAL_SPHERES,
+    Failure,
     MissingInput,
-    OfIdenticalSpheres,
     written_outcome,
 )
 from ..scene.limits import bits_of, doubts, possible_bits
@@ -330,7 +331,7 @@ def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict
 def reasons_of(found: Mapping[str, Any]) -> dict[str, JkrollError]:
     """Return why cells of a row are empty, of which some outcomes are known."""
     if not found:
-        return {ROW: OfIdenticalSpheres()}
+        return {ROW: Failure(OF_IDENTICAL_SPHERES)}
     return {name: outcome for name, outcome in found.items() if isinstance(outcome, JkrollError)}
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.failures import NO_END, MissingInput, NoContact, grouped, needs_in_words
+from ..scene.failures import NO_END, Failure, MissingInput, grouped, needs_in_words
 from ..text import first_of
 
 ROW = ""  # stands for the row as a whole, in place of the name of a column
@@ -43,7 +43,8 @@ def joined(gaps: Mapping[str, Gaps], others: Mapping[str, Gaps], rows: int) -> d
 def lack(reasons: Reasons) -> JkrollError | None:
     """Return why a row has no contact, or is no scene; None if it has one at the middles of its inputs."""
     for name, error in reasons.items():
-        if name == ROW or (isinstance(error, NoContact) and name in NOMENCLATURE):
+        has_contact = not isinstance(error, Failure) or error.kind.has_contact
+        if name == ROW or (not has_contact and name in NOMENCLATURE):
             return error
     return None
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 from ..quantities.values import Spread
-from ..scene.failures import OfIdenticalSpheres
+from ..scene.failures import OF_IDENTICAL_SPHERES, Failure
 from ..scene.scene import FOLLOWS, Scene
 from ..scene.wiring import in_order
 from .block import Block
@@ -85,11 +85,11 @@ class Sweep:
     def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Wanted:
         """Return the columns of the rows: the inputs that enter some row, and the quantities that concern some.
 
-        Raises OfIdenticalSpheres where none does.
+        Raises a Failure where none does.
         """
         shown = {*named, *chain.from_iterable(self.shown(scene, quantities, named) for scene in self.kinds)}
         if not shown:
-            raise OfIdenticalSpheres
+            raise Failure(OF_IDENTICAL_SPHERES)
         names = [name for name in quantities if name in shown]
         inputs, sides = entering(self.kinds, lambda scene: self.shown(scene, names, named), names)
         return Wanted(

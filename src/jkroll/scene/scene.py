@@ -20,14 +20,15 @@ from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, Range, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain
 from .failures import (
+    RESTS_ON_SPACING,
+    TWO_RIGID_BODIES,
     Contradiction,
+    Failure,
     MissingInput,
-    NoFiniteValue,
     NotInLaw,
-    RestsOnSpacing,
     ShapeMismatch,
-    TwoRigidBodies,
     failure_of,
+    no_finite_value,
 )
 from .wiring import NO_PLAN, OF_A_SOLID, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
@@ -205,7 +206,7 @@ class Scene:
         self._has_area = _has_area(self.given, own_material2=material2 is not None)
         self._failures: dict[str, JkrollError] = {}
         if self.is_rigid:
-            self._failures |= {name: TwoRigidBodies() for name in _ON_AREA if name not in self.values}
+            self._failures |= {name: Failure(TWO_RIGID_BODIES) for name in _ON_AREA if name not in self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
         self._plan = NO_PLAN
         self.known = frozenset(self.values)
@@ -456,7 +457,7 @@ class Scene:
             elif SMALLEST <= value < INFINITY or is_answer(name, value):  # the first holds nearly always
                 values[name] = value
             else:
-                failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
+                failures[name] = failure_of(name, given) or no_finite_value(name, value)
 
     def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
         """Return an array with nan in place of the elements that are no answer, or whose formula has an argument that is none."""
@@ -487,7 +488,7 @@ class Scene:
         if source in self._failures:
             return self._failures[source]
         rests = self.rests_on_spacing(name)
-        return RestsOnSpacing(name) if rests is True else where(rests, nan, self.values[source])
+        return Failure(RESTS_ON_SPACING, name) if rests is True else where(rests, nan, self.values[source])
 
     def rests_on_spacing(self, name: str) -> Any:
         """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""
