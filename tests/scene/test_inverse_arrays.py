@@ -139,7 +139,7 @@ def test_a_quantity_without_any_value_has_a_reason_in_each_element() -> None:
     loads = {"load": numpy.array([-1.0, 1e-9])}
     scene = Scene({"radius": 1e-7}, known_materials()["quartz"])
     beyond, found = assert_as_each_by_itself("youngs_modulus", "contact_radius_at_load", [4e-9, 4e-9], loads, scene)
-    assert "beyond pull-off" in str(beyond)
+    assert "breaks this contact" in str(beyond)
     assert isinstance(found, Solution)
 
 
@@ -177,7 +177,7 @@ def test_no_values_are_no_values() -> None:
 
 
 def test_an_input_that_arrays_lack_is_named() -> None:
-    with pytest.raises(MissingInput, match="contact_radius needs Young's modulus"):
+    with pytest.raises(MissingInput, match="contact radius without load needs Young's modulus"):
         infer("gamma", measured={"contact_radius": [1e-8, 2e-8]}, radius=2e-6)
 
 
