@@ -11,7 +11,7 @@ from harness import Run
 from jkroll import infer, solve
 from jkroll.physics.any_law import pull_off_force_rough
 from jkroll.physics.viscous import ALL_STICK, LARGEST, sticking_speed_viscous
-from jkroll.scene.failures import MissingInput, NoPoissonRatio, SticksAlways
+from jkroll.scene.failures import Failure, MissingInput
 from relative import approx
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-6}
@@ -99,11 +99,11 @@ def test_spheres_that_stick_lose_all() -> None:
 
 def test_damping_of_grains_that_always_stick_is_refused() -> None:
     viscous_time = 1.25e-11
-    with pytest.raises(SticksAlways, match=r"viscosity_number: T\* = 1.952 is above 0.6815: they stick at every speed"):
+    with pytest.raises(Failure, match=r"viscosity_number: T\* = 1.952\d* is above 0.6815: they stick at every speed"):
         solve("sticking_speed", material="quartz", radius=1e-7, viscous_time=viscous_time)
     several = solve("sticking_speed", material="quartz", radius=np.array([1e-7, 1e-6]), viscous_time=viscous_time)
     assert np.isnan(several).tolist() == [True, False]
-    with pytest.raises(NoPoissonRatio, match="Poisson's ratios other than 0"):
+    with pytest.raises(Failure, match="Poisson's ratios other than 0"):
         solve("sticking_speed", **QUARTZ, poisson_ratio=0.0, viscous_time=viscous_time)
     with pytest.raises(MissingInput, match="Maugis–Dugdale"):
         solve("sticking_speed", **QUARTZ, viscous_time=viscous_time, model="maugis")
