@@ -12,15 +12,14 @@ from unittest.mock import patch
 
 import numpy as np
 
+import jkroll.batch.job
 import jkroll.batch.lines
-import jkroll.batch.one
 import jkroll.rows.sweep
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.cli.commands import Call
+from jkroll.cli.call import Call
 from jkroll.cli.question import question_of
 from jkroll.cli.reader import read
-from jkroll.cli.request import request_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.rows.block import Block
@@ -29,7 +28,7 @@ from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.alternatives import by_law
-from jkroll.scene.failures import BeyondFold, BeyondPullOff
+from jkroll.scene.failures import Failure
 from jkroll.scene.limits import LIMITS, NOT_JUDGED
 from jkroll.scene.scene import LEAST, Scene
 from jkroll.scene.uncertainty import sources_of
@@ -99,22 +98,22 @@ def computed(*, by_arrays: bool) -> Iterator[None]:
         yield
 
 
-def call_of(ask: Ask) -> Call:
-    """Return the call that the words of a question stand for."""
-    action: Any = read(ask.words())
+def call_of(words: Sequence[str]) -> Call:
+    """Return the call that words stand for."""
+    action: Any = read(words)
     call: Call = action.args[0]
     return call
 
 
 def scenes_of(ask: Ask) -> list[Scene]:
     """Return the scenes of a list."""
-    return [*request_of(call_of(ask)).sweep.scenes()]
+    return [*call_of(ask.words()).sweep.scenes()]
 
 
 def of_list(ask: Ask, *, by_arrays: bool, alternatives: bool = False) -> Rows:
     """Return the rows of a list, or with what may stand in place of its results."""
-    call = call_of(ask)
-    sweep, question = request_of(call).sweep, question_of(call, QUESTIONS[call.command])
+    call = call_of(ask.words())
+    sweep, question = call.sweep, question_of(call, QUESTIONS[call.command])
     with computed(by_arrays=by_arrays):
         wanted = sweep.wanted(question.quantities, question.named)
         if alternatives:
@@ -187,7 +186,7 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
 
     with ExitStack() as stack:
         stack.enter_context(patch.object(jkroll.batch.lines, "evaluated", observed))
-        stack.enter_context(patch.object(jkroll.batch.one, "table_of", of_sample))
+        stack.enter_context(patch.object(jkroll.batch.job, "table_of", of_sample))
         ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
     if ran.code == 2:
         raise Refused(ran.err)
@@ -286,7 +285,8 @@ def is_at_its_end(scene: Scene) -> bool:
         step = AT_END * abs(value) or LEAST
         for wanted in ("contact_radius_at_load", "load_at_factor", "edge_ratio", "load_maugis"):
             around = [scene.replace(**{name: each}) for each in (value - step, value + step)]
-            if len({isinstance(each.evaluate((wanted,))[wanted], BeyondPullOff | BeyondFold) for each in around}) > 1:
+            outcomes = [each.evaluate((wanted,))[wanted] for each in around]
+            if len({isinstance(outcome, Failure) and not outcome.kind.has_contact for outcome in outcomes}) > 1:
                 return True
     return False
 

@@ -14,6 +14,7 @@ SYMBOLS = {
     "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis", "part": "hysteresis_fraction",
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
     "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span", "a_M": "unloaded_radius_maugis",
+    "P_DMT": "pull_off_force_dmt", "s_a": "asperity_radius", "T_vis": "viscous_time", "T_star": "viscosity_number",
     "fold": "fold_approach_maugis", "edge_c": "edge_ratio_at_pull_off", "edge_fold": "edge_ratio_at_fold",
 }  # fmt: skip
 
@@ -101,6 +102,27 @@ def sticking(lambda_: Exact) -> Exact:
     return maugis.fold_energy(lambda_) - maugis.energy_held_at(lambda_, -2 / (pi * lambda_))
 
 
+# r^(1/3) = p(L)/q(L), the lowest power first.
+FITTED = (
+    (
+        "1 19.915339089884874 140.03302074351527 424.0239945815925 551.1471822473276 284.4669223705491 "
+        "66.71381187636696 13.353579642533976 1.2560552655575732 0.13926479838105343 0.00656377003078744"
+    ),
+    (
+        "1 17.904318541991803 108.99628658854968 266.4482631170719 239.30526460774885 56.20860934812392 "
+        "9.812847493179728 1.7809773703126632 0.10560236313712765 0.012643948318122239"
+    ),
+)
+ALL_STICK = mpf("0.681745209228707968370096573791593022995682283322922")
+
+
+def slowed(T_star: Exact) -> Exact:
+    """Return the sticking speed with viscous damping over that without, by the fit."""
+    L = -digits.log(1 - T_star / ALL_STICK)
+    p, q = (sum(mpf(number) * L**power for power, number in enumerate(row.split())) for row in FITTED)
+    return (p / q) ** 3
+
+
 EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "work_of_adhesion_of_hamaker": lambda A1, A2, D0: sqrt(A1 * A2) / (12 * pi * D0**2),
     "atomic_spacing_of_cutoff": lambda D0: D0 * sqrt(mpf(3)) / 2,
@@ -130,6 +152,10 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "pull_off_force_lennard_jones": lambda w, R, mu: (
         pi * w * R * (mpf("1.5") + mpf("0.5") / (1 + mpf("1.95") * mu ** mpf("1.4")))
     ),
+    "pull_off_force_rough": lambda P_DMT, R, s_a, D0: P_DMT * (s_a / (s_a + R) + 1 / (1 + s_a / D0) ** 2),
+    # viscous damping
+    "viscosity_number": lambda T_vis, nu1, nu2, E, a0, m: T_vis / (nu1 * nu2) * sqrt(E * a0 / m),
+    "sticking_speed_viscous": lambda U_stick, m, T_star: slowed(T_star) * sqrt(2 * U_stick / m),
     # Maugis' law: states
     "edge_ratio_at_load": lambda P, w, R, lambda_: ratio(*maugis.at_load(lambda_, P / (pi * w * R))),
     "edge_ratio_at_approach": lambda delta, w, R, E, lambda_: (
@@ -207,6 +233,7 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
 # The parameters whose condition a formula states besides its number of ulp.
 CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "contact_radius_dmt": ("load",),
+    "sticking_speed_viscous": ("viscosity_number",),
     "edge_ratio_at_load": ("load", "transition_parameter"),
     "edge_ratio_at_approach": ("approach_at_load", "transition_parameter"),
     "zone_span_at_approach": ("approach_at_load", "transition_parameter"),

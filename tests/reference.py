@@ -109,6 +109,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
         kinetic
         | of_approach
         | vibration
+        | _head_on(known.get("speed"), m, ENERGIES["sticking_energy"] * adhesion_energy)
         | _aggregates(known, gamma, R1, m1, xi, adhesion_energy)
         | _peeling((E1, E2), (nu1, nu2), E, P_c, a0, s, M / R1)
         | {
@@ -191,6 +192,15 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "energy_over_sticking": W0 / (ENERGIES["sticking_energy"] * adhesion_energy),
         }
     )
+
+
+def _head_on(v: Exact | None, m: Exact, U_stick: Exact) -> dict[str, Exact]:
+    """A head-on collision at a relative speed, that takes U_stick or all there is."""
+    if v is None:
+        return {}
+    W = m * v**2 / 2
+    lost = min(U_stick, W)
+    return {"restitution": sqrt(1 - lost / W), "lost_energy": lost}
 
 
 def _breaking(a0: Exact, delta0: Exact) -> dict[str, Exact]:
@@ -330,13 +340,16 @@ ENERGIES = {  # in P_cδ0
 
 
 def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict[str, float]:
-    """Return κ: how many times a relative error of the load or approach that was given appears in each result."""
+    """Return κ: how many times a relative error of the load or approach that was given, or of v_stick, appears in each result."""
     state = "approach_at_load" if "approach_at_load" in given else "load"
-    if not given.get(state):
-        return dict.fromkeys(results, 0.0)
-    step = mpf(10) ** -40
-    moved = exact_results({**given, state: mpf(given[state]) * (1 + step)})
-    return {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
+    found = dict.fromkeys(results, 0.0)
+    if given.get(state):
+        step = mpf(10) ** -40
+        moved = exact_results({**given, state: mpf(given[state]) * (1 + step)})
+        found = {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
+    if results.get("restitution"):  # next to v_stick, its error is that of v_stick
+        found["restitution"] = float(1 / results["restitution"] ** 2 - 1)
+    return found
 
 
 def _ratio(value: Exact, other: Exact) -> float:
@@ -392,7 +405,7 @@ SYMBOLS = {
     "r": "distance", "p_H": "hertz_pressure", "p_B": "boussinesq_pressure",
     "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment",
     "mean_M": "mean_rolling_moment", "A": "half_circle_radius",
-    "W0": "energy", "W": "energy_ratio", "v": "speed",
+    "W0": "energy", "W": "energy_ratio", "v": "speed", "v_s": "sticking_speed",
     "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit",
     "tau": "shear_strength", "F_slide": "sliding_force", "s_slide": "sliding_displacement", "k_t": "twisting_stiffness",
     "M_twist": "twisting_moment", "phi_twist": "twisting_angle", "T_peel": "peeling_force", "a_peel": "peeling_radius",
@@ -532,6 +545,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "n_roll": lambda W0, mean_M: W0 / (7 * pi * mean_M),
     "n_roll_energy_balance": lambda W0, mean_M: W0 / (2 * pi * mean_M),
     "n_roll_after_impact": lambda W0, mean_M: 5 * W0 / 7 / (2 * pi * mean_M),
+    "restitution": lambda v, v_s: sqrt(max(1 - (v_s / v) ** 2, mpf(0))),
+    "lost_energy": lambda v, v_s, m: m * min(v, v_s) ** 2 / 2,
     # sliding
     "contact_shear_modulus": lambda E1, nu1, E2, nu2: (
         1 / (2 * (2 - nu1) * (1 + nu1) / E1 + 2 * (2 - nu2) * (1 + nu2) / E2)

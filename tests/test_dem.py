@@ -91,12 +91,12 @@ def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model
     scene = f"contact quartz {radius}nm --model {model}"
     refused = run(f"{scene} --load=-20nN")
     assert refused.code
-    held = re.findall(r"this contact holds down to (-[.\d]+) nN", refused.err)[0]
+    held = re.findall(r"this contact, which holds a pull down to (-[.\d]+) nN", refused.err)[0]
     assert run(f"{scene} --load={held}nN").code == 0
     assert float(held) == approx(
         -1e9 * solve("pull_off_force", **QUARTZ | {"radius": radius * 1e-9}, model=model), rel=1e-5
     )
-    let_go = re.findall(r"fixed grips hold this contact down to (-[.\d]+) pm", run(f"{scene} --approach=-1nm").err)
+    let_go = re.findall(r"a stiff machine holds them is (-[.\d]+) pm", run(f"{scene} --approach=-1nm").err)
     assert all(run(f"{scene} --approach={approach}pm").code == 0 for approach in let_go)
     assert let_go or model == "dmt"
 

@@ -41,12 +41,12 @@ from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import value_of
 from jkroll.rows.columns import DOUBT, STATUS
 from jkroll.scene.failures import (
-    InfiniteValue,
+    INFINITE,
+    OF_IDENTICAL_SPHERES,
+    Failure,
     MissingInput,
-    NoUncertainty,
-    OfIdenticalSpheres,
-    RestsOnSpacing,
     reason_of,
+    rests_on_spacing,
 )
 from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
@@ -451,7 +451,7 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
 
 def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     """Iterate over the bare numbers that are not those of rows. Inputs, which are no columns of rows, are among them."""
-    call = call_of(ask)
+    call = call_of(ask.words())
     names = question_of(call, QUESTIONS[call.command]).headline
     lines = answered(run, *ask.words("--bare")).out.splitlines()
     for row, line in enumerate(lines):
@@ -501,7 +501,7 @@ def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequen
         if number != values.get(key) and not options:
             yield f"{key} = {values.get(key)!r} and {number!r}"
         error = reasons.get(key)
-        if not name and not isinstance(error, RestsOnSpacing):
+        if not name and not rests_on_spacing(error):
             reason = reason_of(key, error) if isinstance(error, MissingInput | NoResult) else None
             if reason != entry.get("reason"):
                 yield f"{key}: {reason} and {entry.get('reason')}"
@@ -521,9 +521,8 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as refusal:
-        known = MissingInput | OfIdenticalSpheres
         if not (
-            _lacks(str(refusal)) and any(isinstance(error, known) for each in floats.reasons for error in each.values())
+            _lacks(str(refusal)) and any(_is_of_all_rows(error) for each in floats.reasons for error in each.values())
         ):
             yield str(refusal)
         return
@@ -580,8 +579,8 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
         results: dict[str, Any] = {}
         try:
             results = solve(names, model=ask.model, **given)
-        except NoUncertainty:
-            if not reasons:  # else other sources may enter than those of all quantities together
+        except Failure as failure:  # with no reason for it, other sources enter than those of all quantities together
+            if failure.phrase != "no error bar" or not reasons:
                 raise
         for name, found in results.items():
             sides = found.sides if hasattr(found, "sides") else {}
@@ -591,7 +590,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                 if values.get(f"{name}_{side}") != number:
                     yield f"row {row}: {name}_{side} = {values.get(f'{name}_{side}')!r} and {number!r}"
         for name, error in reasons.items():
-            if name not in NOMENCLATURE or isinstance(error, InfiniteValue):
+            if name not in NOMENCLATURE or _is_infinite(error):
                 continue
             try:
                 yield f"row {row}: {name}: {error} and {solve(name, model=ask.model, **given)}"
@@ -610,7 +609,7 @@ def _is_element(scene: Scene, name: str, found: Any, element: float, *, is_speci
         return True
     if isinstance(found, float):
         return is_at_its_end(scene) if is_gap else agree(scene, name, found, element)
-    is_right = math.isinf(element) if isinstance(found, InfiniteValue) else is_gap
+    is_right = math.isinf(element) if _is_infinite(found) else is_gap
     return found is None or is_right or (not is_gap and is_at_its_end(scene))
 
 
@@ -643,3 +642,13 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                 found = floats.values[row].get(name, floats.reasons[row].get(name))
                 if not _is_element(scenes[row], name, found, element, is_special=is_special):
                     yield f"row {row}: {name} = {found!r} and {element!r}"
+
+
+def _is_of_all_rows(error: JkrollError) -> bool:
+    """Return whether an error is one of all rows of a kind: an input is missing, or their spheres are not identical."""
+    return isinstance(error, MissingInput) or (isinstance(error, Failure) and error.kind == OF_IDENTICAL_SPHERES)
+
+
+def _is_infinite(outcome: object) -> bool:
+    """Return whether a value is infinite where a number is to be written."""
+    return isinstance(outcome, Failure) and outcome.kind == INFINITE

@@ -23,6 +23,7 @@ from .physics.any_law import cohesive_stress as cohesive_stress
 from .physics.any_law import hysteresis_moment as hysteresis_moment
 from .physics.any_law import hysteresis_ratio as hysteresis_ratio
 from .physics.any_law import pull_off_force_lennard_jones as pull_off_force_lennard_jones
+from .physics.any_law import pull_off_force_rough as pull_off_force_rough
 from .physics.any_law import rolling_frequency_no_slip_of_stiffness as rolling_frequency_no_slip_of_stiffness
 from .physics.any_law import transition_parameter as transition_parameter
 from .physics.any_law import unloaded_moment_of_radius as unloaded_moment_of_radius
@@ -34,9 +35,11 @@ from .physics.any_law import yield_force_ratio_of_forces as yield_force_ratio_of
 from .physics.collision import energy as energy
 from .physics.collision import initial_angular_speed as initial_angular_speed
 from .physics.collision import kinetic_energy as kinetic_energy
+from .physics.collision import lost_energy as lost_energy
 from .physics.collision import n_roll as n_roll
 from .physics.collision import n_roll_after_impact as n_roll_after_impact
 from .physics.collision import n_roll_energy_balance as n_roll_energy_balance
+from .physics.collision import restitution as restitution
 from .physics.contact import approach as approach
 from .physics.contact import approach_at_load as approach_at_load
 from .physics.contact import approach_ratio as approach_ratio
@@ -181,6 +184,8 @@ from .physics.vibration import sliding_frequency as sliding_frequency
 from .physics.vibration import time_step as time_step
 from .physics.vibration import twisting_frequency as twisting_frequency
 from .physics.vibration import vertical_frequency as vertical_frequency
+from .physics.viscous import sticking_speed_viscous as sticking_speed_viscous
+from .physics.viscous import viscosity_number as viscosity_number
 from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
 from .quantities.nomenclature import Quantity as Quantity
 from .quantities.values import Interval as Interval

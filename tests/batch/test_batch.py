@@ -17,8 +17,7 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.batch import files
-from jkroll.batch.one import table_with
-from jkroll.batch.settings import Job, Settings
+from jkroll.batch.job import Job, Settings
 from jkroll.errors import JkrollError
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
@@ -135,7 +134,7 @@ def agree(size: int, seed: int) -> None:
     """Among the others and alone a row has the same numbers, to some ulp, the same doubts and the same status."""
     header, *lines = random_table(size, seed).splitlines()
     names = tuple(header.split(","))
-    table = table_with(names, [], Job(Settings(), {}, known_materials()))
+    table = Job(Settings(), {}, known_materials()).table(names, [])
     rows = [line.encode().split(b",") for line in lines]
     block = table.block(size, {name: [row[place] for row in rows] for name, place in table.places.items()}, {})
     together = evaluated(table.wanted, block)
@@ -171,7 +170,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     words = f"batch grains.{end} -o out.{end} --quantities yield_force"
     ran = run(words)
     *lines, unknown, failed = ran.err.splitlines()
-    assert unknown.startswith("note: material: 'quarz' is not known; did you mean quartz? known materials are gold, ")
+    assert unknown.startswith("note: no material 'quarz'; did you mean quartz? jkroll materials lists all")
     assert unknown.endswith(": row 3")
     assert [*lines[1:], failed] == [
         "note: assumed ξ = 200 pm (--xi), no load (--load)",
@@ -248,13 +247,16 @@ def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
 STATUS = {
     "x,unobtainium,100,0": (
         "unknown material",
-        "material: 'unobtainium' is not known; known materials are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+        "no material 'unobtainium'; did you mean aluminium? jkroll materials lists all",
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),
     "x,quartz,0,0": ("bad radius", "radius: '0 nm' must be positive; expected a length such as 100nm"),
     "x,quartz,1N,0": ("bad radius", "radius: '1N' is a force; expected a length such as 100nm"),
     "x,quartz,one,0": ("bad radius", "radius: 'one' does not begin with a number; expected a length such as 100nm"),
-    "x,quartz,100,-20": ("beyond pull-off", "load: -20 nN is beyond pull-off; this contact holds down to -11.78097 nN"),
+    "x,quartz,100,-20": (
+        "beyond pull-off",
+        "load: -20 nN breaks this contact, which holds a pull down to -11.78097 nN",
+    ),
     "x,quartz,100": ("row is short: 3 cells for 4", "row is short: 3 cells for 4"),
     "x,quartz,100,0,": ("row is long: 5 cells for 4", "row is long: 5 cells for 4"),
     'x,"quartz,100,0': ("a quote is not closed", "a quote is not closed"),
@@ -392,15 +394,15 @@ HEADERS = {
     "radius [nm],radius [nm]": "header: two columns 'radius [nm]', of which one must go",
     "radius [nm],radius [um]": "header: the columns 'radius [nm]' and 'radius [um]', of which one must go",
     "a,a,radius [nm]": "header: two columns 'a', of which one must go",
-    "radius [nn]": mistaken("radius [nn]", "'nn' has an unknown unit 'nn'; did you mean nm?", "radius [UNIT]"),
-    "radius [kg]": mistaken("radius [kg]", "'kg' is a mass; expected a length such as 100nm.", "radius [UNIT]"),
-    "radius [kg": mistaken("radius [kg", "its unit is that of a mass.", "radius [UNIT]"),
-    "Energy (old)": mistaken("Energy (old)", "'old' has an unknown unit 'old'; did you mean joule?", "energy [UNIT]"),
+    "radius [nn]": mistaken("radius [nn]", "what stands behind radius is not its unit.", "radius [UNIT]"),
+    "radius [kg]": mistaken("radius [kg]", "what stands behind radius is not its unit.", "radius [UNIT]"),
+    "radius [kg": mistaken("radius [kg", "what stands behind radius is not its unit.", "radius [UNIT]"),
+    "Energy (old)": mistaken("Energy (old)", "what stands behind energy is not its unit.", "energy [UNIT]"),
     "young GP": mistaken("young GP", "what stands behind youngs_modulus is not its unit.", "youngs_modulus [UNIT]"),
     "youngs_moduls": mistaken(
         "youngs_moduls", "what stands behind youngs_modulus is not its unit.", "youngs_modulus [UNIT]"
     ),
-    "material [m]": mistaken("material [m]", "a material has no unit.", "material"),
+    "material [m]": mistaken("material [m]", "what stands behind material is not its unit.", "material"),
     "material;radius": "header: 'material;radius' has semicolons between its columns; write --delimiter semicolon",
     "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
         "\\t", "?"
@@ -410,7 +412,7 @@ HEADERS = {
     "radius [nm],status": "header: the table already has a column 'status'; rename it",
     "radius [nm],doubt": "header: the table already has a column 'doubt'; rename it, or write --no-doubt",
     "radius [nm],r_min [m]": "header: the table already has a column 'r_min [m]'; rename it, or leave it out of the results with --quantities",
-    "poisson_ratio,x": "pull_off_force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius such as 100nm; --work-of-adhesion 50mJ/m2 may replace some",
+    "poisson_ratio,x": "pull-off force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius such as 100nm; --work-of-adhesion 50mJ/m2 may replace some",
     "name,x": "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write --column 'HEADER=INPUT [UNIT]'",
     "# grains of 2020,x": "header: '100' is a number; begin with a line of the columns' names",
     '"radius [nm],x': "header: has a quote that is not closed",
@@ -545,7 +547,7 @@ def test_any_number_of_processes_writes_the_same_bytes(run: Run) -> None:
 
 @pytest.mark.parametrize("compression", ["gz", "zst"])
 def test_compressed_tables(run: Run, compression: str) -> None:
-    from jkroll.batch.formats import compressor, decompressed
+    from jkroll.batch.files import compressor, decompressed
 
     if compression == "zst":
         pytest.importorskip("zstandard")

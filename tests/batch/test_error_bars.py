@@ -119,7 +119,7 @@ def test_an_end_without_a_value_is_said(run: Run) -> None:
     assert first["stiffness [N/m]"] is not None
     assert first["stiffness_minus [N/m]"] is None
     assert first["status"] == "no error bar"
-    words = "stiffness: no uncertainty, as there is no value at an end of an input: load: -12 nN is beyond pull-off"
+    words = "stiffness: no uncertainty, as there is no value at an end of an input: load: -12 nN breaks this contact"
     assert words in ran.err.replace("\n  ", " ")
     assert second["stiffness_minus [N/m]"] is not None
     assert second["status"] is None

@@ -3,6 +3,7 @@
 found_tables.toml has them, and says how.
 """
 
+import csv
 import re
 import shlex
 import tomllib
@@ -130,3 +131,34 @@ def test_twenty_tables_are_read_at_once() -> None:
             at_once += 1
     assert at_once >= 20
     assert all(len(found.text) < 1000 for found in TABLES.values())
+
+
+HEADERS = tomllib.loads(Path(__file__).with_name("found_headers.toml").read_text(encoding="utf-8"))["header"]
+
+
+def refusal(table: str, columns: Sequence[str]) -> str:
+    """Return why a table is refused when `--column` says these columns; an empty text if it is not."""
+    mark = "\t" if "\t" in table else ";" if ";" in table.splitlines()[0] else ","
+    head, *rows = csv.reader([line for line in table.splitlines() if not line.startswith("#")], delimiter=mark)
+    rows = [row for row in rows if len(row) == len(head)]
+    try:
+        check_units(understood(head, rows, column_options(columns)), rows)
+    except BadTable as error:
+        return str(error)
+    return ""
+
+
+def test_few_tables_are_refused_for_a_column_that_is_no_input() -> None:
+    """Those that are inputs are said to be so, with their units, or to pass through."""
+    why = {
+        f"{each['repository']} {each['path']}": refusal(each["table"], [f"{text}=" for text in each["inputs"]])
+        for each in HEADERS
+    }
+    for source, found in TABLES.items():
+        pairs = zip(found.named, found.written or found.named, strict=True)
+        columns = [said for text, said in pairs if not text.startswith("--") and not text.endswith("=")]
+        if "it has no header" not in found.ends:
+            why[source] = refusal(found.table, columns)
+    refused = {source: problem for source, problem in why.items() if problem}
+    assert len(HEADERS) > 20
+    assert len(refused) <= 0.05 * len(why), refused

@@ -8,9 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from jkroll.batch.delimited import DIALECTS, Delimited, as_lines
+from jkroll.batch.job import Job, Settings
 from jkroll.batch.lines import Converted, Head
-from jkroll.batch.one import table_with
-from jkroll.batch.settings import Job, Settings
 from jkroll.materials.library import known_materials
 from jkroll.output import records
 from jkroll.rows.cells import Reader
@@ -48,7 +47,7 @@ ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
 def converter(dialect: str, end: str, *, excel_safe: bool) -> Delimited:
     """The converter of a table with this header."""
     separator = DIALECTS[dialect].separator.decode()
-    table = table_with(tuple(HEADER), [], Job(Settings(quantities="report"), {}, known_materials()))
+    table = Job(Settings(quantities="report"), {}, known_materials()).table(tuple(HEADER), [])
     head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER))
     return DIALECTS[dialect].converter(head, table, strict=False, excel_safe=excel_safe)
 
@@ -130,8 +129,7 @@ def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
 
 
 def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
-    from jkroll.batch.files import blocks
-    from jkroll.batch.formats import CHUNK
+    from jkroll.batch.files import CHUNK, blocks
 
     lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 10))]
     pieces = [b"".join(lines[start : start + 1000]) for start in range(0, len(lines), 1000)]
@@ -142,8 +140,7 @@ def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
 
 
 def test_a_first_record_longer_than_a_block_is_one() -> None:
-    from jkroll.batch.files import blocks
-    from jkroll.batch.formats import CHUNK
+    from jkroll.batch.files import CHUNK, blocks
 
     text = b"radius [nm]" + b",column" * CHUNK + b"\n100\n"  # as read: pieces of CHUNK bytes
     pieces = [text[start : start + CHUNK] for start in range(0, len(text), CHUNK)]

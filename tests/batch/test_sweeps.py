@@ -9,10 +9,12 @@ import shlex
 import subprocess
 import sys
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
 from harness import Ran, Run
+from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows import sweep as rows_of_lists
 from jkroll.scene.wiring import formula_of
@@ -188,6 +190,15 @@ def test_rows_do_not_depend_on_the_blocks(run: Run, monkeypatch: pytest.MonkeyPa
     for place, name in enumerate(header):
         cells = [row[place] or None for row in rows]
         assert found[name].to_pylist() == (cells if name in TEXTS else [cell and float(cell) for cell in cells]), name
+
+
+def test_a_value_of_many_rows_is_rounded_once(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Else the time grows as the square of the number of rows that are written together."""
+    monkeypatch.setattr(rows_of_lists, "WORTH_ARRAYS", 0)
+    with patch.object(Format, "number", autospec=True, side_effect=Format.number) as number:
+        _, *rows = table(run("pull-off quartz 1nm:1um:1000 --csv --digits 3 --quantities pull_off_force").out)
+    assert (len(rows), number.call_count) == (1000, 1000)
+    assert {len(row[4].partition("e")[0].replace(".", "")) for row in rows} <= {1, 2, 3}
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@ from scipy.optimize import brentq  # type: ignore[import-untyped]
 
 from harness import Run
 from jkroll import solve
-from jkroll.output.exports import ALL_STICK
+from jkroll.physics.viscous import ALL_STICK
 from relative import approx
 
 NUMBER = r"([-+.e\d]+)"
@@ -176,7 +176,10 @@ def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
     )
     ran = run(words)
     assert ran.code == 0
-    assert "# pair_coeff 1 1 needs surface energy per surface; give --gamma 25mJ/m2" in ran.out
+    assert (
+        "# pair_coeff 1 1 needs surface energy per surface; name a material, such as quartz, or give --gamma 25mJ/m2"
+        in ran.out
+    )
     assert [*coefficients(ran.out)] == ["2 2", "1 2"]
 
 
@@ -214,7 +217,7 @@ def test_a_pair_of_rigid_bodies_is_left_out(run: Run) -> None:
         ("lammps quartz 100nm --model maugis", "--model: LAMMPS has jkr and dmt, not 'maugis'"),
         (
             "lammps 100nm --gamma 25mJ/m2 --young 54GPa --poisson 0.17",
-            "time_step needs mass density; give --density 1g/cm3",
+            "time step for a simulation needs mass density; name a material, such as quartz, or give --density 1g/cm3",
         ),
     ],
 )

@@ -3,6 +3,7 @@
 import json
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -11,8 +12,9 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.batch.settings import Settings
-from jkroll.cli.commands import COMMANDS, OUTPUT, Call, Option, flags_of
+from jkroll.batch.job import Settings
+from jkroll.cli.call import OPTIONS, Call
+from jkroll.cli.commands import COMMANDS, OUTPUT, Option, flags_of
 from jkroll.cli.reader import HINTS, SYNONYMS, read
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
@@ -69,7 +71,9 @@ def meaning(words: list[str]) -> Any:
         action = read(words)
     except JkrollError as error:
         return type(error), str(error)
-    return (action.func, action.args) if isinstance(action, partial) else action
+    if not isinstance(action, partial):
+        return action
+    return action.func, tuple(SimpleNamespace(**vars(word)) if isinstance(word, Call) else word for word in action.args)
 
 
 @pytest.mark.parametrize("lines", ALIKE, ids=lambda lines: lines[0])
@@ -137,7 +141,7 @@ def test_a_synonym_stands_for_what_there_is(typed: str) -> None:
 def test_every_option_has_a_place_for_its_value(name: str) -> None:
     for option in COMMANDS[name].options():
         of_batch = Settings._fields if name == "batch" else ()
-        assert option.name in {*Call._fields, *NOMENCLATURE, *of_batch}, option.flag
+        assert option.name in {*OPTIONS, *NOMENCLATURE, *of_batch}, option.flag
 
 
 def test_every_question_has_a_command_that_takes_the_ways_to_write() -> None:

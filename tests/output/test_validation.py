@@ -47,13 +47,19 @@ def test_how_each_number_was_read_is_said() -> None:
 
 def test_computed_numbers_are_those_of_the_formulas() -> None:
     """P_c = 3πγR1 on a plane, F_roll = 6πγξ, and powers of the radius."""
-    found = {(each.row.solids, each.row.given["radius"], each.row.quantity): each for each in COMPARED}
+    found = {(each.row.solids, each.row.given.get("radius"), each.row.quantity): each for each in COMPARED}
     smooth = found["SiO2 on smooth glass, dry", "2.5 um", "pull_off_force"]
     assert smooth.computed == approx(3 * math.pi * 0.025 * 2.5e-6)
     assert smooth.measured == 314e-9
     assert found["SiO2", "0.95 um", "yield_force"].computed == approx(6 * math.pi * 0.025 * 2e-10)
     assert found["silver on aluminium", "10 nm", "sticking_speed"].computed == approx(50 ** (5 / 6))
     assert found["polystyrene on polyurethane", "6 um", "contact_radius"].computed == approx(2 ** (2 / 3))
+    silica = found["vitreous silica, closing cracks", None, "work_of_adhesion"]
+    assert {silica.computed, silica.measured} == {0.4, 0.15}
+    tips = [each.computed for each in COMPARED if each.row.solids == "fused quartz on steel"]
+    assert tips == approx([2 * math.sqrt(0.025 * 3), 2 * math.sqrt(0.025 * 0.0305)])
+    mica = found["mica on mica, dry", "1 cm", "pull_off_force"]
+    assert mica.computed == approx(3 * math.pi * 0.15 * 0.01)
     speed = solve("sticking_speed", material="ice-warm", radius=1e-6, radius2=math.inf)
     assert found["water ice, below 210 K", "1 um", "sticking_speed"].computed == approx(speed)
 

@@ -17,6 +17,7 @@ from jkroll import NOMENCLATURE, physics, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.physics import LAW_FORMULAS, PAPER_FORMULAS, cylinder, dugdale, shifted
 from jkroll.physics.jkr import load_factor_at_approach
+from jkroll.physics.viscous import LARGEST
 from jkroll.scene.wiring import formula_of, parameters_of
 from reference import (
     BOUND,
@@ -105,7 +106,15 @@ def worst(errors: Iterable[Error]) -> Error:
 
 RESULTS = [name for name in NOMENCLATURE if formula_of(name) in PAPER_FORMULAS.values()]
 # Of a speed, of an angle and of aggregates and chains, which no hard scene has.
-NEVER_HARD = ("kinetic_energy", "roll_energy", "gravity_moment", "contacts", *QUESTIONS["aggregates"].quantities)
+NEVER_HARD = (
+    "kinetic_energy",
+    "restitution",
+    "lost_energy",
+    "roll_energy",
+    "gravity_moment",
+    "contacts",
+    *QUESTIONS["aggregates"].quantities,
+)
 CASES = [(name, "random") for name in RESULTS] + [(name, "hard") for name in RESULTS if name not in NEVER_HARD]
 
 
@@ -175,6 +184,16 @@ def _values(random: Random, scene: Scene) -> Iterator[tuple[str, Any]]:
         yield "load_margin", (-1 if is_beyond_pull_off else 1) * math.sqrt((load + force) / force)
 
 
+def _damped(random: Random) -> Iterator[tuple[str, Any]]:
+    """Iterate over values of grains with viscous damping or an asperity."""
+    for name, low, high in (
+        ("viscous_time", 1e-15, 1e-6), ("reduced_mass", 1e-24, 1.0), ("sticking_energy", 1e-27, 1.0), ("asperity_radius", 1e-12, 1e-3),
+        ("pull_off_force_dmt", 1e-12, 1e3), ("poisson_ratio", 1e-6, 0.5), ("poisson_ratio2", 1e-6, 0.5),
+    ):  # fmt: skip
+        yield name, log_uniform(random, low, high)
+    yield "viscosity_number", random.choice([log_uniform(random, 1e-20, LARGEST), random.uniform(0, LARGEST), LARGEST])
+
+
 @cache
 def law_values() -> list[Scene]:
     """Return values of every parameter of the formulas of other laws, each taken as exact."""
@@ -203,6 +222,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
         ("tabor_parameter", transition), ("cohesive_stress", stress),
     ):  # fmt: skip
         yield name, unit * log_uniform(random, 1e-3, 1e3)
+    yield from _damped(random)
     for name, low, high in (("hamaker", 1e-24, 1e-15), ("hamaker2", 1e-24, 1e-15), ("cutoff", 1e-11, 1e-8)):
         yield name, log_uniform(random, low, high)
     yield "hysteresis_fraction", log_uniform(random, 1e-6, 1)

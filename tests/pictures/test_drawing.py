@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from doors import call_of
 from harness import Run
 from jkroll import known_materials, solve
 from jkroll.answers.curve import Loads, loads_of
-from jkroll.cli.commands import Call
 from jkroll.cli.map import MAX_CURVES, OF_PAPER, map_request
 from jkroll.cli.process import main
 from jkroll.pictures.axes import described
@@ -96,7 +96,7 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
 def test_a_contour_of_a_users_map_is_its_formula(
     words: list[str], axes: tuple[str, str], given: dict[str, Any]
 ) -> None:
-    drawn, _ = map_of(map_request(Call(words=tuple(words), x=axes[0], y=axes[1])), (201, 201))
+    drawn, _ = map_of(map_request(call_of(["map", *words, "--x", axes[0], "--y", axes[1]])), (201, 201))
     spacing = (drawn.levels()[-1].value - drawn.levels()[0].value) / len(drawn.levels())
     for value, (x, y) in contours(drawn, figure_of(drawn, 4.0, PAPER, has_caption=False)):
         values = solve(drawn.quantity, **given, **{drawn.x.name: x, drawn.y.name: y})
@@ -269,7 +269,7 @@ def test_a_unit_stays_on_the_line_of_its_number(text: str, kept: str) -> None:
 def test_labels_without_a_unit_have_it_in_the_title() -> None:
     """A mass takes no prefix, so that the numbers on the contours stand alone."""
     drawn, _ = map_of(
-        map_request(Call(words=("mass",), x="radius=10cm:1m", y="density=1g/cm3:10g/cm3")),
+        map_request(call_of("map mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3".split())),
         (20, 20),
     )
     assert {level.text for level in drawn.levels()} >= {"10", "1000"}
@@ -278,7 +278,7 @@ def test_labels_without_a_unit_have_it_in_the_title() -> None:
 
 def test_labels_of_speeds_have_prefixes() -> None:
     drawn, _ = map_of(
-        map_request(Call(words=("sticking-speed", "silica-dry"), x="radius=10nm:10um", y="gamma=10mJ/m2:1J/m2")),
+        map_request(call_of("map sticking-speed silica-dry --x radius=10nm:10um --y gamma=10mJ/m2:1J/m2".split())),
         (20, 20),
     )
     assert {level.text for level in drawn.levels()} >= {"10 mm/s", "1 m/s"}
@@ -287,7 +287,7 @@ def test_labels_of_speeds_have_prefixes() -> None:
 def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
     """The border of the part without a value, as drawn, is P = -P_c."""
     request = map_request(
-        Call(words=("contact-radius-at-load", "quartz"), x="radius=10nm:1um", y="load=-20nN:50nN:lin")
+        call_of("map contact-radius-at-load quartz --x radius=10nm:1um --y load=-20nN:50nN:lin".split())
     )
     drawn, _ = map_of(request, (41, 41))
     (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
@@ -349,7 +349,9 @@ def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
 
 
 def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
-    request = map_request(Call(words=("pull-off",), x="radius=100nm:1um", y="gamma=1mJ/m2:1J/m2", mark="quartz@100nm"))
+    request = map_request(
+        call_of("map pull-off --x radius=100nm:1um --y gamma=1mJ/m2:1J/m2 --mark quartz@100nm".split())
+    )
     drawn, _ = map_of(request, (21, 21))
     (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
     dots = [line for line in axes.lines if line.get_marker() == "o"]
@@ -498,7 +500,7 @@ def test_curves_of_several_laws_end_at_the_loads_and_have_no_chords(loads: str) 
 def test_loads_that_no_law_holds(run: Run) -> None:
     ran = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-30nN:-20nN")
     assert (ran.code, ran.out) == (1, "")
-    assert ran.err == "jkroll: load: -20 nN is beyond pull-off; this contact holds down to -15.70796 nN\n"
+    assert ran.err == "jkroll: load: -20 nN breaks this contact, which holds a pull down to -15.70796 nN\n"
 
 
 def test_a_branch_beyond_the_loads_is_not_in_the_key(run: Run) -> None:
@@ -679,7 +681,7 @@ if __name__ == "__main__":
 def test_texts_of_marks_keep_apart() -> None:
     """From each other, from contours' and within the frame; where another dot is nearer, a line leads to its own."""
     marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"
-    call = Call(words=("pull-off",), x="radius=1nm:1mm", y="gamma=1mJ/m2:10J/m2", mark=marks)
+    call = call_of(f"map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark {marks}".split())
     drawn, _ = map_of(map_request(call), (80, 80))
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=False)

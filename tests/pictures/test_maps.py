@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from doors import call_of
 from harness import Run
 from jkroll import known_materials, solve
-from jkroll.cli.commands import Call
 from jkroll.cli.map import map_request
 from jkroll.pictures.axes import Axis, round_values
 from jkroll.pictures.figures import PAPER_MAPS, paper_map
@@ -21,7 +21,7 @@ from jkroll.pictures.request import map_of
 from jkroll.pictures.styles import LOOKS
 from jkroll.quantities.formatting import in_units
 from jkroll.quantities.markup import plain
-from jkroll.quantities.nomenclature import NOMENCLATURE, canonical
+from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
@@ -390,7 +390,10 @@ def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
         "graphite",
         "iron",
     }
-    assert "no curve: vertical_frequency needs Young's modulus and Poisson's ratio; gold has none" in ran.err
+    assert (
+        "no curve: frequency of the vertical vibration needs Young's modulus and Poisson's ratio; gold has none"
+        in ran.err
+    )
 
 
 def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
@@ -448,12 +451,7 @@ def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run
     ],
 )
 def test_a_line_says_on_which_side_the_law_is_inexact(words: str, side: str) -> None:
-    quantity, *given = words.split()
-    material = [given.pop(0)] if not given[0].startswith("--") else []
-    options = {canonical(flag): value for flag, value in zip(given[::2], given[1::2], strict=True)}
-    x, y = (options.pop(f"--{axis}") for axis in "xy")
-    call = Call(words=(quantity, *material), inputs=options, x=x, y=y)
-    drawn, _ = map_of(map_request(call), (60, 60))
+    drawn, _ = map_of(map_request(call_of(["map", *words.split()])), (60, 60))
     assert [f"{region.text} {plain(region.side)}" for region in drawn.regions if region.side] == [
         f"JKR is off by more than 5 % {side} this line"
     ]
@@ -553,7 +551,7 @@ def test_no_value_anywhere_is_a_failure(run: Run) -> None:
         ran = run(f"map yield-force quartz 10nm {axes}")
         assert (ran.code, ran.out) == (1, "")
         assert ran.err.startswith(
-            "jkroll: yield_force has no value anywhere on these axes: load: -500 nN is beyond pull-off;"
+            "jkroll: yield_force has no value anywhere on these axes: load: -500 nN breaks this contact"
         )
 
 

@@ -416,7 +416,7 @@ def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run:
             "'gama' cannot be inferred; did you mean surface_energy?",
         ),
         ("infer young quartz 1um --measured pull_off_force=3nN", 1, "youngs_modulus: pull_off_force does not depend"),
-        ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull_off_force needs radius of sphere 1; give"),
+        ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull-off force needs radius of sphere 1; give"),
     ],
 )
 def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: str) -> None:

@@ -22,7 +22,7 @@ from scenes import OTHER, QUARTZ, log_uniform
 # Every input, with a value of it, and with quantities from which it is inferred under any law.
 TYPICAL = {
     "surface_energy": 0.03, "work_of_adhesion": 0.05, "yield_displacement": 2e-10, "adhesion_hysteresis": 5e-3,
-    "youngs_modulus": 5e10, "radius": 1e-7, "load": 1e-7, "hamaker": 1e-19, "shear_strength": 1e8,
+    "youngs_modulus": 5e10, "radius": 1e-7, "load": 1e-7, "hamaker": 1e-19, "shear_strength": 1e8, "viscous_time": 1e-12,
 }  # fmt: skip
 MEASURED = {
     "surface_energy": ("pull_off_force", "contact_radius_at_load"),
@@ -34,8 +34,12 @@ MEASURED = {
     "load": ("contact_radius_at_load", "stiffness"),
     "hamaker": ("pull_off_force", "contact_radius_at_load"),
     "shear_strength": ("sliding_force",),
+    "viscous_time": ("sticking_speed",),
 }
-LACKING = [("adhesion_hysteresis", "dmt"), ("shear_strength", "maugis"), ("shear_strength", "dmt")]
+LACKING = [
+    ("adhesion_hysteresis", "dmt"),
+    *((name, law) for name in ("shear_strength", "viscous_time") for law in ("maugis", "dmt")),
+]
 COUNT = 6
 
 
@@ -135,7 +139,7 @@ def test_a_quantity_without_any_value_has_a_reason_in_each_element() -> None:
     loads = {"load": numpy.array([-1.0, 1e-9])}
     scene = Scene({"radius": 1e-7}, known_materials()["quartz"])
     beyond, found = assert_as_each_by_itself("youngs_modulus", "contact_radius_at_load", [4e-9, 4e-9], loads, scene)
-    assert "beyond pull-off" in str(beyond)
+    assert "breaks this contact" in str(beyond)
     assert isinstance(found, Solution)
 
 
@@ -173,7 +177,7 @@ def test_no_values_are_no_values() -> None:
 
 
 def test_an_input_that_arrays_lack_is_named() -> None:
-    with pytest.raises(MissingInput, match="contact_radius needs Young's modulus"):
+    with pytest.raises(MissingInput, match="contact radius without load needs Young's modulus"):
         infer("gamma", measured={"contact_radius": [1e-8, 2e-8]}, radius=2e-6)
 
 

@@ -22,7 +22,7 @@ from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.quantities.laws import LAWS, Law, UnknownLaw, law_of
 from jkroll.scene.alternatives import factor_of_law
-from jkroll.scene.failures import BeyondFold, BeyondPullOff, NotInLaw, RestsOnSpacing
+from jkroll.scene.failures import Failure, NotInLaw
 from jkroll.scene.scene import Scene
 from maugis_reference import Exact, cbrt, mpf, pi
 from relative import approx
@@ -213,9 +213,9 @@ def test_an_error_names_the_pull_off_force_of_the_law(model: str) -> None:
     force = solve("pull_off_force", model=model, **QUARTZ)
     names = ["contact_radius_at_load", "yield_moment", "stiffness"]
     for name in names:
-        with pytest.raises(BeyondPullOff) as raised:
+        with pytest.raises(Failure, match="breaks this contact") as raised:
             solve(name, model=model, **QUARTZ, load=-1.01 * force)
-        assert raised.value.least == -force
+        assert raised.value.numbers[1] == -force
     values = solve(names, model=model, **QUARTZ, load=numpy.array([-1.01 * force, 0.0]))
     assert all(math.isnan(value[0]) and value[1] > 0 for value in values.values())
 
@@ -230,7 +230,7 @@ def test_spheres_can_be_bound_without_touching() -> None:
     found = solve(["contact_radius_at_load", "load", "zone_radius"], model="maugis", **QUARTZ, approach_at_load=-3e-10)
     assert found["contact_radius_at_load"] == 0
     assert found["load"] < 0 < found["zone_radius"]
-    with pytest.raises(BeyondFold):
+    with pytest.raises(Failure, match="the spheres have parted"):
         solve("load", model="maugis", **QUARTZ, approach_at_load=-1e-9)
     shown = Answer(
         QUESTIONS["contact"],
@@ -440,7 +440,7 @@ def test_a_sticking_energy_that_the_spacing_decides_is_a_range() -> None:
 
 def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:
     """From Python as at the prompt: an error for numbers, nan in arrays where the transition parameter is below 1."""
-    with pytest.raises(RestsOnSpacing, match="rests on z0; give --z0 4angstrom"):
+    with pytest.raises(Failure, match="rests on z0; give --z0 4angstrom"):
         solve("sticking_energy", model="maugis", **QUARTZ)
     radii = numpy.geomspace(1e-7, 1e-3, 30)
     found = solve(["sticking_energy", "transition_parameter"], model="maugis", **{**QUARTZ, "radius": radii})

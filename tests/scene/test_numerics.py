@@ -9,7 +9,7 @@ import pytest
 
 from jkroll.errors import NoResult
 from jkroll.output.sources import logarithmic_slope
-from jkroll.scene.scans import Points, crossings, highest
+from jkroll.scene.scans import Points, highest
 from relative import approx
 
 PLACES = [0.5 * step for step in range(-20, 21)]
@@ -21,10 +21,7 @@ def all_places(function: Callable[[float], float], levels: list[float]) -> list[
     def values(_: Any, x: Any) -> Any:
         return numpy.array([function(place) for place in x.tolist()], dtype=float)
 
-    rows = numpy.repeat(numpy.arange(len(levels)), len(PLACES))
-    x = numpy.tile(PLACES, len(levels))
-    points = Points(rows, x, values(rows, x)).with_ends(values).with_extremes(values)
-    own, found = crossings(points, numpy.array(levels), values)
+    own, found = Points.of(numpy.array(PLACES), len(levels), values).crossings(numpy.array(levels), values)
     return [found[own == row].tolist() for row in range(len(levels))]
 
 

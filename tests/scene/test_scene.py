@@ -9,7 +9,15 @@ from jkroll import solve
 from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.failures import BeyondPullOff, Contradiction, MissingInput, NoChain, NoFiniteValue, ShapeMismatch
+from jkroll.scene.failures import (
+    BEYOND_PULL_OFF,
+    NO_CHAIN,
+    TOO_SMALL,
+    Contradiction,
+    Failure,
+    MissingInput,
+    ShapeMismatch,
+)
 from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import Plan, depends_on, formula_of, plan_for
@@ -27,7 +35,7 @@ def test_one_plan_leads_to_answers_and_their_limits(monkeypatch: pytest.MonkeyPa
         return plan_for(*given)
 
     monkeypatch.setattr("jkroll.scene.scene.plan_for", counted)
-    scene = Scene(QUARTZ)
+    scene = Scene({**QUARTZ, "viscous_time": 1e-12})
     names = ("pull_off_force", "n_roll", *LIMIT_NAMES)
     values = scene.evaluate(names)
     assert all(scene[name] == value for name, value in values.items())
@@ -38,14 +46,14 @@ def test_one_plan_leads_to_answers_and_their_limits(monkeypatch: pytest.MonkeyPa
 def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
     scene = Scene({**QUARTZ, "radius2": float("inf"), "load": -1.0}).replace(density=1e-30)
     values = scene.evaluate(("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
-    kinds = {name: type(value) for name, value in values.items()}
+    kinds = {name: value.kind if isinstance(value, Failure) else type(value) for name, value in values.items()}
     assert kinds == {
-        "r_min": NoChain, "pull_off_force": float, "yield_force": BeyondPullOff, "n_grav": BeyondPullOff, "mass": float,
+        "r_min": NO_CHAIN, "pull_off_force": float, "yield_force": BEYOND_PULL_OFF, "n_grav": BEYOND_PULL_OFF, "mass": float,
         "speed": MissingInput,
     }  # fmt: skip
     for name, kind in kinds.items():
         if kind is not float:
-            with pytest.raises(kind):
+            with pytest.raises((Failure, MissingInput)):
                 scene[name]
 
 
@@ -54,7 +62,7 @@ def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
     values = Scene(tiny, model="maugis").evaluate(("pull_off_force", "sticking_energy", "sticking_speed"))
     assert isinstance(values["pull_off_force"], float)
     for name in ("sticking_energy", "sticking_speed"):
-        assert isinstance(values[name], NoFiniteValue)
+        assert values[name].kind == TOO_SMALL
         assert "sticking_energy_maugis: no value that a double can hold" in str(values[name])
 
 

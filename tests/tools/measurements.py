@@ -23,7 +23,7 @@ END = "\n*abstract*:"  # the paragraph below the table and its origins
 
 _OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, as which ratios are read and printed
 _ROUNDED = Format(digits=3)
-_SAID = ("radius", "radius2", "surface_energy", "yield_displacement")  # of the inputs of a scene
+_SAID = ("radius", "radius2", "surface_energy", "surface_energy2", "yield_displacement")  # of the inputs of a scene
 
 
 class Measurement(NamedTuple):
@@ -38,6 +38,7 @@ class Measurement(NamedTuple):
     read: str  # "abstract": the authors' own; "second hand": in a text that cites them
     remark: str
     beside: str = ""  # another radius: measured and computed are the value at `radius` over the value there
+    material2: str = ""  # of the other body, if it has one of its own
 
 
 class Compared(NamedTuple):
@@ -62,6 +63,13 @@ _SUMER = "Sümer & Sitti, Rolling and spinning friction characterization of fine
 _MOUTINHO = "Quoted by Moutinho et al."
 _XI = "ξ: 2 Å is the paper's, and F_roll = 6πγξ whatever the radius"
 _GROWS = "ξ grows with the sphere; that of the source may come from a force or from a displacement"
+_MICHALSKE = "Michalske & Fuller 1985, J. Am. Ceram. Soc. 68, 586"
+_TIPS = "J. Phys. D: Appl. Phys. 7, 1243 (1974)"
+_LACTOSE = "Newell et al. 2001, Pharm. Res. 18, 662"
+_OF_TIPS = (
+    "Tips in a microbalance, pull-off by JKR; the radii are not in the abstract, the work is per area of the contact"
+)
+_BY_GAS = "Gas chromatography, the dispersive part, beside the pull-off by AFM that γ of the material is from"
 _SMOOTH = "γ: the theory of the source itself is within tens of per cent"
 
 MEASUREMENTS = (
@@ -131,6 +139,42 @@ MEASUREMENTS = (
         "For twice the radius: a goes as R^(0.75 ± 0.05), by JKR and DMT of any solids as R^(2/3)",
         beside="3 um",
     ),
+    Measurement(
+        "vitreous silica, closing cracks", "work_of_adhesion", "0.15 J/m2", "silica-humid", {},
+        _MICHALSKE, "abstract", "γ: freshly cracked glass at any humidity closes with twice the surface tension of water; silica-humid is a convention of simulations",
+    ),
+    Measurement(
+        "vitreous silica, closing cracks", "work_of_adhesion", "0.15 J/m2", "silica-dry", {},
+        _MICHALSKE, "abstract", "γ of silica-dry is of dry dust, from the strength of aggregates",
+    ),
+    Measurement(
+        "soda-lime glass, closing cracks", "work_of_adhesion", "0.15 J/m2", "glass-soda-lime-air", {},
+        _MICHALSKE, "abstract", "No second witness: γ of the material is the half of this",
+    ),
+    Measurement(
+        "mica on mica, dry", "pull_off_force", "12 to 16 mN", "mica", {"radius": "1 cm", **_PLANE},
+        "Christenson 1993, J. Phys. Chem. 97, 12034", "abstract",
+        "No second witness: γ of mica is from this, but cleavage of sheets agrees with it; 1.2 to 1.6 N/m, for crossed cylinders, which are a sphere on a plane, of any radius",
+    ),
+    *(
+        Measurement(solids, "surface_energy", measured, material, {}, _LACTOSE, "abstract", _BY_GAS)
+        for solids, measured, material in (
+            ("lactose, crystalline", "31.2 mJ/m2", "lactose-crystalline"),
+            ("lactose, spray-dried", "37.1 mJ/m2", "lactose-amorphous"),
+        )
+    ),
+    Measurement(
+        "fused quartz on steel", "work_of_adhesion", "42±3 mJ/m2", "quartz", {}, _TIPS, "abstract",
+        f"{_OF_TIPS}; oxide and adsorbed water, not the metal, decide", material2="iron",
+    ),
+    Measurement(
+        "fused quartz on steel", "work_of_adhesion", "42±3 mJ/m2", "quartz", {}, _TIPS, "abstract",
+        f"{_OF_TIPS}; the lower end of γ of steel-304 is from this", material2="steel-304",
+    ),
+    Measurement(
+        "tungsten on steel", "work_of_adhesion", "130±7 mJ/m2", "tungsten-oxide", {}, _TIPS, "abstract",
+        f"{_OF_TIPS}; γ of tungsten-oxide is from AFM", material2="steel-304",
+    ),
     *(
         Measurement(
             solids, "pull_off_force", measured, "quartz", {"radius": radius, **_PLANE},
@@ -158,7 +202,7 @@ def measurements_table() -> str:
     rows, origins = [], []
     for place, each in enumerate(comparisons(), 1):
         row = each.row
-        radius = amount("radius", value_of(row.given["radius"], "radius"))
+        radius = amount("radius", value_of(row.given["radius"], "radius")) if "radius" in row.given else "—"
         symbol = NOMENCLATURE[row.quantity].symbol
         unit_of = _OF_RATIOS if row.beside else row.quantity
         cells = (
@@ -183,24 +227,25 @@ def with_table(page: str) -> str:
 
 def _compared(row: Measurement) -> Compared:
     unit_of = _OF_RATIOS if row.beside else row.quantity
-    scene = _scene(row, row.given["radius"])
+    scene = _scene(row, row.given)
     computed = scene[row.quantity]
     told = ", ".join(_told(scene, row))
     if row.beside:
-        computed /= _scene(row, row.beside)[row.quantity]
+        computed /= _scene(row, {**row.given, "radius": row.beside})[row.quantity]
         told += f", over that at R1 = {amount('radius', value_of(row.beside, 'radius'))}"
     return Compared(row, _middle(row.measured, unit_of), computed, f"{told}, by {scene.law.name.upper()}")
 
 
-def _scene(row: Measurement, radius: str) -> Scene:
-    given = {**row.given, "radius": radius}
-    return Scene({name: value_of(text, name) for name, text in given.items()}, known_materials()[row.material])
+def _scene(row: Measurement, given: Mapping[str, str]) -> Scene:
+    materials = known_materials()
+    other = materials[row.material2] if row.material2 else None
+    return Scene({name: value_of(text, name) for name, text in given.items()}, materials[row.material], other)
 
 
 def _told(scene: Scene, row: Measurement) -> Iterator[str]:
-    """Iterate over the inputs that are said: the material, the radii, γ and ξ where they enter."""
+    """Iterate over the inputs that are said: the materials, the radii, γ and ξ where they enter."""
     for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
-        if name == "material":
+        if name in ("material", "material2"):
             yield value
         elif name in _SAID:
             assumed = " (assumed)" if name in DEFAULTS else ""

@@ -44,6 +44,8 @@ _OF_ENERGY = (
     "pull_off_work_at_dead_load",
     "sticking_energy",
     "sticking_speed",
+    "restitution",
+    "lost_energy",
     "disruption_energy",
     "disruption_speed",
 )

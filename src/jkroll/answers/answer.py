@@ -11,12 +11,13 @@ from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, XI
 from ..rows.columns import outcomes
 from ..scene.failures import (
-    BeyondPullOff,
+    BEYOND_PULL_OFF,
+    HELD_BY_MAUGIS,
+    OF_IDENTICAL_SPHERES,
+    Failure,
     MissingInput,
-    NoContact,
-    OfIdenticalSpheres,
-    RestsOnSpacing,
     reason_of,
+    rests_on_spacing,
 )
 from ..scene.limits import Doubt, doubts, not_judged
 from ..scene.scene import Scene
@@ -42,12 +43,12 @@ if TYPE_CHECKING:
     from .alternatives import Alternative
 
 
-def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
+def with_force_by_maugis(error: Failure, scene: Scene) -> Failure:
     """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
     if not scene.law.is_default:
         return error
     force = scene.replace(model=BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
-    return BeyondPullOff(error.load, error.least, -force) if force >= -error.load else error
+    return Failure(HELD_BY_MAUGIS, numbers=(*error.numbers, -force)) if force >= -error.numbers[0] else error
 
 
 # --- Answers ----------------------------------------------------------------------------------------------------------
@@ -102,7 +103,7 @@ class Answer:
         return tuple(result._replace(propagated=propagated_of(found, result.name)) for result in results)
 
     def _reason(self, name: str, error: MissingInput | NoResult) -> str:
-        return over_spacing(name, self.scene) if isinstance(error, RestsOnSpacing) else reason_of(name, error)
+        return over_spacing(name, self.scene) if rests_on_spacing(error) else reason_of(name, error)
 
     @cached_property
     def _known(self) -> list[str]:
@@ -248,13 +249,13 @@ class Answer:
     @cached_property
     def failure(self) -> JkrollError | None:
         """The reason why there is no result, or no contact."""
-        fatal = next((error for error in self.errors.values() if isinstance(error, NoContact)), None)
-        if fatal is not None:
-            return with_force_by_maugis(fatal, self.scene) if isinstance(fatal, BeyondPullOff) else fatal
+        for error in self.errors.values():
+            if isinstance(error, Failure) and not error.kind.has_contact:
+                return with_force_by_maugis(error, self.scene) if error.kind == BEYOND_PULL_OFF else error
         if self._known:
             return None
-        name, error = next(iter(self.errors.items()), ("", OfIdenticalSpheres()))
-        return NoValue(name, self._reason(name, error)) if isinstance(error, RestsOnSpacing) else error
+        name, error = next(iter(self.errors.items()), ("", Failure(OF_IDENTICAL_SPHERES)))
+        return NoValue(name, self._reason(name, error)) if rests_on_spacing(error) else error
 
 
 def _width(result: Result) -> float:

@@ -25,6 +25,10 @@ from .results import Note, Result, propagated_of
 if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Sources
 
+# Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
+_LOSING = frozenset({"restitution", "sticking_speed"})
+_RAISING = frozenset({"surface_energy", "work_of_adhesion", "hamaker", "viscous_time"})
+
 # The properties of a material that an inferred input takes the place of.
 _REPLACED = {"work_of_adhesion": ("surface_energy",)}
 
@@ -94,7 +98,7 @@ class Inferred(Answer):
             return {}, None
         from ..scene.uncertainty import uncertainties_of_unknowns
 
-        return uncertainties_of_unknowns(self.solution.values, self.problem)
+        return uncertainties_of_unknowns(self.solution)
 
     @cached_property
     def _by_law(self) -> dict[str, Solution]:
@@ -158,7 +162,13 @@ class Inferred(Answer):
         assert self.solution is not None
         names = self.problem.unknowns
         unused = [note for name in names for note in _unused(name, [*self.problem.measured], self.scene)]
-        return [*_unusual(self.solution.values), *unused, *(Note("model", text) for text in _proof(self.solution))]
+        bounds = [_bound(name) for name in names if not _LOSING.isdisjoint(self.problem.measured) and name in _RAISING]
+        return [
+            *_unusual(self.solution.values),
+            *bounds,
+            *unused,
+            *(Note("model", text) for text in _proof(self.solution)),
+        ]
 
     @cached_property
     def explained(self) -> Answer:
@@ -168,6 +178,13 @@ class Inferred(Answer):
         explained = copy(self)
         explained.results = (*self.results, *self.forward.results)
         return explained
+
+
+def _bound(name: str) -> Note:
+    """Return the note on an input that stands for all that a collision loses."""
+    return Note(
+        "result", f"{NOMENCLATURE[name].symbol} is an upper limit: other losses of the collision are taken for it"
+    )
 
 
 def _unusual(values: Values) -> list[Note]:

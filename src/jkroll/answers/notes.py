@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from math import log
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
@@ -26,6 +26,7 @@ _SHORT = Format(digits=4)
 MAX_NAMES = 3  # of quantities in a note
 LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
+UNLIKE = 3.0  # ratio of two surface energies from which on a note has their harmonic mean
 ROUGH = 1e-6  # radius from which most spheres are rough
 _SMOOTH = 4.0  # the factor by which forces on smooth glass lie below the computed ones
 _OF_ROUGH = 100.0  # and those on rough grains in air, at most
@@ -129,7 +130,18 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list
     notes = []
     if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
         notes.append(_about_hamaker(scene))
+    if "work_of_adhesion" in steps and "surface_energy2" in inputs and (text := _of_unlike(scene)):
+        notes.append(Note("result", text))
     return notes + [Note("assumption", text) for text in _about_shear(scene, steps)]
+
+
+def _of_unlike(scene: Scene) -> str:
+    """Return the work of adhesion by the harmonic mean, where two surface energies are unlike: the geometric one is an upper estimate."""
+    energies: list[Any] = [scene.values.get(name) for name in ("surface_energy", "surface_energy2")]
+    if not all(isinstance(energy, float) for energy in energies) or max(energies) <= UNLIKE * min(energies):
+        return ""
+    work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
+    return f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike: --work-of-adhesion"
 
 
 def _about_hamaker(scene: Scene) -> Note:
@@ -220,7 +232,10 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
         notes.append(_first_to_yield(scene))
     if not {"pull_off_force", "bond_number"}.isdisjoint(names) and scene.values.get("radius", 0.0) >= ROUGH:
         notes.append(Note("roughness", _about_roughness(scene), size=log(_SMOOTH)))
-    if "sticking_speed" in names:
+    if scene.values.get("restitution") == 0 and "restitution" in names:
+        speed = amount("sticking_speed", scene["sticking_speed"])
+        notes.insert(0, Note("result", f"e = 0: they stick, as v_stick = {speed} is not below v"))
+    if "sticking_speed" in names and "viscous_time" not in scene.stated:
         notes.insert(0, Note("result", _STICKING))
     notes += about_law(scene, names)
     notes += _about_hysteresis(scene, names)

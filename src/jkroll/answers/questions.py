@@ -34,7 +34,7 @@ class Question(NamedTuple):
 _QUESTIONS = {
     "pull-off": Question(
         ("pull_off_force",),
-        ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones"),
+        ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones", "pull_off_force_rough"),
         beside={"pull_off_force_dmt": ("pull_off_force", "DMT")},
     ),
     "yield-force": Question(
@@ -129,6 +129,10 @@ _ENERGIES = Question(
         "sticking_speed_pencil_code",
     ),
 )
+_IMPACT = Question(
+    ("restitution",),
+    ("restitution", "sticking_speed", "viscosity_number", "lost_energy", "n_roll_after_impact"),
+)
 _THREE = Grid(
     ("", "stiffness", "begins at", "force or moment", "energy to begin"),
     {
@@ -167,6 +171,7 @@ QUESTIONS: Mapping[str, Question] = MappingProxyType(
         **_QUESTIONS,
         "report": _REPORT,
         "energies": _ENERGIES,
+        "impact": _IMPACT,
         "resistances": _RESISTANCES,
         "aggregates": _AGGREGATES,
     }

@@ -1,11 +1,11 @@
-"""Tables of scenes in files: millions of rows in, the same rows with their results out. What a row means stands in `rows`.
+"""Tables of scenes in files: rows in, the same rows with their results out. What a row means stands in `rows`.
 
 From the bottom up:
 
 lines, delimited, ndjson    the formats whose records are lines: what they have in common; CSV and TSV; NDJSON
 decimals                    decimal commas
-formats, settings           the registry of formats and compressions; the options of a run
-files                       the input as blocks of whole records; a file that appears when it is whole
+job                         the options of a run, and the table that they make of a header
+files                       formats and compressions; the input as blocks of whole records; the output
 progress, workers, run      the bar; processes; the loop that takes blocks through a converter into the output, in order
 parquet, one                Parquet; a table of any format
 many                        many tables, by processes or on a Dask cluster

@@ -9,10 +9,10 @@ from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
 from ..scene.limits import UNCHECKED
 from ..text import first_of, say, say_wrapped
+from .job import Job, Settings
 from .lines import Tally
 from .many import convert_many, is_many
 from .one import convert_one
-from .settings import Job, Part, Settings
 
 MAX_CODES = 4  # of doubts that are named at the end
 MAX_GAPS = 4  # kinds of rows with empty cells that are explained at the end
@@ -27,7 +27,7 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
         if settings.resume or settings.dask:
             flag = "--resume" if settings.resume else "--dask"
             raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
-        tally, code = convert_one(Part(path, settings.target), job), 0
+        tally, code = convert_one(path, job), 0
     if not settings.quiet:
         _say_notes(tally, settings)
     if tally.failed:
@@ -58,7 +58,7 @@ def _say_notes(tally: Tally, settings: Settings) -> None:
 
 
 def _summary(name: str, tally: Tally) -> str:
-    """Return the sentence on the values of an input that was sought: how many, where the middle half lies, mean and scatter."""
+    """Return the sentence on the values of an input that was sought: count, median, quartiles, mean and scatter."""
     import numpy
 
     values = numpy.concatenate(tally.inferred)
@@ -68,4 +68,5 @@ def _summary(name: str, tally: Tally) -> str:
         return sentence
     low, median, high = numpy.quantile(found, [0.25, 0.5, 0.75]).tolist()
     middle = f"median {amount(name, median)}, quartiles {amount(name, low)} and {amount(name, high)}"
-    return f"{sentence}; {middle}; mean {amount(name, float(found.mean()))}, scatter {amount(name, float(found.std(ddof=1)))}"
+    mean, scatter = float(found.mean()), float(found.std(ddof=1))
+    return f"{sentence}; {middle}; mean {amount(name, mean)}, scatter {amount(name, scatter)}"

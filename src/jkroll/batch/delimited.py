@@ -42,7 +42,7 @@ csv.field_size_limit(MAX_RECORD)  # 128 KiB unless it is raised
 
 
 class Record(NamedTuple):
-    """A record of some lines: the place of its first line, that behind its last one, its cells, or why there are none."""
+    """A record: the places of its first line and of the line behind it, and its cells, or why it has none."""
 
     start: int
     stop: int
@@ -72,7 +72,7 @@ class Dialect:
         return sum(map(len, lines[:last]))
 
     def records(self, lines: Sequence[str]) -> Iterator[Record]:
-        """Iterate over records, whose cells have a character for each byte. A line that begins none is one without cells."""
+        """Iterate over records. Their cells have a character for each byte. A line that is no record has none."""
         start = 0
         while start < len(lines):
             reader = csv.reader(lines[start:], delimiter=self.mark, strict=True)
@@ -159,10 +159,11 @@ class Dialect:
         return record.stop == record.start + 1 and self.is_blank(lines[record.start])
 
     def _check_separator(self, names: Sequence[str], line: str) -> None:
-        """Refuse a header that only another separator makes a header of, and the line that tells a spreadsheet its separator."""
+        """Refuse a header that another separator divides, and the line that tells a spreadsheet its separator."""
         if line.casefold().startswith("sep="):
             raise BadTable(
-                f"header: {quoted(line.strip())} is for a spreadsheet; delete this line, and write --delimiter semicolon if the columns have semicolons between them"
+                f"header: {quoted(line.strip())} is for a spreadsheet; delete this line, and write --delimiter semicolon "
+                "if the columns have semicolons between them"
             )
         is_bare = len(names) == 1 and '"' not in line
         for mark, kind, advice in _MISTAKEN:
@@ -179,7 +180,7 @@ class Dialect:
 
 
 class Blanks(Dialect):
-    """The rules of a table whose columns are divided by any number of blanks: it is read, and written, with a tab in place of them."""
+    """The rules of a table with any number of blanks between its columns, which become tabs."""
 
     def prepared(self, text: bytes) -> bytes:
         """Return lines with tabs. Raises BadTable for quotes, whose blanks would divide a cell."""
@@ -308,7 +309,8 @@ class Delimited:
         return Records([text.encode(BYTES) for text in texts], columns, odd, starts, len(lines), blank.encode(BYTES))
 
     def _of_other_width(self, count: int) -> str:
-        return f"row is {'short' if count < self.width else 'long'}: {count} {'cell' if count == 1 else 'cells'} for {self.width}"
+        size, cells = "short" if count < self.width else "long", "cell" if count == 1 else "cells"
+        return f"row is {size}: {count} {cells} for {self.width}"
 
     def _squared(self, cells: list[str]) -> list[str]:
         """Return as many cells as the header has: what is too much stays in the last."""

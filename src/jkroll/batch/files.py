@@ -1,21 +1,163 @@
-"""The file that is read, as blocks of whole records that are cut at the same places in every run, and the file that is written."""
+"""Files of tables: their formats and compressions, the input as blocks of whole records, and the output.
 
+A format is named by the end of a file's name, or by `--format`. Blocks are cut at the same places in every run.
+"""
+
+import gzip
 import os
 import stat
 import sys
-from collections.abc import Callable, Iterable, Iterator
+import zlib
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from io import BufferedReader, FileIO
-from typing import BinaryIO
+from typing import BinaryIO, NamedTuple
 
-from ..errors import BadRequest, BadTable
+from ..errors import BadRequest, BadTable, missing_extra
 from ..output.files import whole_file
 from ..rows.columns import BLOCK
 from ..text import ending, quoted, say
-from .formats import CHUNK, FileFormat, decompressed
+from .delimited import DELIMITED, DIALECTS, Dialect
+from .job import Settings
 from .lines import MAX_RECORD, SAMPLE
+from .ndjson import Ndjson
 
 SPREADSHEETS = ("xlsx", "xls", "ods")  # are neither read nor written
+LINES: Mapping[str, Dialect | Ndjson] = {**DIALECTS, "ndjson": Ndjson()}
+KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
+COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
+CHUNK = 1 << 20  # bytes read at a time
+FEED = 1 << 9  # bytes given to zstd at a time: a block of at least 4 bytes holds at most 128 KiB, so 16 MiB come out
+
+# --- Formats ----------------------------------------------------------------------------------------------------------
+
+
+class FileFormat(NamedTuple):
+    """A format and its compression."""
+
+    kind: str
+    compression: str = ""
+
+
+def format_of_name(path: str) -> FileFormat | None:
+    """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for x.parquet.gz.
+
+    >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
+    (FileFormat(kind='csv', compression='gzip'), None)
+    """
+    parts = os.path.basename(path).casefold().split(".")
+    compression = COMPRESSIONS.get(parts[-1], "")
+    kind = KINDS.get(parts[-2 if compression and len(parts) > 1 else -1], "")
+    if kind == "parquet" and compression:
+        raise BadTable(f"{quoted(path)}: Parquet is compressed in itself; leave out .{parts[-1]}")
+    return FileFormat(kind, compression) if kind else None
+
+
+def input_format(path: str, settings: Settings) -> FileFormat:
+    """Return the format of the input."""
+    if text := settings.format:
+        if (stated := format_of_name(text.lstrip("."))) is None:
+            kinds = ", ".join(dict.fromkeys(KINDS.values()))
+            raise BadTable(f"--format: {quoted(text)} is none of {kinds}, or, but for the last, these with .gz or .zst")
+        return stated
+    named = format_of_name(path)
+    if path == "-":  # a table in a pipe is not compressed, though its output may be
+        of_output = format_of_name(settings.target)
+        named = FileFormat(of_output.kind if of_output else "csv")
+    if word := settings.delimiter:
+        if word not in DELIMITED:
+            raise BadTable(f"--delimiter: {quoted(word)} is none of {', '.join(filter(str.isalpha, DELIMITED))}")
+        return FileFormat(DELIMITED[word].name, named.compression if named else "")
+    if named is not None:
+        return named
+    if os.path.isdir(path):
+        raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
+    if ending(path) in SPREADSHEETS:
+        raise BadTable(f"{quoted(path)} is a spreadsheet; save it as CSV")
+    if ending(path) == "json":
+        raise BadTable(f"{quoted(path)}: a JSON text is not read; write an object a line, and --format ndjson")
+    raise BadTable(
+        f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet, or --delimiter blank"
+    )
+
+
+def output_format(settings: Settings, of_input: FileFormat) -> FileFormat:
+    """Return the format of the output: that of its name, else that of the input without compression."""
+    found = format_of_name(settings.target)
+    if found is None:
+        return unnamed(settings.target, of_input.kind, quiet=settings.quiet)
+    if found.kind != of_input.kind:
+        name = os.path.basename(settings.target).partition(".")[0]
+        raise BadTable(
+            f"-o: the output has the format of the input, {of_input.kind}; write {quoted(f'{name}.{of_input.kind}')}, "
+            "and convert it with another program"
+        )
+    return found
+
+
+def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
+    """Return the format of an output whose name states none. A note names it if the name has another ending.
+
+    Raises BadRequest for a format that is another program's.
+    """
+    if ending(target) in SPREADSHEETS:
+        raise BadRequest(f"-o: {quoted(target)} is a spreadsheet; write a table that it opens, such as .csv")
+    if ending(target) == "json":
+        table = quoted(f"{os.path.splitext(target)[0]}.{kind}")
+        raise BadRequest(f"-o: a table is not written as JSON; name the file {table}")
+    if os.path.splitext(target)[1] and not quiet:
+        say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
+    return FileFormat(kind)
+
+
+def compressor(compression: str) -> Callable[[bytes], bytes]:
+    """Return a function that compresses a block by itself: such blocks behind each other are one compressed file."""
+    if compression == "gzip":
+        return _gzip
+    if compression == "zstd":
+        with missing_extra("zstd"):
+            from zstandard import ZstdCompressor
+        return ZstdCompressor(level=3).compress
+    return bytes
+
+
+def _gzip(text: bytes) -> bytes:
+    return gzip.compress(text, 1, mtime=0)
+
+
+def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
+    """Iterate over the decompressed bytes of a file, at most CHUNK at a time. Raises BadTable for a damaged file."""
+    pieces = _from_gzip if compression == "gzip" else _from_zstd
+    try:
+        for piece in pieces(file):
+            for start in range(0, len(piece), CHUNK):
+                yield piece[start : start + CHUNK]
+    except (EOFError, zlib.error, gzip.BadGzipFile):
+        raise BadTable(f"{quoted(path)} is not what its name says, or its end is missing") from None
+
+
+def _from_gzip(file: BinaryIO) -> Iterator[bytes]:
+    with gzip.open(file, "rb") as stream:
+        yield from iter(lambda: stream.read(CHUNK), b"")
+
+
+def _from_zstd(file: BinaryIO) -> Iterator[bytes]:
+    with missing_extra("zstd"):
+        from zstandard import ZstdDecompressor, ZstdError
+    frame, rest = ZstdDecompressor().decompressobj(), b""
+    try:
+        while rest or (rest := file.read(FEED)):
+            if frame.eof:
+                frame = ZstdDecompressor().decompressobj()
+            yield frame.decompress(rest)
+            rest = frame.unused_data if frame.eof else b""
+    except ZstdError:
+        raise EOFError from None
+    if not frame.eof:
+        raise EOFError
+
+
+# --- The input --------------------------------------------------------------------------------------------------------
 
 Cut = Callable[[bytes], int]  # number of bytes of whole records at the beginning of a text
 
@@ -102,7 +244,10 @@ def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
 
 
 def _end_of_lines(text: bytes) -> int:
-    """Return where the last line ends that is within CHUNK bytes, or else the first line. Raises BadTable for one that is too long."""
+    """Return where the last line within CHUNK bytes ends, or the first line if that is longer.
+
+    Raises BadTable for a line of more than MAX_RECORD bytes.
+    """
     end = text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
     if not end and len(text) >= MAX_RECORD:
         raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")
@@ -123,18 +268,3 @@ def output_to(target: str) -> Iterator[BinaryIO]:
         )
     with whole_file(target) as stream:
         yield stream
-
-
-def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
-    """Return the format of an output whose name says none, and say which one it is where the name ends as if it said one.
-
-    Raises BadRequest for a format that is another program's.
-    """
-    if ending(target) in SPREADSHEETS:
-        raise BadRequest(f"-o: {quoted(target)} is a spreadsheet; write a table that it opens, such as .csv")
-    if ending(target) == "json":
-        table = quoted(f"{os.path.splitext(target)[0]}.{kind}")
-        raise BadRequest(f"-o: a table is not written as JSON; name the file {table}")
-    if os.path.splitext(target)[1] and not quiet:
-        say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
-    return FileFormat(kind)

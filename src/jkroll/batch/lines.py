@@ -10,10 +10,9 @@ from ..errors import BadRow, BadTable
 from ..rows.block import Block
 from ..rows.cells import Floats
 from ..rows.columns import Columns, Wanted
-from ..rows.inferred import Unknowns
+from ..rows.infer import Unknowns
 from ..rows.reasons import Gaps, joined, worded
 from ..rows.rows import evaluated
-from ..rows.table import Table, idle_of
 from ..scene.limits import CODES, NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
@@ -72,19 +71,6 @@ def _rows_of_codes(bits: Any) -> Counter[str]:
     every = int(numpy.bitwise_or.reduce(bits))
     each = (1 << place for place in range(every.bit_length()) if every >> place & 1)
     return Counter({codes(bit): int(numpy.count_nonzero(bits & bit)) for bit in each})
-
-
-def said_of(table: Table) -> tuple[str, ...]:
-    """Return the lines about a table as a whole: how it is read, which inputs are assumed in all rows, which options change nothing, and what enters no error bar."""
-    idle = idle_of(table)
-    if not (table.assumed or idle or table.left_out):
-        return (table.reading,)
-    from ..answers.notes import idle_in_words, left_out_in_words, parts_of_assumed
-
-    notes = ["assumed " + ", ".join(parts_of_assumed(table.assumed))] if table.assumed else []
-    notes += [idle_in_words(idle)] if idle else []
-    notes += left_out_in_words((source, "") for source in table.left_out)
-    return table.reading, *(f"note: {text}" for text in notes)
 
 
 class Converted(NamedTuple):

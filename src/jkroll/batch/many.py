@@ -10,20 +10,26 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import closing
-from dataclasses import replace
 from functools import partial, reduce
 from typing import NamedTuple
 
 from ..errors import BadRequest, BadTable, JkrollError, MissingExtra, missing_extra
 from ..text import quoted, say, say_wrapped
-from .formats import format_of_name
+from .files import format_of_name
+from .job import Job, Settings
 from .lines import Tally
 from .one import convert_one
-from .settings import Job, Part, Settings
 
 MAX_LINES = 6  # about tables, that are said on stderr
 FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
 WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
+
+
+class Part(NamedTuple):
+    """A table and the file that it becomes."""
+
+    path: str
+    target: str
 
 
 class Outcome(NamedTuple):
@@ -45,7 +51,7 @@ def convert_many(path: str, job: Job) -> tuple[Tally, int]:
     settings = job.settings
     parts = _parts_into(settings.target, path)
     left = [part for part in parts if not (settings.resume and _is_newer(part))]
-    task = partial(_converted, replace(job, settings=settings._replace(jobs=1, quiet=True)))
+    task = partial(_converted, job._replace(settings=settings._replace(jobs=1, quiet=True)))
     run = _on_cluster(settings.dask, task, left) if settings.dask else _by_processes(settings.processes, task, left)
     outcomes = dict(run)
     tally = reduce(Tally.plus, (outcomes[part].tally for part in left), Tally())
@@ -90,7 +96,7 @@ def _is_newer(part: Part) -> bool:
 def _converted(job: Job, part: Part) -> Outcome:
     """Convert a table in this process; a failure is an outcome."""
     try:
-        return Outcome(convert_one(part, job))
+        return Outcome(convert_one(part.path, job._replace(settings=job.settings._replace(target=part.target))))
     except MissingExtra:
         raise  # as it would for every table
     except JkrollError as error:

@@ -91,7 +91,10 @@ class NdjsonConverter:
         return Converted(b"\n".join([*lines, b""]), len(lines), tally)
 
     def _problem(self, line: bytes, one: Object | None) -> str:
-        """Return why a line is no row: it holds no object, one with a member twice, or with an input or a result that the first line has not."""
+        """Return why a line is no row; an empty text if it is one.
+
+        It is none without an object, with a member twice, or with an input or result that the first line lacks.
+        """
         if one is None:
             return "is not a JSON object"
         if (name := _twice(line, one)) is not None:
@@ -124,7 +127,7 @@ def _object(line: bytes) -> Object | None:
 
 
 def _twice(line: bytes, read: Object) -> str | None:
-    """Return the name of a member that stands twice in the object of a line, of which orjson keeps the last; None if none does."""
+    """Return the name of a member that stands twice in the object of a line, or None. orjson keeps the last one."""
     if line.count(b":") == len(read):  # each member has a colon
         return None
     members: list[tuple[str, Any]] = []

@@ -3,10 +3,9 @@
 A thread reads and computes while another one writes, so `--jobs` changes nothing.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing, contextmanager
-from math import isnan
 from typing import Any
 
 import numpy
@@ -14,39 +13,39 @@ import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest, BadTable
-from ..output.records import middles, names_of_columns
+from ..output.records import middles, names_of_columns, shown_results
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.block import Block
 from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import BLOCK, DOUBT, STATUS, Columns, Wanted, remarks_of
-from ..rows.header import is_input, stated_meanings
+from ..rows.header import is_input
 from ..rows.readings import Reading
-from ..rows.table import Table, TableBlock
+from ..rows.table import TableBlock
 from ..scene.limits import codes
 from ..text import quoted, shown
 from .files import Input, output_to
-from .lines import SAMPLE, Tally, computed, said_of
+from .job import Job, said_of
+from .lines import SAMPLE, Tally, computed
 from .progress import Bar
-from .settings import Job, Part
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 
 Batch = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
-TableWith = Callable[[tuple[str, ...], list[list[str]], Job], Table]
 
 
-def convert_parquet(part: Part, job: Job, table_with: TableWith) -> Tally:
-    """Convert a Parquet file; `table_with` returns what the job asks of a header and the cells of the first rows."""
-    if "-" in (part.path, part.target):
+def convert_parquet(path: str, job: Job) -> Tally:
+    """Convert a Parquet file."""
+    target = job.settings.target
+    if "-" in (path, target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    with closing(Input(part.path)) as given:
-        given.check_output(part.target)
-        with _readable(part.path):
-            table = _File(given, job, table_with)
+    with closing(Input(path)) as given:
+        given.check_output(target)
+        with _readable(path):
+            table = _File(given, job)
         with Bar(table.size, quiet=job.settings.quiet) as bar:
-            tally = _write(part.target, table.schema, table.batches(), bar)
+            tally = _write(target, table.schema, table.batches(), bar)
     return tally._replace(said=said_of(table.table))
 
 
@@ -63,14 +62,13 @@ def _readable(path: str) -> Iterator[None]:
 class _File:
     """A Parquet file whose rows are computed."""
 
-    def __init__(self, given: Input, job: Job, table_with: TableWith) -> None:
+    def __init__(self, given: Input, job: Job) -> None:
         self.given, self.strict = given, job.settings.strict
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         names = tuple(file.schema_arrow.names)
         if not names:
             raise BadTable("the table has no columns")
-        meanings = stated_meanings(names, job.settings.columns, job.settings.measured)
-        self.table = table = table_with(names, _first_rows(file, meanings), job)
+        self.table = table = job.table(names, _first_rows(file, job.meanings(names)))
         texts = {*table.said, *table.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in table.added]
         self.schema = pyarrow.schema([*file.schema_arrow, *fields], metadata=file.schema_arrow.metadata)
@@ -139,23 +137,14 @@ def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, targ
 
 def _results(columns: Columns, units: Format, remarks: Iterable[str]) -> Iterator[Any]:
     """Iterate over the columns of results and of remarks."""
-    for name in columns.wanted.names:
-        for key in columns.wanted.keys_of(name):
-            yield as_column(_changed(name, columns.column(key), units))
+    for column in shown_results(columns, units):
+        yield as_column(numpy.asarray(column, dtype=float))
     of_rows: Mapping[str, Any] = {
         DOUBT: lambda row: codes(int(columns.doubts[row])) or None,
         STATUS: columns.status.get,
     }
     for name in remarks:
         yield pyarrow.array(map(of_rows[name], range(len(columns))), "string")
-
-
-def _changed(name: str, column: Any, units: Format) -> Floats:
-    """Return a column of a quantity in the unit and with the digits in which it is written."""
-    numbers = numpy.asarray(column, dtype=float)
-    if not units.changes(name):
-        return numbers
-    return numpy.array([value if isnan(value) else units.number(name, value) for value in numbers.tolist()])
 
 
 def _write(target: str, schema: Any, batches: Iterator[Batch], bar: Bar) -> Tally:
@@ -202,7 +191,7 @@ def as_column(values: Floats) -> Any:
 
 
 def _first_rows(file: Any, meanings: Mapping[str, Reading]) -> list[list[str]]:
-    """Return the first rows as cells of text, those of the inputs alone. Raises BadTable for an input of another type."""
+    """Return the cells of inputs in the first rows as texts. Raises BadTable for an input of another type."""
     schema = file.schema_arrow
     inputs = [field for field in schema if is_input(field.name, meanings)]
     for field in inputs:
@@ -222,7 +211,7 @@ def _is_cell(kind: Any) -> bool:
 
 
 def _text(value: object, name: str = "") -> str:
-    """Return a value as a cell of text, a float as its shortest, an infinite input as its word; an empty one for null."""
+    """Return a value as a cell of text: an infinite input is a word, null an empty cell."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     if value == INFINITY and name in NOMENCLATURE:

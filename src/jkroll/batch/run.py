@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 from ..errors import BadRow
 from ..text import say
 from .files import output_to
+from .job import Settings
 from .lines import Converted, Tally
 from .progress import Bar
-from .settings import Settings
 
 if TYPE_CHECKING:
     from .workers import Worker
@@ -91,7 +91,9 @@ def _converted(work: Work, processes: int, path: str) -> "Iterator[tuple[Convert
 
 
 def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Converted | bytes]:
-    """Return what a process does: it converts a block, and puts it at a place of the file or hands it over when its turn comes.
+    """Return what a process does with a block, and then with the place at which the output begins.
+
+    It converts the block; when its turn comes, it writes the output there, or hands it over if there is no file.
 
     To send a block to another process takes a third as long as to make it.
     """

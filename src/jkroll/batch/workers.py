@@ -140,7 +140,10 @@ def started(count: int, make_answer: Callable[[], Answer]) -> Iterator[list[Work
 
 
 def are_ready(workers: list[Worker]) -> bool:
-    """Return whether all processes have begun to wait for questions; to be called until it is so. Raises the error of one that failed."""
+    """Return whether all processes wait for questions. It is called until they do.
+
+    Raises the error of a process that failed.
+    """
     if not all(worker.connection.poll() for worker in workers):
         return False
     for worker in workers:
@@ -149,7 +152,10 @@ def are_ready(workers: list[Worker]) -> bool:
 
 
 def answers_in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Worker, Any]]:
-    """Iterate over answers in the order of the questions, each with its process, which gets no question until the next step."""
+    """Iterate over answers in the order of the questions, each with its process.
+
+    A process gets its next question after the step in which its answer was taken.
+    """
     at_work: deque[Worker] = deque()
     for worker, question in zip(cycle(workers), questions, strict=False):
         if len(at_work) == len(workers):
@@ -161,7 +167,10 @@ def answers_in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterato
 
 
 def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-    """Start with processes that are not ready; iterate over questions and their answers, each as soon as it is there."""
+    """Iterate over questions and their answers, each as soon as it is there.
+
+    The processes need not be ready yet.
+    """
     for worker in workers:
         worker.answer()
     left = iter(questions)

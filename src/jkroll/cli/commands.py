@@ -1,15 +1,18 @@
 """The commands: their words and options, as they are typed and explained, and the function that runs each."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import cache, partial
 from importlib import import_module
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
 from ..text import capitalized, quoted
+
+if TYPE_CHECKING:
+    from .call import Call
 
 MAX_DIGITS = 9  # of a number
 
@@ -39,6 +42,8 @@ class Option(NamedTuple):
 
     def read(self, text: str) -> str | int:
         """Return the value that a text stands for, or raise BadRequest."""
+        if not text and self.name == "target":
+            raise BadRequest(f"{self.flags[-1]}: the name of the output file is empty")
         if self.kind is str:
             return text
         is_number = text.isascii() and text.isdigit() and len(text) <= MAX_DIGITS
@@ -70,50 +75,9 @@ _WITH = {
 }
 
 
-class Call(NamedTuple):
-    """One call of a command: its words, and its options by name. A command reads those that it declares."""
-
-    command: str = ""
-    words: tuple[str, ...] = ()
-    inputs: Mapping[str, str] = MappingProxyType({})  # of the scene: texts, by the names of the nomenclature
-    materials: str | None = None
-    quiet: bool = False
-    # how results are written
-    to: str | None = None
-    digits: int | None = None
-    bare: bool = False
-    json: bool = False
-    csv: bool = False
-    explain: bool = False
-    cite: bool = False
-    measured: tuple[str, ...] = ()
-    target: str | None = None
-    curve: bool = False
-    # of pictures
-    x: str | None = None
-    y: str | None = None
-    mark: str = ""
-    data: str | None = None
-    width: str | None = None
-    style: str | None = None
-    uncaptioned: bool = False
-    panel: str | None = None
-    as_printed: bool = False
-    plain: bool = False
-    # of tables
-    quantities: str | None = None
-    infer: str = ""
-    no_doubt: bool = False
-    alternatives: bool = False
-    settings: Mapping[str, Any] = MappingProxyType({})  # of `batch` alone: fields of its Settings
-    # of the measurements of speed
-    quick: bool = False
-    plot: str | None = None
-
-
 _FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
 _INSTEAD = "Derivation with all notes, or BibTeX"
-MATERIALS = Option("materials", "--materials", str, "FILE", "Read your own materials as well")
+MATERIALS = Option("file", "--materials", str, "FILE", "Read your own materials as well")
 NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
 ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add the results by Maugis' law")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
@@ -255,6 +219,8 @@ _HIDDEN_WHERE_USED = (
     "hamaker",
     "hamaker2",
     "cutoff",
+    "viscous_time",
+    "asperity_radius",
 )
 
 
@@ -295,6 +261,11 @@ class Words(NamedTuple):
         """The kinds of words, by rising place: MATERIAL, RADIUS and so on."""
         return tuple(word.strip("[].") for word in self.metavar.split())
 
+    @property
+    def has_subject(self) -> bool:
+        """True if the first word is needed: it says what the command is about."""
+        return self.metavar != "" and not self.metavar.startswith("[")
+
 
 JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
 
@@ -317,23 +288,11 @@ class Command(NamedTuple):
         """Return the options by their spellings."""
         return {flag: option for option in (*self.options(), HELP) for flag in option.flags}
 
-    def runner_function(self) -> Callable[[Call], int]:
+    def runner_function(self) -> "Callable[[Call], int]":
         """Return the function that answers a call."""
         module, _, function = self.runner.partition(":")
-        found: Callable[[Call], int] = getattr(import_module(f".{module}", __package__), function)
-        return found
-
-    def action(self, words: Sequence[str], given: Mapping[str, str | bool | tuple[str, ...]]) -> Action:
-        """Return what words and the texts of options by name ask for; BadRequest for an invalid value."""
-        options = {option.name: option for option in self.options()}
-        if given.get("target") == "":
-            raise BadRequest(f"{options['target'].flags[-1]}: the name of the output file is empty")
-        values: dict[str, Any] = {
-            name: options[name].read(value) if isinstance(value, str) else value for name, value in given.items()
-        }
-        inputs = {name: values.pop(name) for name in given if name in NOMENCLATURE}
-        settings = {name: values.pop(name) for name in [*values] if name not in Call._fields}
-        return partial(self.runner_function(), Call(self.name, tuple(words), inputs, settings=settings, **values))
+        run: Callable[[Call], int] = getattr(import_module(f".{module}", __package__), function)
+        return run
 
 
 def _options_of_export() -> tuple[Option, ...]:
@@ -385,6 +344,7 @@ _COMMANDS = (
     _question(
         "energies", DUST, "Energies and speeds to break, stick and roll, by author.", "quartz 100nm --angle 90deg"
     ),
+    _question("impact", DUST, "Restitution and sticking of a head-on collision.", "quartz 1um --speed 1m/s"),
     _question(
         "resistances",
         ROLLING,
@@ -440,8 +400,8 @@ _COMMANDS = (
     ),
     Command(
         "materials",
-        "List the known materials, or show one in full.",
-        Words("[MATERIAL]", 1),
+        "List the known materials, find them by words, or show one in full.",
+        Words("[MATERIAL]...", INFINITY),
         lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
         "runners:run_materials",
         "quartz",

@@ -10,25 +10,22 @@ from ..output.exports import PROGRAMS
 from ..output.notes import every_line
 from ..quantities.laws import BETWEEN
 from ..text import ascii_text, listed, quoted, say, say_wrapped, wrapped
-from .commands import Call
-from .request import request_of
+from .call import Call
 
 WIDTH = 120  # of a comment
 
 
 def run_export(call: Call) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
-    if not call.words:
+    if not call.subject:
         raise BadRequest("export: which program? write jkroll export lammps quartz 100nm")
-    word, *words = call.words
     known = {name.replace("-", ""): program for name, program in PROGRAMS.items()}
-    program = known.get(word.casefold().replace("-", ""))
+    program = known.get(call.subject.casefold().replace("-", ""))
     if program is None:
-        raise BadRequest(f"export: {quoted(word)} is not among the programs: {', '.join(PROGRAMS)}")
-    request = request_of(call._replace(words=tuple(words)))
-    if (count := len(request.sweep)) != 1:
+        raise BadRequest(f"export: {quoted(call.subject)} is not among the programs: {', '.join(PROGRAMS)}")
+    if (count := len(call.sweep)) != 1:
         raise BadRequest(f"export takes one pair of spheres, not {count}")
-    scene = next(request.sweep.scenes())
+    scene = next(call.sweep.scenes())
     if (model := scene.law.name) not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
     say("\n".join(program.lines(scene)), sys.stdout)

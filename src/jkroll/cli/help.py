@@ -22,7 +22,16 @@ MIN_WIDTH = 48
 MIN_TEXT = 20
 GUTTER = 10  # of the names of groups
 
-_OF_THE_PAIR = {*OF_THE_PAIR, "material", "material2", "work_of_adhesion", "monomers", "contacts", "filling_factor"}
+_OF_THE_PAIR = {
+    *OF_THE_PAIR,
+    "material",
+    "material2",
+    "work_of_adhesion",
+    "monomers",
+    "contacts",
+    "filling_factor",
+    "asperity_radius",
+}
 
 Row = tuple[str, str]  # what is typed, and its meaning
 
@@ -38,7 +47,6 @@ def _of_program(width: int) -> list[str]:
     lines = [
         *wrapped("Usage: jkroll COMMAND [MATERIAL] [RADIUS]... [OPTIONS]", width),
         *_indented(TITLE, width, 2),
-        "",
         *_listed("", EXAMPLES, width),
         "",
     ]

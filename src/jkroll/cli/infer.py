@@ -1,87 +1,45 @@
 """Runner of `infer`: from measured values back to one input or two."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from ..answers.inferred import Inferred
-from ..answers.questions import quantity_named
+from ..answers.questions import Question, quantity_named
 from ..errors import BadRequest
-from ..materials.library import Material
 from ..quantities.values import Spread, spreads_of
-from ..rows.columns import Wanted
-from ..rows.inferred import Unknowns
-from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, Problem, already_given, input_named
-from ..scene.scene import Scene
+from ..rows.infer import Problems
+from ..scene.inverse import SIZES, already_given, input_named
 from ..text import quoted
-from .commands import Call
-from .question import checked_format, write_asked
-from .request import form_of, is_table, request_of
+from .call import Call, is_table
+from .question import check_format, write
 
 MAX_PAIRS = 1_000  # scenes in which two inputs are looked for, which takes up to seconds in each
 
 
-class _Inverse:
-    """What `infer` asks of the rows of a sweep: their unknowns."""
-
-    most = 10_000  # each takes milliseconds
-    most_in_table = 500
-
-    def __init__(self, unknowns: Sequence[str], quantities: Sequence[str]) -> None:
-        self.names, self.headline, self.quantities = unknowns, unknowns, quantities
-
-    def row(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Problem:
-        """Return a row of inputs among which are the measured values."""
-        return Problem.of(self.names, self.quantities, given, *spheres, model=model)
-
-    def answer(self, row: Any) -> Inferred:
-        """Return the answer for a row."""
-        return Inferred(row)
-
-    def wanted(self, sweep: Sweep) -> Wanted:
-        """Return the columns of the rows."""
-        return Unknowns.of(self.names, self.quantities, sweep.kinds)
-
-    def with_alternatives(self, wanted: Wanted, sweep: Sweep, *, is_table: bool) -> Wanted:  # noqa: ARG002
-        """Return the same columns: each value is one of its own law."""
-        return wanted
-
-    def bare(self, *, doubts: bool) -> Wanted:
-        """Return the columns of the values alone."""
-        return Unknowns(self.names, self.quantities, doubts=doubts)
-
-    def kinds(self, sweep: Sweep, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
-        """Return a scene of each kind of rows, with the measured quantities."""
-        return [(problem.filled(), self.quantities) for problem in sweep.kinds]
-
-
 def run_infer(call: Call) -> int:
     """Find inputs for every scene and measured value; return the exit code."""
-    if not call.words:
+    if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    names = _names(call.words[0])
+    names = _names(call.subject)
     if call.alternatives:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
-    if tables := [word for word in call.words[1:] if is_table(word)]:
+    if tables := [word for word in call.words if is_table(word)]:
         if len(names) > 1:
             raise BadRequest(
                 "infer reads no tables, and batch infers one input only; write the rows as lists (1nm,2nm) or ranges (1nm:1um:5)"
             )
         quantity = (call.measured[0] if call.measured else "QUANTITY").partition("=")[0]
-        line = f"jkroll batch {tables[0]} --infer {call.words[0]} --measured {quantity}"
+        line = f"jkroll batch {tables[0]} --infer {call.subject} --measured {quantity}"
         raise BadRequest(f"infer reads no tables; write {line}")
     measured = _measured(call.measured, names)
-    kind = checked_format(call)
-    form = form_of(call, names)
-    request = request_of(call._replace(words=call.words[1:]))
+    check_format(call)
+    form = call.form(names)
     for quantity in measured:
-        if quantity in request.spreads:
+        if quantity in call.spreads:
             raise already_given(quantity, quantity)
-    inverse = _Inverse(names, [*measured])
-    sweep = Sweep(request.pairs, {**request.spreads, **measured}, request.models, inverse.row)
-    if len(names) > 1 and len(sweep) > MAX_PAIRS:
-        raise BadRequest(f"{len(sweep)} scenes are more than {MAX_PAIRS}, in which two inputs are looked for")
-    return write_asked(inverse, sweep, kind, form, call)
+    problems = Problems(names, measured, call.pairs, call.spreads, call.models)
+    if len(names) > 1 and len(problems) > MAX_PAIRS:
+        raise BadRequest(f"{len(problems)} scenes are more than {MAX_PAIRS}, in which two inputs are looked for")
+    return write(call, problems, Question(tuple(names), tuple(names)), form, Inferred)
 
 
 def _names(text: str) -> list[str]:

@@ -24,8 +24,7 @@ from ..quantities.values import between, error_about, parse_value
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from ..text import ending, listed, quoted, say, say_wrapped
-from .commands import Call
-from .request import PICTURES, Request, curve_request, format_name, known_materials_of, request_of
+from .call import PICTURES, Call
 
 ON_SCREEN = (241, 121)  # points of a map that is written as numbers
 IN_FILE = (201, 201)
@@ -85,11 +84,11 @@ def run_map(call: Call) -> int:
 def run_figure(call: Call) -> int:
     """Draw a figure of the paper; return the exit code."""
     check_picture(call, call.target)
-    if len(call.words) != 1 or call.words[0] not in FIGURE_NAMES:
-        given = f"{quoted(' '.join(call.words))} is not a figure with data" if call.words else "figure needs a name"
+    name = call.subject
+    if name not in FIGURE_NAMES:
+        given = f"{quoted(name)} is not a figure with data" if name else "figure needs a name"
         raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
-    name = call.words[0]
-    materials = known_materials_of(call.materials)
+    materials = call.materials
     if name in PROFILES:
         refused = {
             "--as-printed": call.as_printed,
@@ -114,8 +113,8 @@ def draw_contact(call: Call) -> int:
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
-    if (kind := format_name(call)) not in ("table", "plain"):
-        raise BadRequest(f"{flag} and --{kind} exclude each other")
+    if call.kind not in ("table", "plain"):
+        raise BadRequest(f"{flag} and --{call.kind} exclude each other")
     of_numbers = {
         "--quantities": call.quantities,
         "--to": call.to,
@@ -125,10 +124,10 @@ def draw_contact(call: Call) -> int:
     for option, value in of_numbers.items():
         if value:
             raise BadRequest(f"{flag} and {option} exclude each other")
-    request, loads = curve_request(call)
-    if (count := len(request.sweep) // len(request.models)) > 1:
+    loads = call.loads
+    if (count := len(call.sweep) // len(call.models)) > 1:
         raise BadRequest(f"a picture shows one contact; {count} were given")
-    drawn, notes = curves_of_contact([*request.sweep.scenes()], loads, call.panel)
+    drawn, notes = curves_of_contact([*call.sweep.scenes()], loads, call.panel)
     return _deliver(drawn, notes, call)
 
 
@@ -223,18 +222,17 @@ def axis_of(text: str, option: str) -> Axis:
 
 def map_request(call: Call) -> PlotRequest:
     """Return what a call asks for: a quantity, axes, scenes to draw, and marks."""
-    if not call.words:
+    if not call.subject:
         raise BadRequest("map needs a quantity, such as pull_off_force")
-    quantity = quantity_named(call.words[0])
+    quantity = quantity_named(call.subject)
     if call.x is None:
         raise BadRequest("map needs an axis: --x radius=1nm:1mm")
     x = axis_of(call.x, "--x")
     y = axis_of(call.y, "--y") if call.y is not None else None
     axes = [x, y] if y is not None else [x]
-    request = request_of(call._replace(words=call.words[1:]))
-    within = depends_on([quantity], [model or DEFAULT_LAW for model in request.models])
+    within = depends_on([quantity], [model or DEFAULT_LAW for model in call.models])
     for axis in axes:
-        if axis.name in request.options:
+        if axis.name in call.values:
             raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
         if axis.name == quantity:
             raise BadRequest(f"{quantity} is the quantity that is drawn; it cannot be an axis too")
@@ -242,19 +240,19 @@ def map_request(call: Call) -> PlotRequest:
             raise BadRequest(f"{quantity} does not depend on {axis.name}")
     if len({axis.name for axis in axes}) < len(axes):
         raise BadRequest(f"both axes are {axes[0].name}")
-    if (count := len(request.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
+    if (count := len(call.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
         raise BadRequest(f"{count} scenes are more than {most}")
-    scenes = tuple((_distinction(scene, request), scene) for scene in request.sweep.scenes())
-    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials, call.plain)
+    scenes = tuple((_distinction(scene, call), scene) for scene in call.sweep.scenes())
+    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), call.materials, call.plain)
 
 
-def _distinction(scene: Scene, request: Request) -> str:
+def _distinction(scene: Scene, call: Call) -> str:
     """Return the materials of a scene, and those of its values of which several were given."""
-    parts = [one.name for one, _ in scene.materials]
-    if len(request.models) > 1 and scene.stated_model is not None:
+    parts = [material.name for material, _ in scene.materials]
+    if len(call.models) > 1 and scene.stated_model is not None:
         parts.append(scene.law.title)
-    several = [name for name, text in request.options.items() if "," in text or ":" in text]
+    several = [name for name, text in call.values.items() if "," in text or ":" in text]
     parts += [f"{symbol(name)} = {amount(name, scene.stated[name])}" for name in several]
     return ", ".join(parts)
 

@@ -8,6 +8,7 @@ import sys
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
+from typing import Any
 
 from ..errors import BadRequest, JkrollError
 from ..quantities.errors import ALIKE, QUANTITY_SYNONYMS, nearest
@@ -101,12 +102,14 @@ def _action(command: Command, words: Sequence[str]) -> Action:
     if any(flag in before_dashes for flag in HELP.flags):
         return partial(_print_help, command.name)
     by_name = [option for kind, option in NAMED.items() if kind in command.words.kinds]
-    arguments, given = _read(words, {option.flag: option for option in by_name} | command.flags(), command)
-    arguments += [str(given.pop(option.name)) for option in by_name if option.name in given]
+    arguments, options = _read(words, {option.flag: option for option in by_name} | command.flags(), command)
+    arguments += [options.pop(option.name) for option in by_name if option.name in options]
     if len(arguments) > command.words.most:
         extra = quoted(arguments[int(command.words.most)])
         raise BadRequest(f"{extra} is one word too many: jkroll {command.name} {command.words.metavar}".rstrip())
-    return command.action(arguments, given)
+    from .call import Call
+
+    return partial(command.runner_function(), Call(command, arguments, options))
 
 
 def _print_help(name: str | None) -> int:
@@ -130,11 +133,11 @@ def print_version() -> int:
 
 def _read(
     words: Iterable[str], flags: Mapping[str, Option], command: Command | None = None
-) -> tuple[list[str], dict[str, str | bool | tuple[str, ...]]]:
-    """Return the words without the options, and the texts of the options by name."""
+) -> tuple[list[str], dict[str, Any]]:
+    """Return the words without the options, and the values of the options by name."""
     kinds = command.words.kinds if command else ()
     arguments: list[str] = []
-    given: dict[str, str | bool | tuple[str, ...]] = {}
+    given: dict[str, Any] = {}
     rest = deque(words)
     while rest:
         word = rest.popleft()
@@ -158,15 +161,15 @@ def _read(
                 raise BadRequest(f"{option.flag} takes no value: leave {quoted('=' + value)} out")
             given[option.name] = True
         elif option.repeats:
-            given[option.name] = (*_texts(given.get(option.name)), _value(option, value, rest, flags))
+            given[option.name] = (*given.get(option.name, ()), _value(option, value, rest, flags))
         elif option.name in given:
             raise BadRequest(f"{option.flag} is given more than once")
         else:
-            given[option.name] = _value(option, value, rest, flags)
+            given[option.name] = option.read(_value(option, value, rest, flags))
     return arguments, _with_radius(given)
 
 
-def _with_radius(given: dict[str, str | bool | tuple[str, ...]]) -> dict[str, str | bool | tuple[str, ...]]:
+def _with_radius(given: dict[str, Any]) -> dict[str, Any]:
     """Return options with R as the radius of sphere 1 where sphere 2 has one. Raises BadRequest where it has none."""
     if R.name not in given:
         return given
@@ -177,10 +180,6 @@ def _with_radius(given: dict[str, str | bool | tuple[str, ...]]) -> dict[str, st
     if "radius" in given:
         raise BadRequest("--radius is given more than once")
     return {**given, "radius": value}
-
-
-def _texts(given: str | bool | tuple[str, ...] | None) -> tuple[str, ...]:
-    return given if isinstance(given, tuple) else ()
 
 
 def _split(word: str, flags: Mapping[str, Option]) -> tuple[str, str | None]:

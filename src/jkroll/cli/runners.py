@@ -7,18 +7,18 @@ import sys
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
+from ..materials.library import UnknownMaterial
 from ..quantities.errors import UnknownQuantity
 from ..text import quoted, say_wrapped
-from .commands import Call
-from .request import format_name, known_materials_of
+from .call import Call
 
 
 def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
     from ..batch.command import run
-    from ..batch.settings import Settings
+    from ..batch.job import Settings
 
-    if not call.words:
+    if not call.subject:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
     if call.settings.keys() >= {"format", "delimiter"}:
         raise BadRequest("--format and --delimiter exclude each other")
@@ -36,7 +36,7 @@ def run_batch(call: Call) -> int:
         measured=measured,
         **call.settings,
     )
-    return run(call.words[0], settings, call.inputs, known_materials_of(call.materials))
+    return run(call.subject, settings, call.inputs, call.materials)
 
 
 def _inverse(call: Call) -> tuple[str, str]:
@@ -62,14 +62,22 @@ def _inverse(call: Call) -> tuple[str, str]:
 
 
 def run_materials(call: Call) -> int:
-    """List the materials, or show one in full; return the exit code."""
+    """List the materials, or those that have some words, or show some in full; return the exit code."""
     from ..output.catalogue import write_materials
 
-    kind = format_name(call)
-    materials = known_materials_of(call.materials)
-    lists_all = not call.words or call.words[0].casefold() == "all"
-    chosen = [*materials.materials.values()] if lists_all else [materials[word] for word in call.words[0].split(",")]
-    write_materials(chosen, sys.stdout, kind, whole=not lists_all and len(chosen) == 1)
+    kind, materials = call.kind, call.materials
+    text = " ".join(call.words)
+    lists_all = text.casefold() in ("", "all")
+    try:
+        named = [] if lists_all else [materials[word] for word in text.split(",")]
+        chosen = named or [*materials.materials.values()]
+    except UnknownMaterial:
+        from ..output.search import materials_with
+
+        named, chosen = [], materials_with(call.words, materials.materials.values())
+        if not chosen:
+            raise
+    write_materials(chosen, sys.stdout, kind, named=bool(named))
     sys.stdout.flush()
     if lists_all and not call.quiet:
         for clash in dict.fromkeys(map(str, materials.clashes.values())):
@@ -85,9 +93,9 @@ def run_quantities(call: Call) -> int:
     from ..output.catalogue import write_quantities
     from ..output.search import Hits, hits_of, quantities_named, write_hits
 
-    kind = format_name(call)
+    kind = call.kind
     names = quantities_named(call.words)
-    hits = Hits([], names, []) if names else hits_of(call.words, known_materials_of(None).materials.values())
+    hits = Hits([], names, []) if names else hits_of(call.words, call.materials.materials.values())
     if hits.quantities:
         write_quantities(hits.quantities, sys.stdout, kind)
     elif any(hits) and kind in ("table", "plain"):
@@ -110,7 +118,7 @@ def run_guide(call: Call) -> int:
     elif topic in topics():
         write_text(page(topic), sys.stdout)
     else:
-        write_hits(call.words, hits_of(call.words, known_materials_of(None).materials.values()), sys.stdout)
+        write_hits(call.words, hits_of(call.words, call.materials.materials.values()), sys.stdout)
     return 0
 
 
@@ -128,4 +136,4 @@ def run_bench(call: Call) -> int:
     from ..bench.report import Plot, write_bench
 
     plot = Plot(call.plot, inches_of(call.width), call.style or "paper", not call.uncaptioned) if call.plot else None
-    return write_bench(sys.stdout, format_name(call), quick=call.quick, plot=plot)
+    return write_bench(sys.stdout, call.kind, quick=call.quick, plot=plot)

@@ -17,7 +17,7 @@ from ..physics.elementary import cbrt, smaller_and_larger, sqrt
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, named
 from ..quantities.values import Interval, Uncertain, value_of
-from ..text import closest, first_of, quoted, shown
+from ..text import closest, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
 MAX_DOTS = 100  # in a line: a dotted key costs time and memory with the square of its parts
@@ -172,6 +172,7 @@ class Material(NamedTuple):
     displacement: Displacement | None = None  # from which that of a contact follows
     replaced: frozenset[str] = frozenset()  # properties with another value than its data have
     mistake: MaterialsFileError | None = None  # what is wrong with it in its file
+    unread: tuple[Mapping[str, Any], Mapping[str, Any]] | None = None  # its table and the references, until it is used
 
     @property
     def key(self) -> tuple[str, str]:
@@ -190,6 +191,11 @@ class Material(NamedTuple):
             return [entry for entry in self.references if entry["key"] == of_properties[name]]
         return [entry for entry in self.references if entry["key"] not in of_properties.values()]
 
+    def lack_of(self, name: str) -> str:
+        """Return that it has no value of a property, with what its file says of that."""
+        note = self.notes.get(name)
+        return f"{self.name}: {note}" if note else f"{self.name} has none in {self.title}"
+
     def __hash__(self) -> int:
         return hash(self.key)
 
@@ -203,14 +209,11 @@ def _of_fields(*fields: Any) -> Material:
     return Material._make(MappingProxyType(field) if isinstance(field, dict) else field for field in fields)
 
 
-# --- A file, in one pass ----------------------------------------------------------------------------------------------
+# --- A file: its names are read at once, and a material when it is used -------------------------------------------------
 
 
 def materials_in(path: str) -> list[Material]:
-    """Return the materials of a file, read and checked; MaterialsFileError if it is no materials file.
-
-    A material with which something is wrong has no properties, but its mistake.
-    """
+    """Return the materials of a file, unread, with their names; MaterialsFileError if it is no materials file."""
     data = _shipped_data() if path == SHIPPED else data_of(path)
     try:
         if unknown := set(data) - {"title", "materials", "references"}:
@@ -221,7 +224,20 @@ def materials_in(path: str) -> list[Material]:
         aliases = _aliases_in(tables)
     except Malformed as error:
         raise MaterialsFileError(path, str(error)) from None
-    return [_material(path, title, name, aliases[name], table, references) for name, table in tables.items()]
+    return [
+        Material(
+            name,
+            {},
+            aliases[name],
+            {},
+            (),
+            (),
+            shown(str(table.get("source", title))),
+            path,
+            unread=(table, references),
+        )
+        for name, table in tables.items()
+    ]
 
 
 def _shipped_data() -> Mapping[str, Any]:
@@ -251,15 +267,16 @@ def _aliases_in(tables: Mapping[str, Any]) -> dict[str, tuple[str, ...]]:
     return found
 
 
-def _material(
-    path: str, title: str, name: str, aliases: tuple[str, ...], table: Mapping[str, Any], references: Mapping[str, Any]
-) -> Material:
-    """Return a material of a file, with its properties or with its mistake."""
-    material = Material(name, {}, aliases, {}, (), (), shown(str(table.get("source", title))), path)
+def read(material: Material) -> Material:
+    """Return a material with what its table says, checked; one with which something is wrong has no properties, but its mistake."""
+    if material.unread is None:
+        return material
+    table, references = material.unread
+    material = material._replace(unread=None)
     try:
         return _with_data(material, table, references)
     except Malformed as error:
-        return material._replace(mistake=MaterialsFileError(path, str(error)))
+        return material._replace(mistake=MaterialsFileError(material.path, str(error)))
 
 
 def _with_data(material: Material, table: Mapping[str, Any], references: Mapping[str, Any]) -> Material:
@@ -283,7 +300,7 @@ def _with_data(material: Material, table: Mapping[str, Any], references: Mapping
         displacement, origins[XI] = _displacement(checked_table(table[XI], f"{name}.{XI}"), name)
     notes = checked_texts(table.get("notes", {}), f"{name}.notes")
     for key in notes:
-        if key not in table:
+        if key not in (*PROPERTIES, *table):
             raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
     general = checked_list(table.get("references", []), f"{name}.references")
     cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
@@ -355,8 +372,6 @@ def _property(key: str, value: object, name: str, where: str) -> float | Uncerta
 
 # --- Materials by name ------------------------------------------------------------------------------------------------
 
-MAX_LISTED = 20
-
 
 class UnknownMaterial(JkrollError):
     """Error raised for a material that no file describes."""
@@ -366,9 +381,11 @@ class UnknownMaterial(JkrollError):
         self.name, self.known, self.guess, self.phrase = name, tuple(known), guess, "unknown material"
 
     def __str__(self) -> str:
-        hint = f"did you mean {self.guess}? " if self.guess else ""
+        if self.guess:
+            return f"no material {quoted(self.name)}; did you mean {self.guess}? jkroll materials lists all"
         return (
-            f"material: {quoted(self.name)} is not known; {hint}known materials are {first_of(self.known, MAX_LISTED)}"
+            f"no material {quoted(self.name)}. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an "
+            f"example), add it to a file (jkroll guide materials), or write one that jkroll materials lists"
         )
 
 
@@ -380,7 +397,7 @@ class UnclearMaterial(JkrollError):
         self.name, self.meanings, self.phrase = name, meanings, "unclear material"
 
     def __str__(self) -> str:
-        return f"material: {quoted(self.name)} is {self.meanings}"
+        return f"material {quoted(self.name)} is {self.meanings}"
 
 
 class Materials:
@@ -395,6 +412,7 @@ class Materials:
         self.overrides: list[str] = []  # sentences on the names that were taken
         self.clashes: dict[str, UnclearMaterial] = {}  # errors of the names that were not, case folded
         self._all: dict[str, Material] = {}  # by name
+        self._read: dict[Material, Material] = {}  # those that were used, with their data
         self._meanings: dict[str, list[Material]] = {}  # of a name or alias, case folded
         is_one = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
         taking = [*map(path_of, [paths] if is_one else paths)]  # type: ignore[arg-type]
@@ -448,22 +466,30 @@ class Materials:
             raise clash
         meanings = self._meanings.get(key, [])
         if len(meanings) == 1:
-            return _sound(meanings[0])
+            return _sound(self._with_data(meanings[0]))
         states = [material for name, material in self._all.items() if name.casefold().startswith(f"{key}-")]
         if len(several := meanings or states) > 1:
-            raise UnclearMaterial(word, _choice([*map(_sound, several)]))
+            raise UnclearMaterial(word, _choice([_sound(self._with_data(one)) for one in several]))
         guess = states[0].name if states else closest(key, [*self.names, *self.aliases])
         raise UnknownMaterial(word, sorted(self._all), guess)
+
+    def _with_data(self, material: Material) -> Material:
+        """Return a material with its data, which are read when they are first used."""
+        if material not in self._read:
+            self._read[material] = read(material)
+        return self._read[material]
 
     @property
     def materials(self) -> Mapping[str, Material]:
         """All materials by name, without those with which something is wrong."""
-        return {name: material for name, material in self._all.items() if material.mistake is None}
+        read = {name: self._with_data(material) for name, material in self._all.items()}
+        return {name: material for name, material in read.items() if material.mistake is None}
 
     @property
     def mistakes(self) -> Mapping[str, MaterialsFileError]:
         """The errors of materials with which something is wrong, by name."""
-        return {name: material.mistake for name, material in self._all.items() if material.mistake is not None}
+        mistakes = {name: self._with_data(material).mistake for name, material in self._all.items()}
+        return {name: mistake for name, mistake in mistakes.items() if mistake is not None}
 
     @property
     def names(self) -> list[str]:
@@ -495,13 +521,12 @@ def _sound(material: Material) -> Material:
 
 def _clash(name: str, shipped: Material, added: Material) -> UnclearMaterial:
     """Return the error of a name that is shipped and in another file, which may not take it."""
-    whose = f"{shipped.title}'" if shipped.title.endswith("s") else f"{shipped.title}'s"
     file = shown(added.path)
-    return UnclearMaterial(name, f"{whose} and also in {file}; rename it, or pass --materials {file}")
+    return UnclearMaterial(name, f"shipped ({shipped.title}) and also in {file}; rename it, or pass --materials {file}")
 
 
 def _choice(materials: Sequence[Material]) -> str:
-    """Return the materials that a name stands for, with their surface energies, and their sets if they differ."""
+    """Return the materials that a name stands for, with their surface energies and states, or their sets if they differ."""
     from ..quantities.formatting import amount
 
     has_sets = len({material.title for material in materials}) > 1
@@ -509,9 +534,9 @@ def _choice(materials: Sequence[Material]) -> str:
     for material in materials:
         energy = material.properties.get("surface_energy")
         known = [amount("surface_energy", energy)] if energy is not None else []
-        about = ", ".join([*known, *([material.title] if has_sets else [])])
+        about = ", ".join(filter(None, [*known, material.state or (material.title if has_sets else "")]))
         texts.append(f"{material.name} ({about})" if about else material.name)
-    return f"{', '.join(texts[:-1])} or {texts[-1]}: which?"
+    return f"one of several; write {', '.join(texts[:-1])} or {texts[-1]}"
 
 
 def path_of(path: Path) -> str:

@@ -1,5 +1,6 @@
 """The materials and the quantities of the nomenclature as text: lists of them, and all that is known of one."""
 
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, TextIO
 
@@ -8,6 +9,7 @@ from ..materials.library import Material
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, header
+from ..quantities.values import Uncertain
 from ..rows.columns import Wanted
 from ..scene.limits import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
@@ -17,8 +19,9 @@ from .search import has_words, without_variants, words_of
 from .sources import bibtex, docstring_fields
 
 
-def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole: bool) -> None:
-    """Write a list of materials in a format, or one of them with its notes and references."""
+def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named: bool) -> None:
+    """Write materials in a format; of those that were `named`, one with its notes and references, or all values of several."""
+    whole = named and len(chosen) == 1
     if kind == "cite":
         entries = {entry["key"]: entry for material in chosen for entry in material.references}
         for entry in entries.values():
@@ -30,43 +33,54 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole
         _write_material(chosen[0], out)
     elif whole and kind == "plain":
         _write_lines(chosen[0], out)
+    elif named and kind == "table":
+        _write_values(chosen, out)
     elif kind == "table":
-        _write_tables(chosen, out)
+        _write_list(chosen, out)
     else:
         columns = Wanted(PROPERTIES, sides={name: _sides_of(name, chosen) for name in PROPERTIES})
         records = (_material_row(material, columns.sides) for material in chosen)
         write_records(["material", *columns.heads(header), "state", "references", "source"], records, kind, out)
 
 
-def _write_tables(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write two tables for each set of materials: their values, and the rest."""
-    from .table import column, write_rows, write_wrapped
+def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
+    """Write a table of the properties of some materials."""
+    from .table import column, write_rows
 
-    for title in dict.fromkeys(material.title for material in chosen):
-        members = [material for material in chosen if material.title == title]
-        names = [material.name for material in members]
-        values = [
-            column(name, [one.uncertainties.get(name, one.properties.get(name)) for one in members], AS_USUAL)
-            for name in PROPERTIES
-        ]
-        say(title, out)
-        write_rows(*_rows(["material", *names], *values), out)
-        say("", out)
-        write_wrapped(*_rows(["material", *names], ["state, other names, references", *map(_about, members)]), out)
-        say("", out)
-    say("methods, notes and the references in full: jkroll materials NAME", out)
+    values = (column(name, [_known(material, name) for material in chosen], AS_USUAL) for name in PROPERTIES)
+    head, *rows = zip(["material", *(material.name for material in chosen)], *values, strict=True)
+    write_rows(head, rows, out)
+    say(f"\n{_OF_ONE}", out)
 
 
-def _rows(*columns: Sequence[str]) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
-    """Return the heads and the rows of columns."""
-    head, *rows = zip(*columns, strict=True)
-    return head, rows
+def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
+    """Write a table of materials by sets: the surface energy of each, and how it was found."""
+    from .table import column, write_wrapped
+
+    head, *energies = column("surface_energy", [_known(material, "surface_energy") for material in chosen], AS_USUAL)
+    rows: dict[str, list[tuple[str, str, str]]] = {}
+    for material, energy in zip(chosen, energies, strict=True):
+        of_set = rows.setdefault(material.title, [(material.title, "", "")])
+        of_set.append((f"  {material.name}", energy, _how(material)))
+    write_wrapped(("material", head, "method or reference"), [row for of_set in rows.values() for row in of_set], out)
+    say(f"\n{_OF_ONE}; find some: jkroll materials WORD", out)
 
 
-def _about(material: Material) -> str:
-    """Return the state, the other names and the references of a material."""
-    also = f"also {', '.join(material.aliases)}" if material.aliases else ""
-    return "; ".join(filter(None, (material.state, also, _keys(material))))
+_OF_ONE = "in full: jkroll materials NAME"
+
+
+def _known(material: Material, name: str) -> float | Uncertain | None:
+    """Return a property with its uncertainty if it has one, and None if the material does not have the property."""
+    return material.uncertainties.get(name, material.properties.get(name))
+
+
+def _how(material: Material) -> str:
+    """Return the first words of the method by which a surface energy was found; without a method, the references."""
+    if "surface_energy" not in material.properties:
+        return "give --gamma"
+    if "surface_energy" in material.origins:
+        return re.split("[:;,]", material.origins["surface_energy"].method)[0]
+    return _keys(material)
 
 
 def _keys(material: Material) -> str:
@@ -246,8 +260,10 @@ def _groups() -> dict[str, list[str]]:
         **{
             f"of sphere {side}": [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == side] for side in (1, 2)
         },
+        "input of DEM": [name for name, quantity in OF_DEM.items() if quantity.example],
         "input": [name for name, quantity in NOMENCLATURE.items() if quantity.example],
         **{f"jkroll {command}": question.quantities for command, question in QUESTIONS.items()},
+        "of its break": [name for name in NOMENCLATURE if name.endswith(("_at_pull_off", "_at_fold"))],
         "of DEM": (*OF_DEM, "time_step"),
         "limit": [limit.name for limit in LIMITS],
         "of Maugis' law": OF_MAUGIS,

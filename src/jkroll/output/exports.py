@@ -14,14 +14,15 @@ program.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from math import pi, sqrt
+from math import pi
 from typing import NamedTuple
 
 from ..errors import JkrollError
+from ..physics.viscous import ALL_STICK
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
-from ..scene.failures import MissingInput, OfIdenticalSpheres, TwoRigidBodies
+from ..scene.failures import OF_IDENTICAL_SPHERES, TWO_RIGID_BODIES, Failure, MissingInput
 from ..scene.scene import Scene
 
 SKIN = 0.2  # of the neighbor lists, in radii of the smaller sphere
@@ -104,7 +105,9 @@ def lammps_input(scene: Scene) -> Iterator[str]:
             steps.append(pair["time_step"])
         except MissingInput as error:
             yield f"# {command.partition(' {')[0]} needs {error.needs()}"
-        except TwoRigidBodies as error:
+        except Failure as error:
+            if error.kind != TWO_RIGID_BODIES:
+                raise
             yield f"# {command.partition(' {')[0]}: {error}"
     yield f"timestep {min(steps):.12g}"
     yield from _rayleigh([scene if scene.is_identical else pair_of(scene, sphere) for sphere in spheres])
@@ -160,7 +163,6 @@ _ABOUT_DUST_SIMULATION = (
     f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat, whose grains have 0.6 µm; "
     "rolling, sliding and twisting modifiers are 1"
 )
-ALL_STICK = 0.681745209228707968  # T* from which no grain bounces, however fast: of the force 2(T_vis/ν²)E*a dδ/dt
 
 
 class NotInProgram(JkrollError):
@@ -179,7 +181,7 @@ def dust_simulation_material(scene: Scene) -> Iterator[str]:
     scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_state(scene, "dust-simulation")
     if not scene.is_identical:
-        raise OfIdenticalSpheres
+        raise Failure(OF_IDENTICAL_SPHERES)
     if "shear_strength" in scene.given:
         raise NotInProgram("dust-simulation", "has the shear strength G/4π², and takes no other")
     if scene["poisson_ratio"] == 0:
@@ -201,8 +203,7 @@ def dust_simulation_material(scene: Scene) -> Iterator[str]:
 def _about_dust_simulation(scene: Scene) -> Iterator[str]:
     """Iterate over the notes on a material file: its lines, and which grains stick at every speed by its viscous time."""
     yield _ABOUT_DUST_SIMULATION
-    time = float(_DAMPING[1]) / scene["poisson_ratio"] ** 2
-    ratio = time * sqrt(scene["contact_modulus"] * scene["contact_radius"] / scene["reduced_mass"])
+    ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
     largest = amount("radius", scene["radius"] * (ratio / ALL_STICK) ** (6 / 7), Format(digits=3))
     here = f"T* = {significant(ratio, 3)} here"
     sticks = f"{here}: these grains stick at every speed, as all below {largest} do with this viscous time"
@@ -218,7 +219,7 @@ def dust_collider_material(scene: Scene) -> Iterator[str]:
     scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_state(scene, "dust-collider")
     if not scene.is_identical:
-        raise OfIdenticalSpheres
+        raise Failure(OF_IDENTICAL_SPHERES)
     if "shear_strength" in scene.given:
         raise NotInProgram("dust-collider", "has a shear strength of its own, and takes no other")
     if scene["poisson_ratio"] == 0:

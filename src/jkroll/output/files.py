@@ -10,7 +10,7 @@ from typing import BinaryIO, TextIO
 
 MAX_KEPT = 50  # characters of a name that its temporary name has, too
 _STREAMS = ("stdin", "stdout", "stderr")
-_OPEN = re.compile(rf"/dev/(?P<stream>{'|'.join(_STREAMS)})|/(?:dev|proc/self)/fd/(?P<number>\d+)")
+_OPEN = rf"/dev/(?P<stream>{'|'.join(_STREAMS)})|/(?:dev|proc/self)/fd/(?P<number>\d+)"
 
 
 @contextmanager
@@ -50,7 +50,7 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
 
 def _descriptor(path: str) -> int | None:
     """Return the number of the open file that a path such as /dev/stdout or /dev/fd/63 stands for; None for other paths."""
-    if found := _OPEN.fullmatch(path):
+    if found := re.fullmatch(_OPEN, path):
         return int(found["number"] or _STREAMS.index(found["stream"]))
     return None
 

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 from ..quantities.formatting import Format, in_words
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
-from ..quantities.values import is_uncertain
-from ..rows.columns import DOUBT, STATUS, Columns, Wanted, as_list, remarks_of
+from ..rows.columns import DOUBT, STATUS, Columns, Wanted, as_list, middle, remarks_of
 from ..scene.limits import codes
 from ..text import json_text, say, spelled
 
@@ -90,7 +89,7 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
         heads = [_quoted(name, line_format).encode() for name in map(header, wanted.inputs)]
         yield writer.head(heads)
     for columns in blocks:
-        cells = [_cells(column, line_format.gap) for column in _inputs(columns, line_format)]
+        cells = [_cells(column, line_format) for column in _inputs(columns)]
         yield writer.text(writer.beginnings(cells, len(columns)), columns)
 
 
@@ -126,25 +125,25 @@ class Lines:
         """Return the lines of rows."""
         ends = self._ends(columns)
         parts = []
-        for start in range(0, len(before), STRIP):
-            part = slice(start, start + STRIP)
-            rows = self._numbers(columns, part)
-            if not before[start]:  # nothing stands before the results
-                rows = [row[1:] for row in rows]
+        for part, numbers in self._numbers(columns):
+            is_first = not before[part.start]  # nothing stands before the results
+            rows = [row[1:] for row in numbers] if is_first else numbers
             pieces = [b""] * (3 * len(rows))
             pieces[0::3], pieces[1::3], pieces[2::3] = before[part], rows, ends[part]
             parts.append(b"".join(pieces))
         return b"".join(parts)
 
-    def _numbers(self, columns: Columns, part: slice) -> list[bytes]:
-        """Return the numbers of some rows, each behind a separator."""
+    def _numbers(self, columns: Columns) -> Iterator[tuple[slice, list[bytes]]]:
+        """Iterate over the numbers of some rows at a time, each behind a separator."""
+        size, separator = len(columns), self.separator
         if self.is_changed or isinstance(columns.numbers, list):
-            cells = [
-                _cells(column[part], self.line_format.gap) for column in _results(columns, self.form, self.line_format)
-            ]
-            return [self.separator + row for row in map(self.separator.join, zip(*cells, strict=True))]
-        rows = numbers_in_lines(columns.numbers[:, part], self.separator, self.line_format.gap.encode())
-        return [row.replace(b".", b",") for row in rows] if self.has_commas else rows
+            cells = [_cells(column, self.line_format) for column in shown_results(columns, self.form)]
+            yield slice(0, size), [separator + row for row in map(separator.join, zip(*cells, strict=True))]
+            return
+        for start in range(0, size, STRIP):
+            part = slice(start, start + STRIP)
+            rows = numbers_in_lines(columns.numbers[:, part], separator, self.line_format.gap.encode())
+            yield part, [row.replace(b".", b",") for row in rows] if self.has_commas else rows
 
     def _ends(self, columns: Columns) -> list[bytes]:
         """Return the remarks on each row with the end of the line."""
@@ -179,7 +178,7 @@ class Members(Lines):
     def text(self, before: Sequence[bytes], columns: Columns) -> bytes:
         """Return the lines of rows; `before`: their objects, as far as they go."""
         keys = [_json_text(name) + b":" for name in (*self.wanted.heads(self.form.header), *self.remarks)]
-        cells = [_cells(column, "null") for column in _results(columns, self.form, self.line_format)]
+        cells = [_cells(column, self.line_format) for column in shown_results(columns, self.form)]
         if DOUBT in self.remarks:
             cells.append([_cell(codes(bits), self.line_format) for bits in as_list(columns.doubts)])
         cells.append([_cell(columns.status.get(row), self.line_format) for row in range(len(columns))])
@@ -202,36 +201,35 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
     return text.split(b"]")[: len(rows)]
 
 
-def _inputs(columns: Columns, line_format: LineFormat) -> Iterator[Any]:
+def _inputs(columns: Columns) -> Iterator[Any]:
+    """Iterate over the columns of inputs: arrays, or lists in which an infinite input is a word."""
     for name, column in columns.inputs.items():
         if isinstance(column, list) or (abs(column) == INFINITY).any():
-            yield [_cell(in_words(name, value), line_format) for value in as_list(middles(column))]
+            yield [in_words(name, value) for value in as_list(middles(column))]
         else:
             yield column
 
 
 def middles(column: Any) -> Any:
     """Return the column of an input without uncertainties."""
-    return [one.value if is_uncertain(one) else one for one in column] if isinstance(column, list) else column
+    return [*map(middle, column)] if isinstance(column, list) else column
 
 
-def _results(columns: Columns, form: Format, line_format: LineFormat) -> Iterator[Any]:
+def shown_results(columns: Columns, form: Format) -> Iterator[Any]:
+    """Iterate over the columns of results, in their units and with their digits; nan is a gap."""
     for name in columns.wanted.names:
         for key in columns.wanted.keys_of(name):
             column = columns.column(key)
-            if isinstance(column, list) or form.changes(name):
-                yield [
-                    _cell(None if isnan(value) else form.number(name, value), line_format) for value in as_list(column)
-                ]
-            else:
-                yield column
+            if form.changes(name):
+                column = [value if isnan(value) else form.number(name, value) for value in as_list(column)]
+            yield column
 
 
-def _cells(column: Any, gap: str) -> list[bytes]:
+def _cells(column: Any, line_format: LineFormat) -> list[bytes]:
     """Return the cells of a column."""
     if isinstance(column, list):
-        return column
-    return [line[1:] for line in numbers_in_lines([column], b",", gap.encode())]
+        return [_cell(value, line_format) for value in column]
+    return [line[1:] for line in numbers_in_lines([column], b",", line_format.gap.encode())]
 
 
 def _cell(value: str | float | None, line_format: LineFormat) -> bytes:

@@ -31,8 +31,18 @@ def hits_of(words: Sequence[str], materials: Iterable[Material]) -> Hits:
     return Hits(
         titled or [section for section in sections() if has_words(f"{section.title} {section.prose}", begun)],
         _quantities_with(words, only_by_name=bool(titled)),
-        [one.name for one in materials if has_words(f"{one.name} {' '.join(one.aliases)} {one.state}", begun)],
+        [material.name for material in materials_with(words, materials)],
     )
+
+
+def materials_with(words: Sequence[str], materials: Iterable[Material]) -> list[Material]:
+    """Return the materials that have all of some words in their names, states or sets."""
+    begun = words_of(words)
+    return [
+        material
+        for material in materials
+        if begun and has_words(" ".join((material.name, *material.aliases, material.state, material.title)), begun)
+    ]
 
 
 def quantities_named(words: Sequence[str]) -> list[str]:

@@ -36,26 +36,31 @@ def docstring_fields(formula: Any) -> dict[str, str]:
     """
     from inspect import cleandoc
 
-    text = cleandoc(formula.__doc__ or "").split(">>>")[0]
-    fields = {"summary": "", "formula": ""}
-    key = "summary"
+    text = cleandoc(formula.__doc__ or "").partition(">>>")[0].rstrip()
+    paragraphs = text.split("\n\n")
+    # A formula that stands alone below the summary sets the margin itself.
+    place = next((n for n, paragraph in enumerate(paragraphs) if paragraph.startswith(" ")), len(paragraphs) - 1)
+    fields = {"summary": _one_line(" ".join(paragraphs[:place])), "formula": _one_line(paragraphs[place])}
+    key = ""
     for line in text.splitlines():
-        stripped = line.strip()
-        head, colon, rest = stripped.partition(":")
+        head, colon, rest = line.partition(":")
         if colon and head in _SECTIONS:
-            key, stripped = head, rest.strip()
-        elif key == "summary" and line.startswith(" "):
-            key = "formula"
-        elif key == "formula" and not stripped:
-            key = "remark"
-        if stripped:
-            fields[key] = f"{fields.get(key, '')} {stripped}".strip()
+            key = head
+            fields[key] = rest.strip()
+        elif not line.strip():
+            key = ""
+        elif key:
+            fields[key] += f" {line.strip()}"
     return fields
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())
 
 
 def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> None:
     """Write for each result its formula, inputs, steps, value, source, validity, accuracy and power law."""
-    if not docstring_fields(power_law)["summary"]:
+    if not power_law.__doc__:
         raise BadRequest("--explain is worded from docstrings, which python -OO drops")
     is_first = True
     for answer in answers:

@@ -25,6 +25,7 @@ from . import (
     tangential,
     validity,
     vibration,
+    viscous,
 )
 
 
@@ -50,5 +51,5 @@ PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     tangential,
     aggregates,
 )
-LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(any_law, dmt, maugis, maugis_energies)
+LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(any_law, dmt, maugis, maugis_energies, viscous)
 FORMULAS: Mapping[str, Callable[..., Any]] = {**PAPER_FORMULAS, **LAW_FORMULAS}

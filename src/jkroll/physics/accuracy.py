@@ -12,6 +12,7 @@ OTHERS = {
     # any_law
     "unloaded_moment_of_radius": "4 ulp",
     "pull_off_force_lennard_jones": "3 ulp of the fit",
+    "pull_off_force_rough": "4 ulp",
     # contact
     "load_margin": "1.5 ulp, for the two forces as they are given",
     "approach_at_load": "4 ulp of the larger term",
@@ -77,6 +78,9 @@ OTHERS = {
     "profile_error": "6 ulp",
     # vibration
     "rayleigh_time": "4 ulp",
+    # viscous
+    "viscosity_number": "3.5 ulp",
+    "sticking_speed_viscous": "12 ulp of the fit, which is within 1e-10, times 1 plus its condition in T*",
 }
 
 

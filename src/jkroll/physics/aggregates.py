@@ -19,9 +19,6 @@ def contacts(*, monomers: Number) -> Number:
 
     Source:   A chain or a fractal aggregate without closed loops has N − 1.
     Valid:    Loose aggregates; compact ones have up to 6N.
-
-    >>> contacts(monomers=1000.0)
-    1000.0
     """
     return monomers
 
@@ -33,9 +30,6 @@ def restructuring_energy(*, roll_energy_quarter_turn: Energy) -> Energy:
 
     Source:   Dominik & Tielens 1997, as Ormel et al. 2007 cite it.
     Valid:    Measured thresholds agree if the rolling force is the measured one (Blum & Wurm 2000).
-
-    >>> restructuring_energy(roll_energy_quarter_turn=2.0)
-    10.0
     """
     return 5 * roll_energy_quarter_turn
 
@@ -47,9 +41,6 @@ def restructuring_energy_ormel(*, roll_energy_quarter_turn: Energy) -> Energy:
 
     Source:   Ormel et al. 2007.
     Valid:    As 5E_roll.
-
-    >>> restructuring_energy_ormel(roll_energy_quarter_turn=2.0)
-    2.0
     """
     return roll_energy_quarter_turn
 
@@ -61,9 +52,6 @@ def restructuring_speed(*, restructuring_energy: Energy, monomers: Number, mass:
 
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    As the energy; a head-on collision.
-
-    >>> restructuring_speed(restructuring_energy=8.0, monomers=4.0, mass=2.0)
-    2.0
     """
     return _speed(restructuring_energy, monomers, mass)
 
@@ -75,9 +63,6 @@ def restructuring_speed_ormel(*, restructuring_energy_ormel: Energy, monomers: N
 
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    As the energy; a head-on collision.
-
-    >>> restructuring_speed_ormel(restructuring_energy_ormel=8.0, monomers=4.0, mass=2.0)
-    2.0
     """
     return _speed(restructuring_energy_ormel, monomers, mass)
 
@@ -89,9 +74,6 @@ def disruption_energy(*, pull_off_work: Energy, contacts: Number) -> Energy:
 
     Source:   Wada et al. 2007: "approximately 10 times the energy necessary to break all contacts", here those of both.
     Valid:    Two-dimensional aggregates, head-on. The abstract does not say which E_break it takes.
-
-    >>> disruption_energy(pull_off_work=2.0, contacts=3.0)
-    120.0
     """
     return 20 * contacts * pull_off_work
 
@@ -103,9 +85,6 @@ def disruption_energy_dust_simulation(*, break_energy_dust_simulation: Energy, c
 
     Source:   Wada et al. 2007, as above; E_break as coded in Lumajord/DustSimulation.
     Valid:    Two-dimensional aggregates, head-on. The abstract does not say which E_break it takes.
-
-    >>> disruption_energy_dust_simulation(break_energy_dust_simulation=2.0, contacts=3.0)
-    120.0
     """
     return 20 * contacts * break_energy_dust_simulation
 
@@ -117,9 +96,6 @@ def disruption_speed(*, disruption_energy: Energy, monomers: Number, mass: Mass)
 
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    As the energy; a head-on collision.
-
-    >>> disruption_speed(disruption_energy=8.0, monomers=4.0, mass=2.0)
-    2.0
     """
     return _speed(disruption_energy, monomers, mass)
 
@@ -133,9 +109,6 @@ def disruption_speed_dust_simulation(
 
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    As the energy; a head-on collision.
-
-    >>> disruption_speed_dust_simulation(disruption_energy_dust_simulation=8.0, monomers=4.0, mass=2.0)
-    2.0
     """
     return _speed(disruption_energy_dust_simulation, monomers, mass)
 
@@ -150,9 +123,6 @@ def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filli
     Source:   As coded in danieljprice/phantom, porosity.f90, which has another E_roll; it tends to Kataoka et al. 2013,
               E_roll φ³/R1³, with E_roll as StephaneMichoulier/Pamdeas has it.
     Valid:    φ < 0.74. Static: an impact needs more.
-
-    >>> round(compressive_strength(roll_energy_half_turn=1.0, radius=1.0, filling_factor=0.37), 6)
-    0.405224
     """
     loose = filling_factor / (CLOSEST_PACKING - filling_factor + _BELOW) / radius
     return CLOSEST_PACKING**3 * roll_energy_half_turn * cube(loose)
@@ -167,9 +137,6 @@ def tensile_strength(*, work_of_adhesion: SurfaceEnergy, radius: Length, filling
 
     Source:   Tatsuuma et al. 2019, as coded in StephaneMichoulier/Pamdeas, disruption.cpp, and danieljprice/phantom.
     Valid:    Filling factors of 0.01 to 0.5.
-
-    >>> round(tensile_strength(work_of_adhesion=2.0, radius=0.1, filling_factor=0.5), 6)
-    1.723048
     """
     return 0.3 * (filling_factor**2 / filling_factor**0.2) * (work_of_adhesion / radius)
 

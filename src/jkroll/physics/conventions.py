@@ -35,9 +35,6 @@ def break_energy_dust_simulation(*, fold_energy: Energy) -> Energy:
 
     Source:   As coded in Lumajord/DustSimulation, MaterialInfoWidget.
     Valid:    No path of JKR from P = 0 takes as much: fixed grips take 1.5426 F_cδ_c.
-
-    >>> break_energy_dust_simulation(fold_energy=1.0)
-    1.8
     """
     return 1.8 * fold_energy
 
@@ -51,9 +48,6 @@ def roll_energy(*, unloaded_moment: Moment, rolling_angle: Angle) -> Energy:
 
     Source:   Work of a moment; M is Eq (26).
     Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
-
-    >>> roll_energy(unloaded_moment=2.0, rolling_angle=1.5)
-    3.0
     """
     return unloaded_moment * rolling_angle
 
@@ -65,9 +59,6 @@ def roll_energy_quarter_turn(*, unloaded_moment: Moment) -> Energy:
 
     Source:   As coded in Lumajord/DustSimulation, MaterialInfoWidget.
     Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
-
-    >>> roll_energy_quarter_turn(unloaded_moment=2 / pi)
-    1.0
     """
     return pi / 2 * unloaded_moment
 
@@ -79,9 +70,6 @@ def roll_energy_half_turn(*, unloaded_moment: Moment) -> Energy:
 
     Source:   6π²γr0ξ as it stands in StephaneMichoulier/Pamdeas, dust.cpp.
     Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
-
-    >>> roll_energy_half_turn(unloaded_moment=1 / pi)
-    1.0
     """
     return pi * unloaded_moment
 
@@ -121,9 +109,6 @@ def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
 
     Source:   Thornton & Ning 1998, Eq 54.
     Valid:    JKR; a head-on collision without other loss.
-
-    >>> sticking_speed(sticking_energy=2.0, reduced_mass=1.0)
-    2.0
     """
     return sqrt(2 * sticking_energy) / sqrt(reduced_mass)  # near DMT, the quotient leaves the doubles
 
@@ -135,9 +120,6 @@ def sticking_speed_paszun_dominik(*, sticking_energy_paszun_dominik: Energy, red
 
     Source:   Paszun & Dominik 2008, Eq 3, as Lumajord/DustSimulation cites it.
     Valid:    Equal spheres; for unequal ones, the speed of the same energy.
-
-    >>> sticking_speed_paszun_dominik(sticking_energy_paszun_dominik=2.0, reduced_mass=1.0)
-    2.0
     """
     return sqrt(2 * sticking_energy_paszun_dominik / reduced_mass)
 
@@ -149,8 +131,5 @@ def sticking_speed_pencil_code(*, sticking_energy_pencil_code: Energy, reduced_m
 
     Source:   As coded in pencil-code/pencil-code, dustvelocity.f90.
     Valid:    Equal spheres.
-
-    >>> sticking_speed_pencil_code(sticking_energy_pencil_code=2.0, reduced_mass=1.0)
-    2.0
     """
     return sqrt(2 * sticking_energy_pencil_code / reduced_mass)

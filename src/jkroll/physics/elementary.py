@@ -12,11 +12,7 @@ NUMBER = float, int  # named once: `float | int` would be made anew by each call
 
 
 def sqrt(value: Any) -> Any:
-    """Return the square root. Of a negative number it raises ValueError; such an element of an array becomes nan.
-
-    >>> sqrt(2.25)
-    1.5
-    """
+    """Return the square root. Of a negative number it raises ValueError; such an element of an array becomes nan."""
     if isinstance(value, NUMBER):
         return math.sqrt(value)
     import numpy
@@ -25,11 +21,7 @@ def sqrt(value: Any) -> Any:
 
 
 def cbrt(value: Any) -> Any:
-    """Return the cube root, improved by one step of Newton's method: some C libraries are off by 3 ulp.
-
-    >>> cbrt(3.375)
-    1.5
-    """
+    """Return the cube root, improved by one step of Newton's method: some C libraries are off by 3 ulp."""
     if isinstance(value, NUMBER):
         root = math.cbrt(value)
         return root - (cube(root) - value) / (3 * root * root) if root else root
@@ -55,20 +47,12 @@ def ln(value: Any) -> Any:
 
 
 def cube(value: Any) -> Any:
-    """Return the third power by products, which round alike for numbers and arrays; numpy's power is 5 times slower.
-
-    >>> cube(1.5)
-    3.375
-    """
+    """Return the third power by products, which round alike for numbers and arrays; numpy's power is 5 times slower."""
     return value * value * value
 
 
 def arctan(value: Any) -> Any:
-    """Return the angle of a tangent.
-
-    >>> arctan(0.0)
-    0.0
-    """
+    """Return the angle of a tangent."""
     if isinstance(value, NUMBER):
         return math.atan(value)
     import numpy
@@ -77,11 +61,7 @@ def arctan(value: Any) -> Any:
 
 
 def hypot(*values: Any) -> Any:
-    """Return the root of the sum of squares.
-
-    >>> hypot(3.0, 4.0)
-    5.0
-    """
+    """Return the root of the sum of squares."""
     if all(isinstance(value, NUMBER) for value in values):
         return math.hypot(*values)
     import numpy
@@ -93,11 +73,7 @@ def hypot(*values: Any) -> Any:
 
 
 def at_least(value: Any, bound: Any) -> Any:
-    """Return the larger of a value and a bound, element by element for arrays.
-
-    >>> at_least(-1.0, 0.0)
-    0.0
-    """
+    """Return the larger of a value and a bound, element by element for arrays."""
     if isinstance(value, NUMBER) and isinstance(bound, NUMBER):
         return max(value, bound)
     import numpy
@@ -106,11 +82,7 @@ def at_least(value: Any, bound: Any) -> Any:
 
 
 def at_most(value: Any, bound: Any) -> Any:
-    """Return the smaller of a value and a bound, element by element for arrays.
-
-    >>> at_most(1.0, 0.0)
-    0.0
-    """
+    """Return the smaller of a value and a bound, element by element for arrays."""
     if isinstance(value, NUMBER) and isinstance(bound, NUMBER):
         return min(value, bound)
     import numpy
@@ -119,20 +91,12 @@ def at_most(value: Any, bound: Any) -> Any:
 
 
 def smaller_and_larger(value: Any, value2: Any) -> tuple[Any, Any]:
-    """Return two values in ascending order, element by element for arrays.
-
-    >>> smaller_and_larger(3.0, 1.0)
-    (1.0, 3.0)
-    """
+    """Return two values in ascending order, element by element for arrays."""
     return at_most(value, value2), at_least(value, value2)
 
 
 def in_series(value: Any, value2: Any) -> Any:
-    """Return 1/(1/x + 1/y) of two positive values, of which one may be infinite.
-
-    >>> in_series(1.0, 3.0)
-    0.75
-    """
+    """Return 1/(1/x + 1/y) of two positive values, of which one may be infinite."""
     smaller, larger = smaller_and_larger(value, value2)
     return smaller / (1 + smaller / larger)
 
@@ -148,11 +112,7 @@ def quotient(value: Any, divisor: Any, otherwise: float) -> Any:
 
 
 def where(condition: Any, value: Any, otherwise: Any) -> Any:
-    """Return the one value or the other, element by element for arrays.
-
-    >>> where(False, 1.0, 2.0)
-    2.0
-    """
+    """Return the one value or the other, element by element for arrays."""
     if isinstance(condition, bool):
         return value if condition else otherwise
     import numpy

@@ -31,9 +31,6 @@ def load_margin_of_factor(*, load_factor: Number) -> Number:
 
     Source:   Eq (5), as x = (1 + s)/2.
     Valid:    0 < x.
-
-    >>> load_margin_of_factor(load_factor=0.5)
-    0.0
     """
     return 2 * load_factor - 1
 
@@ -45,9 +42,6 @@ def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
 
     Source:   Eq (5).
     Valid:    0 < x, both branches.
-
-    >>> load_at_factor(pull_off_force=1.0, load_factor=0.5)
-    -1.0
     """
     return 4 * pull_off_force * load_factor * (load_factor - 1)
 
@@ -77,9 +71,6 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
     Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1 loses.
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
-
-    >>> load_margin_at_approach(approach_at_load=1.0, approach=1.0)
-    1.0
     """
     return (1 + 2 * _approach_over_root(approach_at_load / approach)) / 3
 
@@ -172,9 +163,6 @@ def contact_area_at_pull_off(*, contact_radius_at_pull_off: Length) -> Area:
 
     Source:   Geometry.
     Valid:    Any law of attraction with a contact there.
-
-    >>> round(contact_area_at_pull_off(contact_radius_at_pull_off=2.0), 4)
-    12.5664
     """
     return pi * contact_radius_at_pull_off**2
 
@@ -188,9 +176,6 @@ def contact_area_at_fold(*, contact_radius_at_fold: Length) -> Area:
 
     Source:   Geometry.
     Valid:    Any law of attraction; 0 where the grips hold on to spheres that attract without touching.
-
-    >>> round(contact_area_at_fold(contact_radius_at_fold=2.0), 4)
-    12.5664
     """
     return pi * contact_radius_at_fold**2
 

@@ -62,11 +62,6 @@ def edge_ratio_at_approach(
 
     Source:   Maugis 1992, by Newton's method.
     Valid:    Approaches above the fold. Beyond, a float raises ValueError and an array holds NaN.
-
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75, "transition_parameter": 0.2}
-    >>> fold = {"edge_ratio_at_fold": 0.0, "fold_approach_maugis": fold_approach_maugis(edge_ratio_at_fold=0.0, **unit)}
-    >>> edge_ratio_at_approach(approach_at_load=-3.0, **fold, **unit)
-    0.0
     """
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     fold = fold_approach_maugis / unit
@@ -89,10 +84,6 @@ def zone_span(
 
     Source:   Maugis 1992, solved for T.
     Valid:    Contact.
-
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(zone_span(edge_ratio=1.0, transition_parameter=1.0, **unit), 7)
-    1.0033991
     """
     span = dugdale.span(transition_parameter, dugdale.shape(edge_ratio))
     return span * dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
@@ -116,11 +107,6 @@ def zone_span_at_approach(
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     Valid:    Approaches above the fold.
-
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> c = zone_span_at_approach(edge_ratio=0.0, approach_at_load=-20 / pi, transition_parameter=0.1, **unit)
-    >>> round(c * 3 * pi / 1.6, 12)
-    1.0
     """
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     touching = dugdale.span(transition_parameter, dugdale.shape(edge_ratio))
@@ -141,9 +127,6 @@ def contact_radius_maugis(*, edge_ratio: Number, zone_span: Length) -> Length:
 
     Source:   Maugis 1992.
     Valid:    a ≪ R.
-
-    >>> contact_radius_maugis(edge_ratio=2.0, zone_span=3.0)
-    6.0
     """
     return edge_ratio * zone_span
 
@@ -157,9 +140,6 @@ def zone_radius(*, edge_ratio: Number, zone_span: Length) -> Length:
 
     Source:   Maugis 1992.
     Valid:    c ≪ R.
-
-    >>> zone_radius(edge_ratio=0.75, zone_span=4.0)
-    5.0
     """
     return zone_span * sqrt(1 + edge_ratio * edge_ratio)
 
@@ -180,9 +160,6 @@ def approach_maugis(
 
     Source:   Maugis 1992.
     Valid:    Contact.
-
-    >>> approach_maugis(edge_ratio=2.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=0.5)
-    3.0
     """
     a = edge_ratio * zone_span
     return a * a / reduced_radius - 2 * cohesive_stress / contact_modulus * zone_span
@@ -206,11 +183,6 @@ def approach_maugis_at_load(
 
     Source:   Maugis 1992.
     Valid:    Contact.
-
-    >>> approach_maugis_at_load(
-    ...     load=4.0, edge_ratio=3.0, zone_span=1.0, reduced_radius=9.0, contact_modulus=1.0, cohesive_stress=0.0
-    ... )
-    1.0
     """
     depth = cohesive_stress / contact_modulus * zone_span
     narrow = at_least(edge_ratio, 1.0)
@@ -241,10 +213,6 @@ def load_maugis(
     edge_ratio  [1]  ≥ 0; 0 without contact
 
     Source:   Maugis 1992.
-
-    >>> from math import pi
-    >>> load_maugis(edge_ratio=0.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1 / pi)
-    -1.0
     """
     hertz = 4 / 3 * contact_modulus * cube(edge_ratio * zone_span) / reduced_radius
     return hertz - 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
@@ -266,9 +234,6 @@ def stiffness_maugis(
 
     Source:   Derivative of Maugis' solution along its curve.
     Valid:    Above the fold.
-
-    >>> stiffness_maugis(edge_ratio=1.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=0.0)
-    2.0
     """
     at = dugdale.shape(edge_ratio)
     q = 2 * cohesive_stress * reduced_radius / (contact_modulus * zone_span)
@@ -284,10 +249,6 @@ def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_str
 
     Source:   Maugis 1992.
     Valid:    In contact or apart.
-
-    >>> from math import pi
-    >>> adhesive_force_maugis(edge_ratio=0.0, zone_span=1.0, cohesive_stress=1 / pi)
-    1.0
     """
     return 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
 
@@ -309,10 +270,6 @@ def contact_displacement(
 
     Source:   First order in ξ.
     Valid:    ξ ≪ a.
-
-    >>> contact_displacement(edge_ratio=1.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1.0,
-    ...                      yield_displacement=2.0)
-    1.0
     """
     lag = within(edge_ratio > 0, yield_displacement)
     return lag / (1 + contact_modulus * zone_span / (cohesive_stress * reduced_radius))
@@ -371,10 +328,6 @@ def unloaded_approach_maugis(
 
     Source:   Maugis 1992.
     Valid:    a0 ≪ R.
-
-    >>> round(unloaded_approach_maugis(
-    ...     unloaded_edge_ratio=1.0, unloaded_radius_maugis=1.0, contact_modulus=1.0, cohesive_stress=1.0), 7)
-    1.8561945
     """
     v = unloaded_edge_ratio
     depth = cohesive_stress * unloaded_radius_maugis / (contact_modulus * v)
@@ -443,11 +396,6 @@ def fold_approach_maugis(
         δ at q = G3/h, q = 4λ/(3T); −b²/2 − 2/(πλ), b = 8λ/3π, in the units of `dugdale`, if λ < 0.938
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
-
-    >>> from math import pi
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(fold_approach_maugis(edge_ratio_at_fold=0.0, transition_parameter=1e-3, **unit), 4)
-    -636.6198
     """
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return dugdale.lowest_approach(transition_parameter, edge_ratio_at_fold) * unit
@@ -494,10 +442,6 @@ def contact_radius_at_fold_maugis(
     edge_ratio_at_fold  [1]  ≥ 0
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
-
-    >>> unit = {"work_of_adhesion": 1.0, "reduced_radius": 1.0, "contact_modulus": 1.0}
-    >>> contact_radius_at_fold_maugis(edge_ratio_at_fold=0.0, transition_parameter=0.5, **unit)
-    0.0
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return _radius(transition_parameter, edge_ratio_at_fold) * unit

@@ -35,11 +35,6 @@ def state_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
-
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75, "transition_parameter": 0.1}
-    >>> phi = state_energy_maugis(edge_ratio=0.0, zone_span=0.0, **unit)
-    >>> phi == 0.0
-    True
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     phi = _of_state(transition_parameter, dugdale.shape(edge_ratio), zone_span / unit)
@@ -202,8 +197,5 @@ def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -
     fold_approach_maugis  [m]  negative
 
     Source:   As in JKR, from the force and the approach of this law.
-
-    >>> fold_energy_maugis(pull_off_force=2.0, fold_approach_maugis=-3.0)
-    6.0
     """
     return -pull_off_force * fold_approach_maugis

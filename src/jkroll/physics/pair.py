@@ -18,9 +18,6 @@ def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceE
     Source:   Text below Eq (1), where 2γ is the energy of adhesion; the text below Eq (2) does not fit it.
     Valid:    Identical solids: exact. Different solids: an estimate, best where dispersion forces dominate; a measured
               work of adhesion is better.
-
-    >>> work_of_adhesion(surface_energy=0.025, surface_energy2=0.025)
-    0.05
     """
     return 2 * sqrt(surface_energy * surface_energy2)
 
@@ -33,9 +30,6 @@ def radius_ratio(*, radius: Length, radius2: Length) -> Number:
     radius2  [m]  > 0; infinite for a plane
 
     Source:   Text below Eq (1).
-
-    >>> radius_ratio(radius=1e-7, radius2=2e-7)
-    0.5
     """
     return radius / radius2
 
@@ -49,9 +43,6 @@ def reduced_radius(*, radius: Length, radius2: Length) -> Length:
 
     Source:   Text below Eq (1).
     Valid:    Positive radii, one of which may be infinite.
-
-    >>> reduced_radius(radius=1.0, radius2=3.0)
-    0.75
     """
     return in_series(radius, radius2)
 
@@ -85,9 +76,6 @@ def modulus_over_energy(*, contact_modulus: Stress, work_of_adhesion: SurfaceEne
         E*/γ = 2E*/w
 
     Source:   Eq (49).
-
-    >>> modulus_over_energy(contact_modulus=3.0, work_of_adhesion=2.0)
-    3.0
     """
     return 2 * contact_modulus / work_of_adhesion
 
@@ -98,9 +86,6 @@ def contact_modulus_of_ratio(*, modulus_over_energy: PerLength, work_of_adhesion
         E* = (E*/γ) w/2
 
     Source:   Eq (49).
-
-    >>> contact_modulus_of_ratio(modulus_over_energy=3.0, work_of_adhesion=2.0)
-    3.0
     """
     return modulus_over_energy * work_of_adhesion / 2
 
@@ -119,9 +104,6 @@ def contact_shear_modulus(
 
     Source:   G* of the codes LAMMPS (pair granular, mindlin) and Lumajord/DustSimulation.
     Valid:    Isotropic, linear elastic solids; one may be rigid (E infinite).
-
-    >>> contact_shear_modulus(youngs_modulus=12.0, poisson_ratio=0.5, youngs_modulus2=12.0, poisson_ratio2=0.5)
-    1.3333333333333333
     """
     compliance = 2 * (2 - poisson_ratio) * (1 + poisson_ratio) / youngs_modulus
     compliance2 = 2 * (2 - poisson_ratio2) * (1 + poisson_ratio2) / youngs_modulus2
@@ -151,9 +133,6 @@ def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
 
     Source:   Text below Eq (33).
     Valid:    Free spheres, or one held fixed (its mass infinite).
-
-    >>> reduced_mass(mass=2.0, mass2=2.0)
-    1.0
     """
     return in_series(mass, mass2)
 
@@ -165,9 +144,6 @@ def moment_of_inertia(*, mass: Mass, radius: Length) -> Inertia:
 
     Source:   Text below Eq (38).
     Valid:    Homogeneous spheres.
-
-    >>> moment_of_inertia(mass=2.5, radius=1.0)
-    1.0
     """
     return 2 / 5 * mass * radius**2
 
@@ -181,9 +157,6 @@ def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2:
 
     Source:   Eq (39).
     Valid:    Spheres that turn about their own centres, or one held fixed (its moment infinite).
-
-    >>> reduced_moment_of_inertia(moment_of_inertia=2.0, moment_of_inertia2=2.0)
-    1.0
     """
     return in_series(moment_of_inertia, moment_of_inertia2)
 
@@ -201,9 +174,6 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
 
     Source:   Eqs (37)-(40) without their assumption that each sphere turns about its own centre.
     Valid:    Homogeneous spheres, no slip; body 2 may be held (its mass infinite).
-
-    >>> round(rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0), 12)
-    0.8
     """
     turning = (1 / mass + radius_ratio**2 / mass2) / (1 + radius_ratio) ** 2
     return 14 / 5 / (5 / (mass + mass2) + 2 * turning)

@@ -43,9 +43,6 @@ def rolling_stiffness(*, adhesive_force: Force, reduced_radius: Length) -> Rolli
 
     Source:   Eqs (25) and (39), exact in JKR at a fixed load; first order in ξ for any law of attraction.
     Valid:    Angles below the yield angle.
-
-    >>> rolling_stiffness(adhesive_force=2.0, reduced_radius=3.0)
-    6.0
     """
     return adhesive_force * reduced_radius
 
@@ -57,9 +54,6 @@ def rolling_spring_constant(*, rolling_stiffness: RollingStiffness, reduced_radi
 
     Source:   LAMMPS, pair_style granular, rolling sds.
     Valid:    Angles below the yield angle, at this load.
-
-    >>> rolling_spring_constant(rolling_stiffness=18.0, reduced_radius=3.0)
-    2.0
     """
     return rolling_stiffness / reduced_radius**2
 
@@ -75,9 +69,6 @@ def rolling_friction_coefficient(
 
     Source:   LAMMPS, pair_style granular, rolling sds: the spring's force is at most μ_roll(P + 2P_c).
     Valid:    This load.
-
-    >>> rolling_friction_coefficient(yield_moment=6.0, reduced_radius=3.0, load=-1.0, pull_off_force=1.0)
-    2.0
     """
     return yield_moment / (reduced_radius * (load + 2 * pull_off_force))
 
@@ -91,9 +82,6 @@ def rolling_resistance_coefficient(*, yield_moment: Moment, reduced_radius: Leng
 
     Source:   LIGGGHTS, rolling_friction cdt, and Lethe: the moment against rolling is μ_r R times the normal force.
     Valid:    This load. In JKR it is 2ξ/(R(s − 1)): it falls as 1/P from small loads on, and as 1/√P at large ones.
-
-    >>> rolling_resistance_coefficient(yield_moment=6.0, reduced_radius=3.0, load=4.0)
-    0.5
     """
     return within(load > 0, yield_moment / reduced_radius / load)
 
@@ -128,9 +116,6 @@ def yield_force_fixed_load(
 
     Source:   The moments about the contact; Eq (26) has a load that turns with the line of centres.
     Valid:    As Eq (25), with body 2 held. On a plane it is M/R1. It is negative where the load alone overturns sphere 1.
-
-    >>> yield_force_fixed_load(yield_moment=6.0, radius=2.0, load=4.0, yield_displacement=1.0, radius2=2.0)
-    1.0
     """
     return yield_moment / radius - load * yield_displacement / radius2
 
@@ -142,9 +127,6 @@ def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius
 
     Source:   Eq (27).
     Valid:    As Eq (25).
-
-    >>> yield_force_ratio(load_factor=1.0, yield_displacement=2.5, radius=10.0)
-    1.0
     """
     return 4 * load_factor * yield_displacement / radius
 
@@ -170,9 +152,6 @@ def mean_rolling_moment(*, yield_moment: Moment) -> Moment:
 
     Source:   Eq (43).
     Valid:    If the contact springs back to a symmetric one after each step; one that trails at yield gives twice this.
-
-    >>> mean_rolling_moment(yield_moment=2.0)
-    1.0
     """
     return yield_moment / 2
 
@@ -184,9 +163,6 @@ def mean_rolling_force(*, mean_rolling_moment: Moment, radius: Length) -> Force:
 
     Source:   Eq (44), whose R must be R1 to agree with Eq (26).
     Valid:    As Eq (43).
-
-    >>> mean_rolling_force(mean_rolling_moment=1.0, radius=2.0)
-    0.5
     """
     return mean_rolling_moment / radius
 
@@ -201,9 +177,6 @@ def unloaded_moment(*, pull_off_force: Force, yield_displacement: Length) -> Mom
 
     Source:   Eq (25) with â = 1.
     Valid:    |P| ≪ P_c.
-
-    >>> unloaded_moment(pull_off_force=1.0, yield_displacement=0.5)
-    2.0
     """
     return 4 * pull_off_force * yield_displacement
 
@@ -222,10 +195,6 @@ def half_circles_moment(
 
     Source:   Eqs (19) and (23); with Eqs (6) and (25), the last form, which does not cancel.
     Valid:    ξ < a. It exceeds the exact moment at a fixed approach by E*aξ³/R.
-
-    >>> half_circles_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
-    ...                     reduced_radius=1.0)
-    5.0
     """
     cubic = contact_modulus * contact_radius_at_load * cube(yield_displacement) / reduced_radius
     return yield_moment + 2 * cubic
@@ -245,10 +214,6 @@ def fixed_approach_moment(
 
     Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (25) is the exact moment at a fixed load.
     Valid:    ξ < a0/(3√â).
-
-    >>> fixed_approach_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
-    ...                       reduced_radius=1.0)
-    3.0
     """
     cubic = contact_modulus * contact_radius_at_load * cube(yield_displacement) / reduced_radius
     return yield_moment + cubic
@@ -280,9 +245,6 @@ def gravity_moment(*, monomers: Number, mass: Mass, gravity: Acceleration, radiu
 
     Source:   Eq (29).
     Valid:    A straight chain, all of one mass. It rolls where M_grav exceeds M, beyond N_grav spheres.
-
-    >>> gravity_moment(monomers=3.0, mass=2.0, gravity=10.0, radius=1.0)
-    180.0
     """
     return mass * gravity * radius * monomers**2
 
@@ -307,8 +269,5 @@ def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> 
         Bo = P_c/(m1 g)
 
     Valid:    A sphere that hangs from body 2.
-
-    >>> bond_number(pull_off_force=24.0, mass=2.0, gravity=3.0)
-    4.0
     """
     return pull_off_force / (mass * gravity)

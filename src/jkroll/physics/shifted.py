@@ -29,10 +29,6 @@ def exact_pressure(
 
     Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (64) in three dimensions.
     Valid:    |X| < a, ξ < a0/(3√â).
-
-    >>> exact_pressure(position_in_circle=0.0, contact_radius_at_load=1.0, contact_modulus=1.0, reduced_radius=1.0,
-    ...                yield_displacement=1.0, hertz_pressure=3.0, boussinesq_pressure=-1.0)
-    2.0
     """
     a, x = contact_radius_at_load, position_in_circle
     depth = sqrt((a - x) / a * ((a + x) / a))
@@ -57,10 +53,6 @@ def half_circle_pressure(
 
     Source:   Eqs (15) and (16).
     Valid:    r < 𝒜, which is a + ξ behind the contact point and a − ξ ahead of it.
-
-    >>> round(half_circle_pressure(distance=0.0, half_circle_radius=1.0, approach_at_load=0.0, contact_modulus=pi,
-    ...                            reduced_radius=1.0), 12)
-    1.0
     """
     hertz = hertz_pressure(
         contact_modulus=contact_modulus, contact_radius_at_load=half_circle_radius, reduced_radius=reduced_radius
@@ -85,8 +77,5 @@ def unloaded_half_width(
 
     Source:   Griffith's criterion K²/(2E′) = w with the edge of Eq (56), C = 0; the paper leaves a free.
     Valid:    a ≪ R.
-
-    >>> round(unloaded_half_width(work_of_adhesion=pi / 4, cylinder_radius=1.0, plane_strain_modulus=1.0), 12)
-    2.0
     """
     return cbrt(32 / pi * work_of_adhesion * cylinder_radius**2 / plane_strain_modulus)

@@ -39,9 +39,6 @@ def sliding_force(*, shear_strength: Stress, contact_radius_at_load: Length) -> 
 
     Source:   Lumajord/DustSimulation, without load.
     Valid:    A contact that does not peel before, and that bears its shear strength everywhere.
-
-    >>> round(sliding_force(shear_strength=2.0, contact_radius_at_load=3.0) / pi, 12)
-    18.0
     """
     return pi * shear_strength * contact_radius_at_load**2
 
@@ -53,9 +50,6 @@ def sliding_displacement(*, sliding_force: Force, tangential_stiffness: Stiffnes
 
     Source:   Lumajord/DustSimulation.
     Valid:    As the force: an order of magnitude.
-
-    >>> sliding_displacement(sliding_force=6.0, tangential_stiffness=3.0)
-    2.0
     """
     return sliding_force / tangential_stiffness
 
@@ -67,9 +61,6 @@ def sliding_energy(*, sliding_force: Force, sliding_displacement: Length) -> Ene
 
     Source:   Work of a force that rises linearly.
     Valid:    As the force.
-
-    >>> sliding_energy(sliding_force=6.0, sliding_displacement=2.0)
-    6.0
     """
     return sliding_force * sliding_displacement / 2
 
@@ -93,10 +84,6 @@ def twisting_stiffness(
 
     Source:   Reissner & Sagoci's (16/3)Ga³ of one half-space, two of them in series.
     Valid:    Small angles: the contact circle sticks. Exact for unlike solids, too.
-
-    >>> solids = {"youngs_modulus": 2.0, "poisson_ratio": 0.0, "youngs_modulus2": 6.0, "poisson_ratio2": 0.5}
-    >>> round(twisting_stiffness(contact_radius_at_load=3.0, **solids), 12)
-    96.0
     """
     compliance = (1 + poisson_ratio) / youngs_modulus + (1 + poisson_ratio2) / youngs_modulus2
     return 8 / 3 * cube(contact_radius_at_load) / compliance
@@ -110,9 +97,6 @@ def twisting_moment(*, shear_strength: Stress, contact_radius_at_load: Length) -
     Source:   Lumajord/DustSimulation, without load.
     Valid:    A contact that does not peel before. For nm-thick contacts of ice, larger torques were measured than scaled-down
               models predict (arXiv:1311.1957).
-
-    >>> round(twisting_moment(shear_strength=2.0, contact_radius_at_load=3.0) / pi, 12)
-    36.0
     """
     return 2 / 3 * pi * shear_strength * cube(contact_radius_at_load)
 
@@ -124,9 +108,6 @@ def twisting_angle(*, twisting_moment: Moment, twisting_stiffness: Moment) -> An
 
     Source:   Lumajord/DustSimulation.
     Valid:    As the moment: an order of magnitude.
-
-    >>> twisting_angle(twisting_moment=6.0, twisting_stiffness=3.0)
-    2.0
     """
     return twisting_moment / twisting_stiffness
 
@@ -138,9 +119,6 @@ def twisting_energy(*, twisting_moment: Moment, twisting_angle: Angle) -> Energy
 
     Source:   Work of a moment that rises linearly.
     Valid:    As the moment.
-
-    >>> twisting_energy(twisting_moment=6.0, twisting_angle=2.0)
-    6.0
     """
     return twisting_moment * twisting_angle / 2
 
@@ -157,9 +135,6 @@ def peeling_force(
     Source:   Griffith: the release rates T²/(32πG*a³) and (P_H − P)²/(8πE*a³), means over the edge, add up to w.
     Valid:    JKR, P ≥ −P_c, and a work of adhesion that does not depend on the direction of loading: measured contacts shrink
               much less under a tangential force. Beyond pull-off, a float raises ValueError and an array holds NaN.
-
-    >>> peeling_force(pull_off_force=2.0, load_margin=1.0, contact_shear_modulus=1.0, contact_modulus=4.0)
-    4.0
     """
     margin = within(load_margin >= 0, load_margin)
     return 4 * pull_off_force * margin * sqrt(contact_shear_modulus / contact_modulus)
@@ -176,10 +151,6 @@ def peeling_radius(
 
     Source:   As the force: the root of the sum of both release rates is double there.
     Valid:    As the force.
-
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 9.0}
-    >>> round(peeling_radius(load_margin=1.0, **unit) ** 3, 12)
-    0.25
     """
     margin = within(load_margin >= 0, load_margin)
     return cbrt(9 / 8 * pi * work_of_adhesion * reduced_radius**2 * (1 + margin**2) / contact_modulus)
@@ -192,9 +163,6 @@ def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peelin
 
     Source:   While T rises, the contact shrinks and T/(πa²τ) grows: it slides first if that reaches 1 before the contact peels.
     Valid:    As the peeling force.
-
-    >>> round(peeling_over_sliding(peeling_force=4.0, shear_strength=1 / pi, peeling_radius=1.0), 12)
-    4.0
     """
     return peeling_force / (pi * shear_strength * peeling_radius**2)
 
@@ -210,9 +178,6 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
 
     Source:   Griffith, as the peeling force: the contact shrinks while T rises, until T reaches the strength of the area that is left.
     Valid:    As the peeling force. A contact that keeps its area slides at F_slide, which is larger.
-
-    >>> sliding_or_peeling_force(peeling_force=2.0, peeling_over_sliding=0.5, load_margin=1.0)
-    2.0
     """
     # With T = T_peel √(1 − c²), the area left is (1 + ec)^(2/3) times that of the peeled contact: c lies between 0 and 1.
     e = 2 * load_margin / (1 + load_margin**2)
@@ -235,9 +200,6 @@ def rolling_over_sliding(*, yield_force: Force, sliding_or_peeling_force: Force)
 
     Source:   Forces at the centre of sphere 1: below 1, it rolls first.
     Valid:    As the forces.
-
-    >>> rolling_over_sliding(yield_force=1.0, sliding_or_peeling_force=4.0)
-    0.25
     """
     return yield_force / sliding_or_peeling_force
 
@@ -254,9 +216,6 @@ def sliding_friction_coefficient(*, sliding_force: Force, load: Force, pull_off_
 
     Source:   LAMMPS, pair_style granular, tangential mindlin_rescale: the spring's force is at most μ_slide(P + 2P_c).
     Valid:    This load: LAMMPS multiplies it with every load.
-
-    >>> sliding_friction_coefficient(sliding_force=2.0, load=-1.0, pull_off_force=1.0)
-    2.0
     """
     return sliding_force / (load + 2 * pull_off_force)
 
@@ -270,8 +229,5 @@ def twisting_friction_coefficient(*, twisting_moment: Moment, load: Force, pull_
 
     Source:   LAMMPS, pair_style granular, twisting sds: the spring's moment is at most μ_twist(P + 2P_c).
     Valid:    This load: LAMMPS multiplies it with every load.
-
-    >>> twisting_friction_coefficient(twisting_moment=2.0, load=-1.0, pull_off_force=1.0)
-    2.0
     """
     return twisting_moment / (load + 2 * pull_off_force)

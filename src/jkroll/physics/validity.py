@@ -32,9 +32,6 @@ def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length
 
     Source:   Stress intensity at the edge of the exact shifted circle, ∝ 1 − 3(ξ/a0)√â cos φ.
     Valid:    Circular contact.
-
-    >>> displacement_limit(contact_radius=3.0, load_factor=1.0)
-    1.0
     """
     return contact_radius / cbrt(27 * load_factor)
 
@@ -45,9 +42,6 @@ def displacement_ratio(*, yield_displacement: Length, displacement_limit: Length
         3ξ√â/a0
 
     Source:   As the limit.
-
-    >>> displacement_ratio(yield_displacement=1.0, displacement_limit=2.0)
-    0.5
     """
     return yield_displacement / displacement_limit
 
@@ -59,9 +53,6 @@ def contact_radius_in_spacings(*, contact_radius_at_load: Length, atomic_spacing
 
     Source:   Text below Eq (27): "as these sizes the theory of elasticity is not longer applicable".
     Valid:    Elasticity holds well above 1.
-
-    >>> contact_radius_in_spacings(contact_radius_at_load=4e-9, atomic_spacing=0.5e-9)
-    8.0
     """
     return contact_radius_at_load / atomic_spacing
 
@@ -77,9 +68,6 @@ def hertz_pressure_over_modulus(*, hertz_pressure: Stress, contact_modulus: Stre
               twice that, is about E/30. The largest shear below a Hertz contact is 0.31 p_H, 0.48a deep (ν = 0.3), so that the
               contact yields at p_H = 1.6Y (Tresca; Johnson, Contact Mechanics, 1985): for like solids, about 0.1 E*.
     Valid:    An upper bound: with flaws, solids yield at far less. The pull at the rim is left out.
-
-    >>> hertz_pressure_over_modulus(hertz_pressure=1.0, contact_modulus=8.0)
-    0.125
     """
     return hertz_pressure / contact_modulus
 
@@ -93,9 +81,6 @@ def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Le
 
     Source:   The next term of the profile of a sphere, r⁴/(8R1³).
     Valid:    To first order. It is 1 % at a = 0.2 R1 for identical spheres and on a plane.
-
-    >>> round(profile_error(contact_radius_at_load=0.2, radius=1.0, radius2=1.0), 12)
-    0.01
     """
     curvature, curvature2 = 1 / radius, 1 / radius2
     return contact_radius_at_load**2 * (curvature**2 - curvature * curvature2 + curvature2**2) / 4
@@ -107,9 +92,6 @@ def displacement_over_contact_radius(*, yield_displacement: Length, contact_radi
         ξ/a
 
     Source:   Fig. 2: the circle lags behind by ξ.
-
-    >>> displacement_over_contact_radius(yield_displacement=1.0, contact_radius_at_load=2.0)
-    0.5
     """
     return yield_displacement / contact_radius_at_load
 
@@ -121,9 +103,6 @@ def r_min_over_radius(*, r_min: Length, radius: Length) -> Number:
 
     Source:   Eq (28).
     Valid:    A chain that bends takes R_min well above R1.
-
-    >>> r_min_over_radius(r_min=6.0, radius=2.0)
-    3.0
     """
     return r_min / radius
 
@@ -135,9 +114,6 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
 
     Source:   Eqs (25) and (39).
     Valid:    As Eq (25).
-
-    >>> f"{yield_energy(work_of_adhesion=0.05, yield_displacement=2e-10, load_factor=1.0):.4e}"
-    '1.8850e-20'
     """
     return 3 * pi * work_of_adhesion * load_factor * yield_displacement**2
 
@@ -150,9 +126,6 @@ def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
     Source:   As the yield energy.
     Valid:    Without slip, it rolls where this is above 1. Of a sphere that arrives without spin 5/7 of W0 is left, so that this is
               to be above 7/5; of one that spins in place, which is the paper's Eq (47), 2/7 and 7/2.
-
-    >>> energy_over_yield(energy=4.0, yield_energy=2.0)
-    2.0
     """
     return energy / yield_energy
 
@@ -164,8 +137,5 @@ def energy_over_sticking(*, energy: Energy, sticking_energy: Energy) -> Number:
 
     Source:   Text below Eq (48).
     Valid:    Body 2 is fixed, so that W0 is the relative energy ½mv².
-
-    >>> energy_over_sticking(energy=3.0, sticking_energy=2.0)
-    1.5
     """
     return energy / sticking_energy

@@ -13,7 +13,7 @@ from ..physics.contact import pressure
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import symbol
-from ..scene.failures import BeyondPullOff, NotInLaw
+from ..scene.failures import BEYOND_PULL_OFF, Failure, NotInLaw
 from ..scene.scene import Scene
 from .axes import Axis
 from .maps import Curve, Mark, Panel, Picture, axis_around, clipped, has_values, solved
@@ -52,7 +52,7 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
         curves = [part for part in (clipped(curve, *loads) for curve in curves) if has_values(part.y)]
         points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
         if not curves:
-            raise BeyondPullOff(loads.high, least)
+            raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
     x = axis_around("approach_at_load", [curve.x for curve in curves])
     y = axis_around("load", [curve.y for curve in curves], margin=0.08)
     ends = Axis("load", *loads, is_log=False) if loads is not None else y

@@ -12,7 +12,7 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
-from ..scene.failures import MissingInput, NotInLaw, RestsOnSpacing, reason_of
+from ..scene.failures import RESTS_ON_SPACING, MissingInput, NotInLaw, reason_of
 from ..scene.limits import Limit, judged
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
@@ -185,7 +185,7 @@ def _gaps(quantity: str, contexts: "Iterable[Context]", values: Iterable[Any]) -
 
     may_rest = any(context.scene.may_rest_on_spacing(quantity) for context in contexts)
     if may_rest and any(not numpy.isfinite(one).all() for one in values):
-        yield f"No value where it {RestsOnSpacing(quantity).reason()}."
+        yield f"No value where it {RESTS_ON_SPACING.words}."
 
 
 def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:

@@ -93,6 +93,7 @@ _JKR = Law(
     },
     given={
         **_GIVEN,
+        "viscous_time": {"sticking_speed": "sticking_speed_viscous"},
         "load_factor": _AT_FACTOR,
         "load_margin": {"load": "load_at_factor"},
         "approach_at_load": {
@@ -116,6 +117,7 @@ _OF_ANY_LAW: Routes = {
     "half_circles_moment": None,
     "fixed_approach_moment": None,
     "displacement_limit": None,
+    "viscosity_number": None,
     "sliding_force": None,  # over the contact or over the zone of attraction: a factor of 6 for quartz of 100 nm
     "sliding_displacement": None,
     "sliding_energy": None,
@@ -166,12 +168,13 @@ _MAUGIS = Law(
     },
     given={
         **_GIVEN,
+        "viscous_time": {"sticking_speed": None},  # the damping was worked out on the JKR curve
         "load": {"approach_at_load": "approach_maugis_at_load"},
         "edge_ratio": {"load": "load_maugis"},
         "approach_at_load": {**_MAUGIS_AT_APPROACH, "load": "load_maugis"},
     },
     omits=frozenset({"rolling_frequency_as_printed"}),
-    by_spacing=frozenset({"sticking_energy", "sticking_speed"}),
+    by_spacing=frozenset({"sticking_energy", "sticking_speed", "restitution", "lost_energy"}),
 )
 
 _DMT = Law(

@@ -102,6 +102,8 @@ _E_ROLL = "E_roll is that of 90 degrees, 6π²γRξ"
 
 OF_DEM: Mapping[str, Quantity] = {
     "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff", example="0.165nm"),
+    "viscous_time": Quantity("T_vis", "s", "viscous time of the damping of codes for dust", range=POSITIVE, option="--viscous-time", example="12.5ps"),
+    "asperity_radius": Quantity("s", "m", "radius of one asperity between the spheres", range=POSITIVE, option="--asperity-radius", example="5nm"),
     # sliding and twisting
     "shear_strength": Quantity("τ", "Pa", "shear strength of the contact (friction)", range=POSITIVE, option="--shear-strength", example="12MPa"),
     "sliding_force": Quantity("F_slide", "N", "shear force that slides all of it"),
@@ -250,6 +252,11 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "pull_off_force_dmt": Quantity(
             "P_DMT", "N", "limit for small, hard spheres", "1"
         ),
+        "pull_off_force_rough": Quantity(
+            "P_rough", "N", "pull-off force with one asperity between",
+            note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is an asperity's own radius, no rms height",
+            shown_with=["asperity_radius"],
+        ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range=POSITIVE),
         "approach": Quantity("δ0", "m", "approach without load", "3", range=POSITIVE),
         "pull_off_force_lennard_jones": Quantity(
@@ -367,6 +374,12 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "n_imp", "1", "turns, arrives without spin", "48",
             note="5/2 of Eq (48), for an arrival without spin that then rolls without slip", shown_with=["speed"],
         ),
+        "restitution": Quantity(
+            "e", "1", "coefficient of restitution, at most", may_be_zero=True,
+            note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only losses",
+        ),
+        "lost_energy": Quantity("W_lost", "J", "energy lost head-on, at least"),
+        "viscosity_number": Quantity("T*", "1", "viscous time over time of collision", shown_with=["viscous_time"]),
         # energies and speeds by convention
         "fold_energy": Quantity(
             "F_cδ_c", "J", "unit of energy, Wada et al. 2007",

@@ -58,11 +58,10 @@ def parse_quantity(text: str, name: str) -> float:
     return value
 
 
-_POWER_OF_TEN = re.compile(
-    r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![0-9])"
-)
-_POWER_LOST = re.compile(r"[0-9.)] ?[*x] ?10 ?[-+0-9]")
-_TWO_POWERS = re.compile(r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)")
+# Compiled where a text has them: few do, and each takes as long as to read a material.
+_POWER_OF_TEN = r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![0-9])"
+_POWER_LOST = r"[0-9.)] ?[*x] ?10 ?[-+0-9]"
+_TWO_POWERS = r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)"
 
 
 def written(text: str) -> str:
@@ -72,11 +71,12 @@ def written(text: str) -> str:
     ('1.2e-7 m', '1E-07', '(1.00±0.05)e-07')
     """
     text = normalized(text).replace("+/-", "±").replace("+-", "±")
-    if "10" in text:
-        text = _POWER_OF_TEN.sub(lambda power: f"e{power[1] or power[2].translate(SUPERSCRIPTS)}", text)
-        if _POWER_LOST.search(text):
+    if "x" in text or "*" in text:
+        text = re.sub(_POWER_OF_TEN, lambda power: f"e{power[1] or power[2].translate(SUPERSCRIPTS)}", text)
+        if re.search(_POWER_LOST, text):
             raise BadUnit("has a power of ten without its mark", "write 1.2e-7")
-    if match := _TWO_POWERS.match(text):
+    has_power = "e" in text or "E" in text
+    if has_power and has_uncertainty(text) and (match := re.match(_TWO_POWERS, text)):
         value, mark, uncertainty, power = match.groups()
         plain = f"{value}{mark}{uncertainty}"
         raise BadUnit(
@@ -331,11 +331,26 @@ _POWER = r"(?:[eE]([+-]?[0-9]{1,3}))?"
 _IN_BRACKETS = rf"\( ?{_SIGNED_NUMBER} ?± ?{_SIGNED_NUMBER} ?\){_POWER}{_UNIT}"  # (25±5)e-3 J/m2
 _LAST_DIGITS = rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER}{_UNIT}"  # 25.0(50) mJ/m2
 _TWO_SIDES = rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_UNIT}"  # 25 +6/-4 mJ/m2
-_PLUS_MINUS = r"([^±()]+)±([^±()]+)"  # 25±5 mJ/m2, 25 mJ/m2 ± 5 mJ/m2, 25 mJ/m2 ± 20%
 
 
 def _read(text: str, dimension: Dimension) -> Uncertain | None:
-    """Read a text in one of the forms above, or a range; None for any other."""
+    """Read a text in one of the forms above, or in one of 25±5 mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2; None for any other."""
+    if "(" in text:
+        return _with_brackets(text, dimension)
+    if "+" in text and (match := re.fullmatch(_TWO_SIDES, text)):
+        value, plus, minus, unit = match.groups()
+        return _measured(_decimal(value), _decimal(minus), _decimal(plus), unit_in(unit, dimension))
+    left, _, right = text.partition("±")
+    if left and right and "±" not in right and ")" not in text:
+        return _plus_minus(left, right, dimension)
+    if " to " in text:
+        return _interval(text, dimension)
+    _refuse_mark(text)
+    return None
+
+
+def _with_brackets(text: str, dimension: Dimension) -> Uncertain | None:
+    """Read a text in one of the forms with brackets, or a range; None for any other."""
     if match := re.fullmatch(_IN_BRACKETS, text):
         value, uncertainty, power, unit = match.groups()
         return _symmetric(_decimal(value, power), _decimal(uncertainty, power), unit_in(unit, dimension))
@@ -347,18 +362,18 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
             plain = f"{value}±{int(digits) / 10**places:.{places}f}"
             raise BadUnit(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
         return _symmetric(nominal, uncertainty, unit_in(unit, dimension))
-    if match := re.fullmatch(_TWO_SIDES, text):
-        value, plus, minus, unit = match.groups()
-        return _measured(_decimal(value), _decimal(minus), _decimal(plus), unit_in(unit, dimension))
-    if match := re.fullmatch(_PLUS_MINUS, text):
-        return _plus_minus(match[1], match[2], dimension)
     if " to " in text:
         return _interval(text, dimension)
     if re.search(r"[^\d\s]\s*\(", text):
         raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
+    _refuse_mark(text)
+    return None
+
+
+def _refuse_mark(text: str) -> None:
+    """Raise BadUnit for a text that has the mark of an uncertainty."""
     if has_uncertainty(text):
         raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
-    return None
 
 
 def _plus_minus(left: str, right: str, dimension: Dimension) -> Measured:
@@ -456,7 +471,7 @@ class Spread:
         return 0.0 if is_nothing else float(f"{value:.15g}")
 
 
-_LIST_OR_NUMBER = re.compile(r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+")  # 1,5 and 2,500,000
+_LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and 2,500,000
 
 
 def spreads_of(text: str, name: str) -> list[Spread]:
@@ -465,7 +480,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     >>> [*spreads_of("1nm:1um:4", "radius")[0]]
     [1e-09, 1e-08, 1e-07, 1e-06]
     """
-    if NOMENCLATURE[name].unit == "1" and _LIST_OR_NUMBER.fullmatch(text.strip()):
+    if NOMENCLATURE[name].unit == "1" and "," in text and re.fullmatch(_LIST_OR_NUMBER, text.strip()):
         items = [f"{item}.0" for item in text.strip().split(",")]
         remedy = f"a list of numbers without a unit has decimal points, {','.join(items)}, and a number has no comma"
         raise QuantityError(name, text, "may be a list or a number with a comma", remedy)

@@ -27,7 +27,7 @@ class Block(ABC):
 
     @abstractmethod
     def scene(self, given: Mapping[str, Any], rows: "Indices") -> Any:
-        """Return the scene of the inputs of rows that are alike. Raises a JkrollError where each is a scene by itself."""
+        """Return the scene of rows that are alike. Raises a JkrollError where each is a scene by itself."""
 
     @abstractmethod
     def scene_of(self, row: int) -> Any:

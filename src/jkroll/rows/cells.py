@@ -104,7 +104,10 @@ class Column(NamedTuple):
         return exponent_of(self.unit)
 
     def read(self, text: str) -> float | Uncertain:
-        """Return the SI value of a cell, with its uncertainty if it states one. Its unit is its own or that of the column."""
+        """Return the SI value of a cell, with its uncertainty if it states one.
+
+        A cell without a unit has that of the column.
+        """
         if self.is_range and _NO_END in text.split():
             raise QuantityError(self.name, text, "is a range without an end")
         if text.lstrip().startswith("±"):
@@ -142,7 +145,10 @@ def is_number(text: str) -> bool:
 
 
 class Numbers(NamedTuple):
-    """A column: SI values, nan where there is none; the cells that are no numbers, and those that have uncertainties."""
+    """A column: SI values, nan where there is none.
+
+    Beside them stand the cells that are no numbers, and the values that have uncertainties.
+    """
 
     values: Floats
     odd: Sequence[int] = ()
@@ -250,7 +256,7 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
 def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) -> Floats | None:
     """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text, if there may be some.
 
-    Returns None if there is anything else before a comma, or not as many, or a 0 that may be a number below the doubles.
+    Returns None for any other text, for another count of numbers, and for a 0 that may be a number below the doubles.
 
     >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5, has_empty=True)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
@@ -330,7 +336,10 @@ class Lookup:
         return numpy.array(self._kinds)[indices]
 
     def together(self, indices: Indices) -> Material | None:
-        """Return the materials of rows of one kind as one without a name whose properties are arrays; a single one as it is."""
+        """Return the materials of rows of one kind as one material, whose properties are arrays.
+
+        If they are all the same, it is returned as it is.
+        """
         first = self.known[int(indices[0])]
         if first is None or not first.properties or _is_special(first) or (indices == indices[0]).all():
             return first
@@ -344,7 +353,7 @@ class Lookup:
 
 
 def _kind(material: Material | None) -> Hashable:
-    """Return what materials of one kind have in common: the names of their properties; a special one is a kind by itself."""
+    """Return the names of the properties of a material; a special one is a kind by itself."""
     if material is None:
         return None
     return material.key if _is_special(material) else frozenset(material.properties)

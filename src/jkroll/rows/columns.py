@@ -16,8 +16,9 @@ from ..physics.elementary import where
 from ..quantities.values import is_uncertain
 from ..scene.alternatives import beside, kinds_beside
 from ..scene.failures import (
+    OF_IDENTICAL_SPHERES,
+    Failure,
     MissingInput,
-    OfIdenticalSpheres,
     written_outcome,
 )
 from ..scene.limits import bits_of, doubts, possible_bits
@@ -26,7 +27,7 @@ from ..text import listed
 from .reasons import ROW, UNCERTAINTY, Gaps, Reasons, lack, status_of, worded
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Elements, Propagated, Sources
+    from ..scene.uncertainty import Propagated, Sources
 
 BLOCK = 1 << 12  # rows computed together as arrays: many for the calls of numpy, few for the cache
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
@@ -41,11 +42,8 @@ class BadRecord(JkrollError):
     """Error raised for a record of a file that is no row."""
 
     def __init__(self, problem: str, phrase: str = "") -> None:
-        super().__init__(problem, phrase)
-        self.problem, self.phrase = problem, phrase
-
-    def __str__(self) -> str:
-        return self.problem
+        super().__init__(problem)
+        self.phrase = phrase
 
 
 class BadCells(JkrollError):
@@ -104,42 +102,33 @@ class Wanted:
         return {side: f"{name}_{side}" for side in self.sides.get(name, ())}
 
     def keys_of(self, name: str) -> tuple[str, ...]:
-        """Return the keys of the columns of a quantity: its own, those of its uncertainty, and of what may stand in its place."""
+        """Return the keys of the columns of a quantity, of its uncertainty, and of what may stand in its place."""
         return (name, *self.sides_of(name).values(), *self.beside(name).values())
 
     def beside(self, name: str) -> dict[str, str]:
-        """Return the keys of the columns of what may stand in place of a quantity, by its kind: "pull_off_force_by_maugis"."""
+        """Return the keys of the columns of what may stand in place of a quantity: "pull_off_force_by_maugis"."""
         return {kind: f"{name}_by_{kind}" for kind in self.alternatives.get(name, ())}
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
         return [header(name).replace(name, key, 1) for name in self.names for key in self.keys_of(name)]
 
+    def _with(self, **changed: Any) -> "Wanted":
+        """Return the same quantities with other columns beside them."""
+        sides = self.sides if self.uncertainties else None
+        same = {"inputs": self.inputs, "sides": sides, "doubts": self.doubts, "alternatives": self.alternatives}
+        return Wanted(self.names, named=self.named, **{**same, **changed})
+
     def with_sides(self, sides: Collection[str]) -> "Wanted":
         """Return the same quantities with columns for some sides of their uncertainties."""
-        of_each = dict.fromkeys(self.names, sides)
-        return Wanted(
-            self.names,
-            named=self.named,
-            inputs=self.inputs,
-            sides=of_each,
-            doubts=self.doubts,
-            alternatives=self.alternatives,
-        )
+        return self._with(sides=dict.fromkeys(self.names, sides))
 
     def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str], *, data: bool = False) -> "Wanted":
         """Return the same quantities, some of them with columns of what may stand in their place.
 
         `scenes`: of each kind of rows; `data`: whether measured forces have columns, too.
         """
-        return Wanted(
-            self.names,
-            named=self.named,
-            inputs=self.inputs,
-            sides=self.sides if self.uncertainties else None,
-            doubts=self.doubts,
-            alternatives=kinds_beside(scenes, [name for name in self.names if name in names], data=data),
-        )
+        return self._with(alternatives=kinds_beside(scenes, [name for name in self.names if name in names], data=data))
 
     def values_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
         """Return the values that may stand in place of the quantities shown, by their keys."""
@@ -171,7 +160,7 @@ class Wanted:
         reasons = reasons_of(found)
         values = {name: outcome for name, outcome in found.items() if name not in reasons}
         numbers: dict[str, float] = {**values, **self.values_beside(scene, [*found])}
-        inputs = scene.echo(scene.inputs_used(self.names, [*found])) if self.inputs else {}
+        inputs = scene.echo(scene.inputs_used(self.names, self.names)) if self.inputs else {}
         if self.uncertainties and scene.is_uncertain:
             from ..scene.uncertainty import uncertainties
 
@@ -255,7 +244,10 @@ class Columns:
         return self.numbers[self.wanted.places[key]]
 
     def tell(self, rows: Sequence[int], reasons: Reasons, *, is_empty: bool) -> None:
-        """Note why cells of some rows are empty, by the reasons of the first of them; `is_empty`: whether all cells are."""
+        """Note the status of some rows, by the reasons of the first of them.
+
+        `is_empty`: whether all of their cells are empty.
+        """
         if not reasons:
             return
         self.status.update(dict.fromkeys(rows, status_of(reasons)))
@@ -265,37 +257,36 @@ class Columns:
 
     def put(self, place: int, row: Row) -> None:
         """Take a row that was computed by itself, in place of what arrays gave."""
-        self.numbers[:, place] = row.numbers
-        self.doubts[place] = row.doubts
-        for remarks in (self.status, self.reasons):
-            remarks.pop(place, None)
+        self.status.pop(place, None)
+        self.reasons.pop(place, None)
         self.failed.discard(place)
-        self.tell([place], row.reasons, is_empty=row.is_empty)
-        for name, column in self.inputs.items():
-            value = row.inputs.get(name)
-            column[place] = value.value if is_uncertain(value) and not isinstance(column, list) else value
+        self.put_part([place], Columns.of_rows(self.wanted, [row]))
 
     def put_part(self, rows: Sequence[int], part: "Columns") -> None:
-        """Take the columns of some rows."""
+        """Take the columns of some rows, of which nothing was told before."""
         self.numbers[:, rows] = part.numbers
         self.doubts[rows] = part.doubts
         for name, column in self.inputs.items():
             for place, value in zip(rows, as_list(part.inputs[name]), strict=True):
-                column[place] = value
+                column[place] = middle(value)
         self.status.update((rows[row], status) for row, status in part.status.items())
         self.reasons.update((rows[row], reasons) for row, reasons in part.reasons.items())
         self.failed.update(rows[row] for row in part.failed)
 
-    def put_sides(self, found: "Mapping[str, Elements]") -> Any:
+    def put_sides(self, found: "Mapping[str, Propagated | JkrollError]") -> Any:
         """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
         import numpy
 
         again = numpy.zeros(len(self), dtype=bool)
-        for name, elements in found.items():
+        for name, bar in found.items():
+            if isinstance(bar, JkrollError):
+                again |= ~numpy.isnan(self.column(name))
+                continue
+            width = bar.uncertainty.high - bar.uncertainty.low
             for side, key in self.wanted.sides_of(name).items():
-                if side in elements.sides:
-                    self.column(key)[...] = elements.sides[side]
-            again |= elements.is_open & ~numpy.isnan(self.column(name))
+                if side in bar.uncertainty.sides:
+                    self.column(key)[...] = where(width > 0, bar.uncertainty.sides[side], numpy.nan)
+            again |= numpy.isnan(width) & ~numpy.isnan(self.column(name))
         return again
 
     def add_remark(self, remark: JkrollError) -> None:
@@ -340,7 +331,7 @@ def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict
 def reasons_of(found: Mapping[str, Any]) -> dict[str, JkrollError]:
     """Return why cells of a row are empty, of which some outcomes are known."""
     if not found:
-        return {ROW: OfIdenticalSpheres()}
+        return {ROW: Failure(OF_IDENTICAL_SPHERES)}
     return {name: outcome for name, outcome in found.items() if isinstance(outcome, JkrollError)}
 
 
@@ -360,7 +351,7 @@ def fill_sides(
 
 
 def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[str] = ()) -> LeftOut | None:
-    """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one.
+    """Return the remark on uncertainties without columns, if there are some. Raises NotShown if a cell has one.
 
     `stated`: what has an uncertainty in a cell, beside the inputs of the scene.
     """
@@ -381,14 +372,8 @@ def put_row(columns: Columns, place: int, scene: Callable[[], Any]) -> None:
     try:
         row = columns.wanted.row(scene())
     except JkrollError as error:
-        lose(columns, place, error)
-    else:
-        columns.put(place, row)
-
-
-def lose(columns: Columns, place: int, error: JkrollError) -> None:
-    """Empty a row, for one reason."""
-    columns.put(place, Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error}))
+        row = Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error})
+    columns.put(place, row)
 
 
 class _Arrays:
@@ -408,26 +393,10 @@ class _Arrays:
         for key, value in wanted.values_beside(scene, [*self.outcomes]).items():
             numbers[wanted.places[key]] = where(self.shown[key.rpartition("_by_")[0]], value, numpy.nan)
         self.known = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, JkrollError)]
-        self.columns = Columns(wanted, self._of_unequal([*self.outcomes]), numbers, None)
-        self.columns.doubts = self._doubts()
-
-    def _of_unequal(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the columns of inputs, which are fewer for unequal spheres if some quantities are those of identical ones."""
-        import numpy
-
-        inputs = self._inputs(names)
-        always = [name for name in names if self.shown[name] is True]
-        if always and len(always) == len(names):
-            return inputs
-        unequal = numpy.broadcast_to(numpy.logical_not(self.scene.is_identical), self.size)
-        of_unequal = self._inputs(always)
-        return {name: _either(unequal, of_unequal[name], column) for name, column in inputs.items()}
-
-    def _inputs(self, shown: Sequence[str]) -> dict[str, Any]:
-        """Return the columns of inputs for the quantities that are shown."""
-        names = self.wanted.inputs
-        inputs = self.scene.echo(self.scene.inputs_used(self.wanted.names, shown)) if names else {}
-        return {name: repeated(inputs.get(name), self.size) for name in names}
+        inputs = scene.echo(scene.inputs_used(wanted.names, wanted.names)) if wanted.inputs else {}
+        of_rows = {name: repeated(inputs.get(name), size) for name in wanted.inputs}
+        self.empty = {name: numpy.isnan(numbers[wanted.places[name]]) for name in wanted.names}
+        self.columns = Columns(wanted, of_rows, numbers, self._doubts())
 
     def _doubts(self) -> Any:
         """Return the doubts of each row, of the quantities that have a value there."""
@@ -436,28 +405,30 @@ class _Arrays:
         bits = numpy.zeros(self.size, dtype=numpy.int64)
         if self.wanted.doubts and self.known:
             bits[...] = bits_of(doubts(self.scene, self.known))
-            has_value = {name: ~numpy.isnan(self.columns.column(name)) for name in self.known}
-            if not all(rows.all() for rows in has_value.values()):
+            if any(self.empty[name].any() for name in self.known):
                 concerned = numpy.zeros_like(bits)
-                for name, rows in has_value.items():
-                    concerned |= numpy.where(rows, possible_bits(self.scene, [name]), 0)
+                for name in self.known:
+                    concerned |= numpy.where(self.empty[name], 0, possible_bits(self.scene, [name]))
                 bits &= concerned
         return bits
 
     def explain(self, scene_of: Callable[[int], Any]) -> Any:
-        """Note why cells are empty, and return the rows whose cells are not by floats; `scene_of` as `Wanted.columns` has it.
+        """Note why cells are empty. Return the rows that floats are to compute, as they do not confirm an empty cell.
 
-        Rows that lack the same results, from the same step on, have the reasons of the first of them.
+        Rows that lack the same results, from the same step on, have the reasons of the first of them. `scene_of`: as
+        `Wanted.columns` has it.
         """
         import numpy
 
         again = numpy.zeros(self.size, dtype=bool)
         names = [name for name, is_shown in self.shown.items() if is_shown is not False]
-        shown = [numpy.broadcast_to(self.shown[name], self.size) for name in names]
-        gaps = [is_shown & numpy.isnan(self.columns.column(name)) for name, is_shown in zip(names, shown, strict=True)]
-        rows = (
-            numpy.flatnonzero(numpy.any(gaps, axis=0) | ~numpy.any(shown, axis=0)) if names else numpy.arange(self.size)
-        )
+        gaps = [self.empty[name] & self.shown[name] for name in names]
+        is_lacking = numpy.zeros(self.size, dtype=bool)
+        for of_name in gaps:
+            is_lacking |= of_name
+        if not any(self.shown[name] is True for name in names):  # some rows may show nothing
+            is_lacking |= ~numpy.any([self.shown[name] for name in names], axis=0)
+        rows = numpy.flatnonzero(is_lacking)
         if not len(rows):
             return again
         steps = [value for name, value in self.scene.values.items() if isinstance(value, numpy.ndarray)]
@@ -492,7 +463,10 @@ class _Arrays:
 
 
 def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
-    """Iterate over the rows that have the same whole number in each column; `rows`: the places of those that are meant."""
+    """Divide rows into groups that have the same whole number in each column, and iterate over these.
+
+    `rows`: the places of the rows.
+    """
     import numpy
 
     keys = numpy.zeros(len(rows), dtype=numpy.int64)
@@ -504,25 +478,15 @@ def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
         yield rows[keys == key]
 
 
-def _either(rows: Any, column: Any, otherwise: Any) -> Any:
-    """Return a column of an input in some rows, and another one elsewhere."""
-    import numpy
-
-    if isinstance(column, list) and isinstance(otherwise, list):
-        return [own if is_own else other for is_own, own, other in zip(rows.tolist(), column, otherwise, strict=True)]
-    return numpy.where(rows, numpy.asarray(column, dtype=float), numpy.asarray(otherwise, dtype=float))
+def middle(value: Any) -> Any:
+    """Return the middle of an input that has an uncertainty; any other value as it is."""
+    return value.value if is_uncertain(value) else value
 
 
 def repeated(value: Any, size: int) -> Any:
-    """Return a column of a value that is the same in all rows; a column as it is, of which each value may be uncertain."""
+    """Return the column of an input: a text in each row, or numbers, without their uncertainties."""
     import numpy
 
-    if is_uncertain(value):
-        parts = {"value": value.value, **value.sides}
-        rows = zip(*(numpy.broadcast_to(part, size).tolist() for part in parts.values()), strict=True)
-        return [value._replace(**dict(zip(parts, row, strict=True))) for row in rows]
-    if isinstance(value, numpy.ndarray):
-        return numpy.broadcast_to(value, size).copy()
-    if isinstance(value, float | int):
-        return numpy.full(size, float(value))
-    return [value] * size
+    if value is None or isinstance(value, str):
+        return [value] * size
+    return numpy.full(size, middle(value), dtype=float)

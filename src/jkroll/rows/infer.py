@@ -1,17 +1,214 @@
-"""The Python face of the inverse problem."""
+"""The inverse problem in rows: columns of the unknowns of a table, and `jkroll.infer` for numbers and arrays."""
 
-from collections.abc import Callable, Mapping, Sequence
-from math import prod
-from typing import Any
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import partial
+from math import nan, prod
+from typing import TYPE_CHECKING, Any, Self
 
-from ..errors import NoResult
+from ..errors import JkrollError, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
-from ..quantities.nomenclature import named
-from ..quantities.values import is_uncertain
-from ..scene.inverse import Problem, already_given, input_named
-from ..scene.scene import broadcast, check_range
+from ..quantities.nomenclature import PROPERTIES, named
+from ..quantities.values import Spread, is_uncertain
+from ..scene.failures import MissingInput
+from ..scene.inverse import SIZES, Problem, already_given, input_named
+from ..scene.limits import bits_of, doubts
+from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
+from ..scene.wiring import in_order
+from .columns import Columns, LeftOut, NotShown, Row, Wanted, fill_sides, left_out, put_row, repeated
+from .reasons import ROW, UNCERTAINTY
+from .sweep import Pair, Sweep
+
+if TYPE_CHECKING:
+    from ..scene.uncertainty import Sources
+
+_COMPUTED = 200  # times that a quantity is computed to infer an unknown
+_ONE = "is not one quantity and its value", '"pull_off_force": "300 nN"'
+_TWO = "is not two quantities and their values", '"pull_off_force": "300 nN", "stiffness": "1 kN/m"'
+
+
+class Unknowns(Wanted):
+    """Unknowns of rows, each of which is a problem."""
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        quantities: Sequence[str],
+        *,
+        inputs: Iterable[str] = (),
+        sides: Collection[str] | None = None,
+        doubts: bool = True,
+    ) -> None:
+        """`quantities`: that were measured; `sides`: of the uncertainties, those that have columns; None where they are not wanted."""
+        of_names = None if sides is None else dict.fromkeys(names, sides)
+        super().__init__(names, named=names, inputs=inputs, sides=of_names, doubts=doubts)
+        self.quantities = tuple(quantities)
+
+    @classmethod
+    def of(cls, names: Sequence[str], quantities: Sequence[str], kinds: Iterable[Problem]) -> Self:
+        """Return what is wanted of rows of some kinds. Raises the error of the inputs, or MissingInput if no kind allows to infer them."""
+        plain = cls(names, quantities)
+        inputs: set[str] = set()
+        sides: set[str] = set()
+        errors: list[MissingInput | None] = []
+        for problem in kinds:
+            errors.append(None)
+            try:
+                problem.check()
+                sources = plain.sources_in(problem)
+                sides |= set() if sources is None else sources.sides
+            except MissingInput as error:
+                errors[-1] = error
+            except NoResult:
+                pass
+            inputs |= problem.echo().keys()
+        if errors[0] is not None and all(errors):
+            raise errors[0]
+        return cls(names, quantities, inputs=in_order(inputs), sides=sides)
+
+    def with_sides(self, sides: Collection[str]) -> Self:
+        """Return the same unknowns with columns for some sides of their uncertainties."""
+        return type(self)(self.names, self.quantities, inputs=self.inputs, sides=sides, doubts=self.doubts)
+
+    def with_alternatives(self, scenes: Sequence[Any], names: Collection[str], *, data: bool = False) -> Self:  # noqa: ARG002
+        """Return the same unknowns: each value is one of its own law."""
+        return self
+
+    def sources_in(self, scene: Problem) -> "Sources | None":
+        """Return the sources of uncertainty of the unknowns; None if there is no uncertainty."""
+        if not scene.is_uncertain:
+            return None
+        from ..scene.uncertainty import sources_of_problem
+
+        return sources_of_problem(scene)
+
+    def lacks(self, scene: Problem) -> bool:
+        """Return whether a scene lacks an input without which the quantities have no value."""
+        return bool(scene.filled().missing(self.quantities))
+
+    def work(self, scene: Problem) -> int:
+        """Return the cost of a row that is computed by itself, counted in formulas."""
+        filled = scene.filled()
+        return _COMPUTED * (1 + len(filled.plan(*filled.possible(self.quantities)).steps))
+
+    def row(self, scene: Problem) -> Row:
+        """Return the row of measured numbers."""
+        from ..scene.unknowns import solution
+
+        gaps = [nan] * len(self.keys)
+        try:
+            solved = solution(scene)
+        except MissingInput as error:
+            return Row(scene.echo(), gaps, 0, dict.fromkeys(self.names, error))
+        except NoResult as error:
+            return Row(scene.echo() | self._uncertain(scene), gaps, 0, self._reasons(error))
+        numbers = dict(solved.values)
+        reasons: dict[str, JkrollError] = {}
+        if (remark := self._left_out(scene)) is not None:
+            reasons = {UNCERTAINTY: remark}
+        elif self.known_sides and scene.is_uncertain:
+            from ..scene.uncertainty import uncertainties_of_unknowns
+
+            fill_sides(self, uncertainties_of_unknowns(solved)[0], numbers, reasons)
+        bits = bits_of(doubts(solved.scene, self.quantities)) if self.doubts else 0
+        inputs = scene.echo(solved.values) | self._uncertain(scene)
+        return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
+
+    def _reasons(self, error: JkrollError) -> dict[str, JkrollError]:
+        """Return the reason of a row without a solution: of the unknown, or of both together."""
+        return {self.names[0] if len(self.names) == 1 else ROW: error}
+
+    def _left_out(self, scene: Problem) -> LeftOut | None:
+        """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one."""
+        if not self.uncertainties or (sources := self.sources_in(scene)) is None:
+            return None
+        stated = [name for name, value in scene.measured.items() if is_uncertain(value)]
+        return left_out(self, scene.scene, sources, stated=stated)
+
+    def _uncertain(self, scene: Problem) -> dict[str, Any]:
+        """Return the inputs, and the measured values, from which the uncertainty comes."""
+        sources = self.sources_in(scene) if self.known_sides else None
+        return {} if sources is None else sources.given
+
+    def columns(self, scene: Problem, size: int, scene_of: Callable[[int], Any]) -> Columns:
+        """Return the columns of arrays of measured values; `scene_of` returns a row by itself."""
+        import numpy
+
+        from ..scene.unknowns import solutions
+
+        if self._left_out(scene) is not None or self._may_be_of_both(scene):
+            raise NotShown  # each row by itself says what it leaves out, and of which spheres an unknown is
+        solved = solutions(scene, size)
+        failed = numpy.zeros(size, dtype=bool)
+        failed[[*solved.failures]] = True
+        some = {name: numpy.where(failed, SIZES[name][1], values) for name, values in solved.values.items()}
+        inputs = scene.echo(some) | self._uncertain(scene)
+        bits = numpy.zeros(size, dtype=numpy.int64)
+        if self.doubts:
+            bits[...] = bits_of(doubts(scene.with_values(some), self.quantities))
+            bits[failed] = 0
+        columns = Columns(
+            self,
+            {name: repeated(inputs.get(name), size) for name in self.inputs},
+            numpy.full((len(self.keys), size), nan),
+            bits,
+        )
+        for row, error in solved.failures.items():
+            columns.tell([row], self._reasons(error), is_empty=True)
+        for name, values in solved.values.items():
+            columns.column(name)[...] = values
+        if self.known_sides and scene.is_uncertain:
+            from ..scene.uncertainty import uncertainties_of_elements_of_unknowns
+
+            bars = uncertainties_of_elements_of_unknowns(solved, size)
+            for row in numpy.flatnonzero(columns.put_sides(bars)).tolist():
+                put_row(columns, row, partial(scene_of, row))
+        return columns
+
+    def _may_be_of_both(self, scene: Problem) -> bool:
+        """Return whether an unknown is that of both spheres in some rows: the materials of many rows together have no name."""
+        both = (scene.scene.material, scene.scene.material2)
+        is_property = any(name in PROPERTIES for name in self.names)
+        return is_property and None not in both and not all(solid.name for solid in both if solid is not None)
+
+
+class Problems(Sweep):
+    """The rows of the inverse problem: each has measured values among its inputs."""
+
+    most_answers = 10_000  # each takes milliseconds
+    most_in_table = 500
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        measured: Mapping[str, Sequence[Spread]],
+        pairs: Sequence[Pair],
+        spreads: Mapping[str, Sequence[Spread]],
+        models: Sequence[str | None],
+    ) -> None:
+        """`names`: of the unknowns; `measured`: the lists and ranges of the values of each quantity."""
+        super().__init__(pairs, {**spreads, **measured}, models)
+        self.names, self.quantities = names, [*measured]
+
+    def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Problem:
+        """Return a row of inputs among which are the measured values."""
+        return Problem.of(self.names, self.quantities, given, *spheres, model=model)
+
+    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
+        """Return the columns of the unknowns, as `Unknowns.of` does."""
+        return Unknowns.of(self.names, self.quantities, self.kinds)
+
+    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:  # noqa: ARG002
+        """Return the columns of the unknowns alone."""
+        return Unknowns(self.names, self.quantities, doubts=doubts)
+
+    def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
+        """Return a scene of each kind of rows, with the measured quantities."""
+        return [(problem.filled(), self.quantities) for problem in self.kinds]
+
+
+# --- From Python ------------------------------------------------------------------------------------------------------
 
 
 class InferredValues(dict[str, Any]):
@@ -69,15 +266,8 @@ def infer(
     """
     names = _names(wanted)
     if not isinstance(measured, Mapping) or len(measured) != len(names):
-        few = len(names) == 1
-        raise QuantityError(
-            "measured",
-            str(measured),
-            "is not one quantity and its value" if few else "is not two quantities and their values",
-            'write {"pull_off_force": "300 nN"}'
-            if few
-            else 'write {"pull_off_force": "300 nN", "stiffness": "1 kN/m"}',
-        )
+        problem, example = _ONE if len(names) == 1 else _TWO
+        raise QuantityError("measured", str(measured), problem, f"write {{{example}}}")
     known, _ = in_si({str(word): value for word, value in measured.items()}, named)
     described, _ = in_si(given)
     for both in known.keys() & described.keys():
@@ -87,16 +277,16 @@ def infer(
     spheres = materials_of(material, material2, materials)
     inputs = {**described, **known}
 
-    def problem(own: Mapping[str, Any]) -> Problem:
-        return Problem.of(names, [*known], {**inputs, **own}, *spheres, model=model)
+    def problem_of(row: Mapping[str, Any]) -> Problem:
+        return Problem.of(names, [*known], {**inputs, **row}, *spheres, model=model)
 
     arrays = {each: value for each, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
     if any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
     if arrays:
-        values, condition = _of_arrays(problem, arrays, names)
+        values, condition = _of_arrays(problem_of, arrays, names)
     else:
-        values, condition = _of_numbers(problem({}))
+        values, condition = _of_numbers(problem_of({}))
     return InferredValues(values, condition) if len(names) > 1 else values[names[0]]
 
 
@@ -119,7 +309,7 @@ def _of_numbers(problem: Problem) -> tuple[Mapping[str, Any], float]:
         return solved.values, solved.condition
     from ..scene.uncertainty import uncertainties_of_unknowns
 
-    bars, _ = uncertainties_of_unknowns(solved.values, problem)
+    bars, _ = uncertainties_of_unknowns(solved)
     values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in solved.values.items()}
     return values, solved.condition
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.failures import NO_END, MissingInput, NoContact, grouped, needs_in_words
+from ..scene.failures import NO_END, Failure, MissingInput, grouped, needs_in_words
 from ..text import first_of
 
 ROW = ""  # stands for the row as a whole, in place of the name of a column
@@ -29,7 +29,10 @@ class Gaps(NamedTuple):
 
 
 def joined(gaps: Mapping[str, Gaps], others: Mapping[str, Gaps], rows: int) -> dict[str, Gaps]:
-    """Return the gaps of some rows and of others that stand behind them, by their status; `rows`: how many there are before."""
+    """Return the gaps of some rows and of others behind them, by their status.
+
+    `rows`: the number of all rows before the others.
+    """
     together = dict(gaps)
     for status, of_status in others.items():
         before = gaps.get(status, Gaps(0, rows + of_status.first, of_status.words))
@@ -38,9 +41,10 @@ def joined(gaps: Mapping[str, Gaps], others: Mapping[str, Gaps], rows: int) -> d
 
 
 def lack(reasons: Reasons) -> JkrollError | None:
-    """Return why nothing of a row is to be trusted; None if it has a contact, though maybe not at all ends of its uncertain inputs."""
+    """Return why a row has no contact, or is no scene; None if it has one at the middles of its inputs."""
     for name, error in reasons.items():
-        if name == ROW or (isinstance(error, NoContact) and name in NOMENCLATURE):
+        has_contact = not isinstance(error, Failure) or error.kind.has_contact
+        if name == ROW or (not has_contact and name in NOMENCLATURE):
             return error
     return None
 

@@ -15,7 +15,7 @@ from ..quantities.values import Measured
 from ..scene.scene import FOLLOWS, takes
 from .block import Block
 from .cells import Indices, Numbers
-from .columns import BadRecord, Columns, Wanted, alike, lose, put_row
+from .columns import BadRecord, Columns, Wanted, alike, put_row
 
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
@@ -39,16 +39,16 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
             left[rows] = False
         columns = columns or _empty(wanted, block.size)
         for row in numpy.flatnonzero(left).tolist():
-            if row in block.odd:
-                lose(columns, row, BadRecord(block.odd[row]))
-            else:
-                put_row(columns, row, partial(block.scene_of, row))
+            put_row(columns, row, partial(_scene_of, block, range(block.size), row))
     return columns
 
 
 def _scene_of(block: Block, places: Sequence[int], row: int) -> Any:
-    """Return the scene of a row among those at some places."""
-    return block.scene_of(places[row])
+    """Return the scene of a row among those at some places. Raises BadRecord for a record that is no row."""
+    place = places[row]
+    if place in block.odd:
+        raise BadRecord(block.odd[place])
+    return block.scene_of(place)
 
 
 def _empty(wanted: Wanted, size: int) -> Columns:
@@ -85,7 +85,7 @@ def _kinds(name: str, column: Numbers) -> Indices:
 
 
 def _values(column: Numbers, rows: Indices, kind: int) -> Any:
-    """Return the values of cells of one kind: a number where it is special, else an array, with uncertainties if they have some."""
+    """Return the values of cells of one kind: a number where more follows from it, else an array."""
     found = column.values if len(rows) == len(column.values) else column.values[rows]
     if kind == _SPECIAL:
         return float(found[0])

@@ -10,19 +10,17 @@ from .cells import Column, Side
 from .words import PARTS
 
 _RANGE = ("low", "high")
-_OF_PART = re.compile(
-    rf"(.*?)(?:[\s_.]*(±|\+/?-)|[\s_.]+({'|'.join(filter(str.isalpha, PARTS))}))(?=$|[\s_.,/(\[])(.*)", re.IGNORECASE
-)
+# Patterns, each made when a header is first held against it: most tables need none.
+_OF_PART = rf"(?i)(.*?)(?:[\s_.]*(±|\+/?-)|[\s_.]+({'|'.join(filter(str.isalpha, PARTS))}))(?=$|[\s_.,/(\[])(.*)"
 _ERROR = "|".join(["σ", "sigma", *(word for word, part in PARTS.items() if part == "both" and word.isalpha())])
-_PART_BEFORE = re.compile(  # as in u(R) [nm], or as in σ_E [GPa] and error of radius
-    rf"(?:u|{_ERROR})\s*\(([^()]+)\)(.*)|(?:±\s*|(?:{_ERROR})(?:\s+of)?[\s_]+)([^\s_].*)", re.IGNORECASE
+_PART_BEFORE = (  # as in u(R) [nm], or as in σ_E [GPa] and error of radius
+    rf"(?i)(?:u|{_ERROR})\s*\(([^()]+)\)(.*)|(?:±\s*|(?:{_ERROR})(?:\s+of)?[\s_]+)([^\s_].*)"
 )
-_ALONE = re.compile(  # "error" without a unit may be that of anything
-    r"(?:±|\+/?-|(?:standard|std?)[\s_.]*dev(?:iation)?|std|sd|sem|unc|uncertainty|err(?:or)?(?=\s*[\[(]))"
-    r"\.?\s*(?:[\[(](.*)[\])])?",
-    re.IGNORECASE,
+_ALONE = (  # "error" without a unit may be that of anything
+    r"(?i)(?:±|\+/?-|(?:standard|std?)[\s_.]*dev(?:iation)?|std|sd|sem|unc|uncertainty|err(?:or)?(?=\s*[\[(]))"
+    r"\.?\s*(?:[\[(](.*)[\])])?"
 )
-_SHARE = re.compile(r"[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?", re.IGNORECASE)  # of the value
+_SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
 
 
 class PartOf(NamedTuple):
@@ -39,10 +37,10 @@ def part_of(text: str) -> PartOf | None:
     >>> part_of("radius_err [nm]"), part_of("u(E) (%)"), part_of("radius [nm]")
     (PartOf(value='radius [nm]', part='both', is_share=False), PartOf(value='E', part='both', is_share=True), None)
     """
-    plain = _SHARE.sub("", text)
-    if before := _PART_BEFORE.fullmatch(plain):
+    plain = re.sub(_SHARE, "", text)
+    if before := re.fullmatch(_PART_BEFORE, plain):
         return PartOf(before[1] + before[2] if before[1] else before[3], "both", plain != text)
-    if behind := _OF_PART.fullmatch(plain):
+    if behind := re.fullmatch(_OF_PART, plain):
         return PartOf(behind[1] + behind[4], PARTS[(behind[2] or behind[3]).lower()], plain != text)
     return None
 
@@ -53,10 +51,10 @@ def unit_alone(text: str) -> str | None:
     >>> unit_alone("± [nm]"), unit_alone("+/-"), unit_alone("radius ±"), unit_alone("SD (nm)"), unit_alone("error")
     ('nm', '', None, 'nm', None)
     """
-    alone = _ALONE.fullmatch(text)
+    alone = re.fullmatch(_ALONE, text)
     if alone is None:
         return None
-    return "%" if _SHARE.fullmatch(alone[1] or "") else alone[1] or ""
+    return "%" if re.fullmatch(_SHARE, alone[1] or "") else alone[1] or ""
 
 
 def with_sides(

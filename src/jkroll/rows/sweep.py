@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 from ..quantities.values import Spread
-from ..scene.failures import OfIdenticalSpheres
+from ..scene.failures import OF_IDENTICAL_SPHERES, Failure
 from ..scene.scene import FOLLOWS, Scene
 from ..scene.wiring import in_order
 from .block import Block
@@ -31,19 +31,22 @@ Pair = tuple[Material | None, Material | None]
 class Sweep:
     """The rows of a call."""
 
+    most_answers = 1_000_000  # that are written one by one
+    most_in_table = 10_000  # rows that are computed one by one for a table on a terminal
+
     def __init__(
-        self,
-        pairs: Sequence[Pair],
-        spreads: Mapping[str, Sequence[Spread]],
-        models: Sequence[str | None],
-        scene: Callable[..., Any] = Scene,
+        self, pairs: Sequence[Pair], spreads: Mapping[str, Sequence[Spread]], models: Sequence[str | None]
     ) -> None:
-        """`spreads`: the lists and ranges of each input, by name. `scene`: makes a row of inputs, of materials and of a law."""
-        self.pairs, self.spreads, self.models, self.scene = pairs, spreads, models, scene
+        """`spreads`: the lists and ranges of each input, by name."""
+        self.pairs, self.spreads, self.models = pairs, spreads, models
+
+    def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Any:
+        """Return a row of inputs, of the materials of its spheres, and of a law."""
+        return Scene(given, *spheres, model=model)
 
     @cached_property
     def starts(self) -> dict[str, list[int]]:
-        """The place of the first value of each list or range of an input, and the number of all of its values, by name."""
+        """By input, the place of the first value of each list or range, and behind them the number of all values."""
         return {name: [*accumulate(map(len, spreads), initial=0)] for name, spreads in self.spreads.items()}
 
     @property
@@ -82,11 +85,11 @@ class Sweep:
     def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Wanted:
         """Return the columns of the rows: the inputs that enter some row, and the quantities that concern some.
 
-        Raises OfIdenticalSpheres where none does.
+        Raises a Failure where none does.
         """
         shown = {*named, *chain.from_iterable(self.shown(scene, quantities, named) for scene in self.kinds)}
         if not shown:
-            raise OfIdenticalSpheres
+            raise Failure(OF_IDENTICAL_SPHERES)
         names = [name for name in quantities if name in shown]
         inputs, sides = entering(self.kinds, lambda scene: self.shown(scene, names, named), names)
         return Wanted(
@@ -95,6 +98,15 @@ class Sweep:
             inputs=in_order(inputs - shown),
             sides=sides,
         )
+
+    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
+        """Return the columns of some quantities alone: those not asked for by name may concern identical spheres only."""
+        shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
+        return Wanted(quantities, named=shown, doubts=doubts)
+
+    def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:
+        """Return a scene of each kind of rows, with the quantities that it shows."""
+        return [(scene, self.shown(scene, wanted.names, wanted.named)) for scene in self.kinds]
 
     def shown(self, scene: Scene, quantities: Sequence[str], named: Collection[str]) -> list[str]:
         """Return those of some quantities that were asked for by name, or that concern some row of a kind."""
@@ -172,7 +184,7 @@ class Lists(Block):
 def entering(
     scenes: Iterable[Scene], shown: Callable[[Scene], Sequence[str]], quantities: Sequence[str]
 ) -> tuple[set[str], dict[str, set[str]]]:
-    """Return the inputs that enter the quantities which some scenes show, and the sides of the uncertainties of these."""
+    """Return the inputs of the quantities that scenes show, and the sides of the uncertainties of these quantities."""
     inputs: set[str] = set()
     sides: dict[str, set[str]] = {}
     for scene in scenes:
@@ -185,7 +197,7 @@ def entering(
 
 
 def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
-    """Return a value of each kind that is among the values of an input: plain, one that more follows from, uncertain."""
+    """Return a value of each kind that an input has: plain, one from which more follows, and uncertain."""
     special = FOLLOWS[name][0] if name in FOLLOWS else None
     found: dict[object, Any] = {}
     for spread in spreads:

@@ -26,7 +26,7 @@ from .block import Block
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import Header, check_inputs, check_units
-from .inferred import Unknowns
+from .infer import Unknowns
 from .rows import groups
 from .words import MATERIALS
 
@@ -38,14 +38,14 @@ Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those tha
 
 
 class Inverse(NamedTuple):
-    """The meaning of `--infer` and `--measured`: the input that is sought, and the quantity whose measured value a row has."""
+    """The input that `--infer` seeks, and the quantity whose measured value each row has by `--measured`."""
 
     name: str
     quantity: str
 
 
 class Fill(NamedTuple):
-    """The part of all rows that the command line gives: inputs and materials that fill what a row does not give, and the law."""
+    """The inputs, materials and law that the command line gives to all rows. What a row gives itself comes first."""
 
     fixed: Mapping[str, float | Uncertain]
     spheres: tuple[Material | None, Material | None]
@@ -62,7 +62,10 @@ class Fill(NamedTuple):
         return cls(fixed, (material, material2), model, known, inverse)
 
     def scene(self, given: Mapping[str, Any], *spheres: Material | None) -> Any:
-        """Return the scene of inputs and of the materials of both spheres, or one that was measured. Raises an error of the scene."""
+        """Return the scene of inputs and of the materials of both spheres, or the problem of a measured one.
+
+        Raises an error of the scene.
+        """
         given = {**self.fixed, **given}
         if self.inverse is None:
             return Scene(given, *spheres, model=self.model)
@@ -84,7 +87,9 @@ class Table:
         assumed: Sequence[str],
         left_out: "Sequence[Source]" = (),
     ) -> None:
-        """`labels`: names in the first rows that are, or may be, no material's, as `_labels` has them; `assumed`: inputs that nothing gives.
+        """`labels`: names in the first rows that are, or may be, no material's, with their messages.
+
+        `assumed`: inputs that nothing gives.
 
         `left_out`: sources of uncertainty in the first rows that enter no error bar.
         """
@@ -115,7 +120,10 @@ class Table:
         return TableBlock(self, size, numbers, materials, odd, text)
 
     def scene_of(self, text_of: Callable[[str], str]) -> Any:
-        """Return the scene of a row. `text_of` gives the cell of a column. Raises BadCells, or an error of the scene."""
+        """Return the scene of a row. `text_of` gives the cell of a column.
+
+        Raises BadCells, or an error of the scene.
+        """
         if all(text_of(name).strip() == self.texts[place].strip() for name, place in self.places.items()):
             raise BadRecord("the row repeats the header")
         found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
@@ -193,13 +201,13 @@ def table_of(
     or an error of the options.
     """
     check_inputs(columns, fill.inverse.quantity if fill.inverse is not None else "")
-    labels = _labels(columns, rows, fill.known)
+    labels, aliases = _names_of_materials(columns, rows, fill.known)
     scenes, without_labels = _typical(columns, rows, fill, labels)
     wanted = wanted_of(scenes, columns, fill, asked, doubts=doubt, labels=labels if without_labels else {})
     if alternatives:
         wanted = wanted.with_alternatives(scenes, wanted.names)
     assumed = _assumed(scenes, wanted, columns, rows, fill)
-    labels = labels and {**labels, **_aliases(columns, rows, fill.known)}
+    labels = labels and {**labels, **aliases}
     table = Table(columns, fill, wanted, labels=labels, assumed=assumed)
     sources = _sources_of(table, rows)
     sides = {*SIDES} if uncertainty else {side for one in sources for side in one.sides}
@@ -222,40 +230,36 @@ def say_reading(columns: Header) -> None:
 
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
-    """Say on stderr that nothing gives a radius."""
+    """Say on stderr which labels may be names of materials, and that nothing gives a radius."""
+    for message in filter(None, table.labels.values()):
+        say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
         say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
 
 
-def _materials_named(columns: Header, rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return what stands in the columns of materials in some rows, once each, without a header that is repeated."""
-    names = ((row[place], columns.texts[place]) for _, place in columns.materials for row in rows)
-    return [*dict.fromkeys(name for name, head in names if name.strip() not in ("", head.strip()))]
+def _names_of_materials(
+    columns: Header, rows: Sequence[Sequence[str]], known: Materials
+) -> tuple[dict[str, str], dict[str, str]]:
+    """Return the names in some rows that are no material's, and those that are another name of one.
 
-
-def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
-    """Return the names in some rows that are no material's; with the message, if one stands for several."""
-    found: dict[str, str] = {}
-    for text in _materials_named(columns, rows):
+    A name has a message where it stands for several materials, or for one with another name: it may be a label.
+    """
+    cells = ((row[place].strip(), columns.texts[place].strip()) for _, place in columns.materials for row in rows)
+    labels: dict[str, str] = {}
+    aliases: dict[str, str] = {}
+    for text in dict.fromkeys(text for text, head in cells if text not in ("", head)):
         try:
-            known[text]
+            name = known[text].name
         except UnclearMaterial as error:
-            found[text] = str(error)
+            labels[text] = str(error)
         except UnknownMaterial:
-            found[text] = ""
+            labels[text] = ""
         except JkrollError:
             continue
-    return found
-
-
-def _aliases(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
-    """Return the names in some rows that are another name of a material, with the message: beside labels, they may be labels."""
-    found: dict[str, str] = {}
-    for text in _materials_named(columns, rows):
-        with suppress(JkrollError):
-            if (name := known[text].name).casefold() != text.strip().casefold():
-                found[text] = f"material: {quoted(text)} is {name}"
-    return found
+        else:
+            if name.casefold() != text.casefold():
+                aliases[text] = f"material {quoted(text)} is {name}"
+    return labels, aliases
 
 
 def wanted_of(
@@ -274,17 +278,18 @@ def wanted_of(
             raise BadRequest(f"--quantities: {name} is an input here")
         outcomes = [_lack_of(name, scene) for scene in scenes]
         if all(isinstance(error, MissingInput) and not isinstance(error, NotInLaw) for error in outcomes):
-            texts = [message or f"material: {quoted(text)} is not known" for text, message in labels.items()]
+            texts = [message or f"no material {quoted(text)}" for text, message in labels.items()]
             if texts:
                 raise BadTable("; ".join([texts[0], str(outcomes[0])]))
             raise next(filter(None, outcomes))
     has_own_2 = any(NOMENCLATURE[name].sphere == 2 for name in columns.names)
+    missing = [scene.missing(offered) for scene in scenes]
     possible = [
         name
         for name in offered
         if name not in columns.names
         and not (NOMENCLATURE[name].of_identical and has_own_2)
-        and any(scene.shows(name) and _lack_of(name, scene) is None for scene in scenes)
+        and any(scene.shows(name) and name not in lacks for scene, lacks in zip(scenes, missing, strict=True))
     ]
     names = tuple(dict.fromkeys((*explicit, *possible)))
     if not names:
@@ -314,9 +319,11 @@ def _typical(
     """Return scenes that have what the columns and options give, and whether they leave out materials.
 
     They leave out those of columns that have no known name in the first rows, unless they were meant as materials:
-    without them, there is no work of adhesion, or it is not known whether there is. `unknown`: names that are no material's.
+    without them, there is no work of adhesion, or it is not known whether there is.
+
+    `unknown`: names that are no material's.
     """
-    cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
+    cells = {name: {row[place].strip() for row in rows} - {""} for name, place in columns.materials}
     labels = [name for name, texts in cells.items() if texts and texts <= unknown.keys()]
     infinite = {column.name for column in columns.inputs if _is_infinite(column, rows)}
     scenes = _as_known(columns, fill, labels, infinite)
@@ -343,7 +350,10 @@ def _assumed(
 
 
 def idle_of(table: Table) -> list[str]:
-    """Return the inputs of options on which no result of a table and no limit can depend. One that is infinite may make a body rigid."""
+    """Return the inputs of options on which no result of a table and no limit can depend.
+
+    One that is infinite is left out: it may make a body rigid.
+    """
     fill, wanted = table.fill, table.wanted
     quantities = wanted.names if fill.inverse is None else [fill.inverse.quantity]
     law = [fill.model or DEFAULT_LAW]
@@ -354,7 +364,7 @@ def idle_of(table: Table) -> list[str]:
 
 
 def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
-    """Return whether an input is infinite in each of some rows, as a rigid body's modulus is: more follows then than from a number."""
+    """Return whether an input is infinite in each of some rows, so that more follows than from a number."""
     texts = {column.joined(*(row[place] for place in column.places.values())) for row in rows} - {""}
     with suppress(JkrollError):  # a bad cell, which its row will explain
         return bool(texts) and all(column.read(text) == INFINITY for text in texts)
@@ -362,9 +372,9 @@ def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
 
 
 def _as_known(columns: Header, fill: Fill, labels: Collection[str], infinite: Collection[str]) -> list[Any]:
-    """Return scenes in which the columns have values, but for those of labels, so that each column has one in some scene.
+    """Return scenes that together have a value for each column, but for those of labels.
 
-    Of columns that exclude each other, a scene has one. `infinite`: inputs that are infinite in all rows that are known.
+    Of columns that exclude each other, a scene has one. `infinite`: inputs that are infinite in all of the first rows.
     """
     some = LABEL._replace(properties={name: _example(name) for name in PROPERTIES})
     spheres = dict(zip(MATERIALS, fill.spheres, strict=True))

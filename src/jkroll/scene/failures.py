@@ -5,14 +5,15 @@ Below: the numbers for which the physics gives a formula no result, with the err
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isinf
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
+from ..physics.viscous import LARGEST
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
 from ..quantities.values import parse_quantity
 from ..text import listed
 from .wiring import parameters_of
@@ -29,7 +30,7 @@ class MissingInput(JkrollError):
         self.phrase = needs_in_words(self.missing)
 
     def __str__(self) -> str:
-        return f"{self.wanted} {self.reason()}"
+        return f"{NOMENCLATURE[self.wanted].sentence} {self.reason()}"
 
     def reason(self) -> str:
         """Return why there is no value, without the name of the quantity."""
@@ -49,7 +50,10 @@ class MissingInput(JkrollError):
         give = listed([options, *radii] if options else radii)
         others = " or ".join(map(_as_typed, self.instead))
         instead = others and (f" or {others}" if len(self.missing) == 1 else f"; {others} may replace some")
-        return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
+        if self.lacking:
+            return f"{words}; {self.lacking}; give, for example, {give}{instead}"
+        name_one = "name a material, such as quartz, or " if {*self.missing} <= {*PROPERTIES} else ""
+        return f"{words}; {name_one}give {give}{instead}"
 
 
 def needs_in_words(missing: Iterable[str]) -> str:
@@ -99,15 +103,13 @@ def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
-def _told_apart(name: str, value: float, limit: float) -> tuple[str, str]:
-    """Return two values as results are shown, or with as many digits more as tell them apart."""
-    texts = amount(name, value), amount(name, limit)
-    digits = DIGITS
-    while texts[0] == texts[1] and digits < MAX_DIGITS:
+def _told_apart(name: str, value: float, limit: float) -> str:
+    """Return a value as results are shown, or with as many digits more as tell it apart from a limit."""
+    digits, text = DIGITS, amount(name, value)
+    while text == amount(name, limit, Format(digits=digits)) and digits < MAX_DIGITS:
         digits += 1
-        form = Format(digits=digits)
-        texts = amount(name, value, form), amount(name, limit, form)
-    return texts
+        text = amount(name, value, Format(digits=digits))
+    return text
 
 
 def _held(name: str, least: float) -> str:
@@ -148,169 +150,105 @@ class ShapeMismatch(JkrollError):
         return "these arrays do not broadcast: " + ", ".join(f"{name} {shape}" for name, shape in self.shapes)
 
 
-class NoContact(NoResult):
-    """Base class of the errors of a contact that does not exist: nothing of the scene is to be trusted."""
+class Kind(NamedTuple):
+    """The words of failures that have one reason."""
+
+    phrase: str  # of the status of a row
+    words: str  # in full; {0} stands for the value of `name` that rules a result out, the others for its limits
+    name: str = ""  # the quantity that has no value, or whose value rules it out, where it is always the same
+    has_contact: bool = True  # False: nothing of the scene is to be trusted
 
 
-class BeyondPullOff(NoContact):
-    """Error raised at a tension larger than the pull-off force, where there is no contact."""
-
-    phrase = "beyond pull-off"
-    name = "load"
-
-    def __init__(self, load: float, least: float, by_maugis: float = 0.0) -> None:
-        super().__init__(load, least, by_maugis)
-        self.load, self.least, self.by_maugis = load, least, by_maugis
-
-    def reason(self) -> str:
-        """Return which loads this contact holds."""
-        load, _ = _told_apart("load", self.load, self.least)
-        text = f"{load} is beyond pull-off; this contact holds down to {_held('load', self.least)}"
-        if not self.by_maugis:
-            return text
-        return f"{text}; by Maugis' law it holds down to {_held('load', self.by_maugis)} (--model maugis)"
-
-
-class BeyondFold(NoContact):
-    """Error raised at an approach at which even fixed grips have let go."""
-
-    phrase = "beyond the fold"
-    name = "approach_at_load"
-
-    def __init__(self, approach: float, least: float) -> None:
-        super().__init__(approach, least)
-        self.approach, self.least = approach, least
-
-    def reason(self) -> str:
-        """Return which approaches this contact holds."""
-        approach, _ = _told_apart("approach_at_load", self.approach, self.least)
-        least = _held("approach_at_load", self.least)
-        return f"{approach} is beyond the fold; fixed grips hold this contact down to {least}"
-
-
-class TooMuchHysteresis(NoResult):
-    """Error raised for an adhesion hysteresis above the work of adhesion."""
-
-    phrase = "hysteresis above work of adhesion"
-    name = "adhesion_hysteresis"
-
-    def __init__(self, hysteresis: float, work: float) -> None:
-        super().__init__(hysteresis, work)
-        self.hysteresis, self.work = hysteresis, work
-
-    def reason(self) -> str:
-        """Return how large the hysteresis may be."""
-        hysteresis, work = _told_apart("adhesion_hysteresis", self.hysteresis, self.work)
-        return f"{hysteresis} is above the work of adhesion, {work}, of which it is a part"
-
-
-class InFixedWords(NoResult):
-    """Base class of the errors whose words hold no numbers."""
-
-    words = ""
-
-    def __init__(self, name: str = "") -> None:
-        """`name`: the quantity that has no value, unless it is always the same or none in particular."""
-        super().__init__(name)
-        self.name = name or self.name
-
-    def reason(self) -> str:
-        """Return the words of this kind."""
-        return self.words
-
-
-class TwoRigidBodies(InFixedWords):
-    """Error raised where both bodies are rigid: JKR's contact has no area then."""
-
-    phrase = "both bodies are rigid"
-    words = "both bodies are rigid; a contact area needs one that deforms"
-
-
-class RestsOnSpacing(InFixedWords):
-    """Error raised for a quantity that the atomic spacing decides on, where it was not given."""
-
-    phrase = "needs atomic_spacing"
-    words = "rests on {0.symbol}; give {0.option} {0.example}".format(NOMENCLATURE["atomic_spacing"])
-
-
-class NoChain(InFixedWords):
-    """Error raised for a chain that has a plane in it."""
-
-    phrase = "sphere 2 is a plane"
-    words = "sphere 2 is a plane; a chain needs two spheres"
-    name = "r_min"
-
-
-class OfIdenticalSpheres(InFixedWords):
-    """Error raised where all that is asked for is known of identical spheres only, and sphere 2 differs."""
-
-    phrase = "sphere 2 differs"
-    words = "sphere 2 differs from sphere 1; this is known of identical spheres only"
-
-
-class NotHeld(InFixedWords):
-    """Error raised for what only spheres have that hold together by themselves, between pull-off and the fold."""
-
-    phrase = "held by grips alone"
-    words = "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
-
-
-class NotPressed(InFixedWords):
-    """Error raised for a coefficient by which the load is multiplied, of a contact that no load presses."""
-
-    phrase = "no load that presses"
-    words = "needs a load that presses the spheres; give --load 5nN"
-    name = "rolling_resistance_coefficient"
-
-
-class Apart(InFixedWords):
-    """Error raised for what only a contact circle has, where spheres attract without touching."""
-
-    phrase = "no contact circle"
-    words = "the spheres are bound without touching; there is no contact circle"
-    name = "contact_displacement"
-
-
-class NoFiniteValue(NoResult):
-    """Error raised for a result outside the range of doubles, or without limit."""
-
-    phrase = "no finite value"
-
-    def __init__(self, name: str, value: float) -> None:
-        super().__init__(name, value)
-        self.name, self.value = name, value
-
-    def reason(self) -> str:
-        """Return on which side of the range of doubles the result lies."""
-        return "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
-
-
-class InfiniteValue(InFixedWords):
-    """Error raised where a number is to be written and the value is infinite, such as the mass of a plane."""
-
-    phrase = words = "infinite"
+BEYOND_PULL_OFF = Kind(
+    "beyond pull-off", "{0} breaks this contact, which holds a pull down to {1}", "load", has_contact=False
+)
+HELD_BY_MAUGIS = BEYOND_PULL_OFF._replace(words=f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)")
+BEYOND_FOLD = Kind(
+    "beyond the fold",
+    "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
+    "approach_at_load",
+    has_contact=False,
+)
+TOO_MUCH_HYSTERESIS = Kind(
+    "hysteresis above work of adhesion",
+    "{0} is above the work of adhesion, {1}, of which it is a part",
+    "adhesion_hysteresis",
+)
+STICKS_ALWAYS = Kind(
+    "sticks at every speed",
+    "T* = {0} is above {1}: they stick at every speed that this damping can mean",
+    "viscosity_number",
+)
+NO_POISSON_RATIO = Kind(
+    "Poisson's ratio not positive",
+    "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign",
+    "viscosity_number",
+)
+TWO_RIGID_BODIES = Kind("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
+RESTS_ON_SPACING = Kind(
+    "needs atomic_spacing",
+    "rests on {0.symbol}; give {0.option} {0.example}".format(NOMENCLATURE["atomic_spacing"]),
+)
+NO_CHAIN = Kind("sphere 2 is a plane", "sphere 2 is a plane; a chain needs two spheres", "r_min")
+OF_IDENTICAL_SPHERES = Kind(
+    "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
+)
+NOT_HELD = Kind(  # between pull-off and the fold, where spheres do not hold together by themselves
+    "held by grips alone", "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+)
+NOT_PRESSED = Kind(
+    "no load that presses",
+    "needs a load that presses the spheres; give --load 5nN",
+    "rolling_resistance_coefficient",
+)
+APART = Kind(
+    "no contact circle",
+    "the spheres are bound without touching; there is no contact circle",
+    "contact_displacement",
+)
+TOO_LARGE = Kind("no finite value", "no finite value for these inputs")
+TOO_SMALL = Kind("no finite value", "no value that a double can hold")
+INFINITE = Kind("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
 
 
 NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
 
 
-class NoUncertainty(NoResult):
-    """Error raised for a value whose uncertainty is wanted, and which has none."""
+class Failure(NoResult):
+    """Error raised where a quantity has no value, for a reason of some kind."""
 
-    phrase = "no error bar"
-
-    def __init__(self, name: str, error: JkrollError) -> None:
-        super().__init__(name, error)
-        self.name, self.error = name, error
+    def __init__(self, kind: Kind, name: str = "", numbers: Sequence[float] = ()) -> None:
+        """`name`: the quantity that has no value, unless its kind has one; `numbers`: a value and its limits."""
+        super().__init__(kind, name, tuple(numbers))
+        self.kind, self.name, self.numbers, self.phrase = kind, name or kind.name, tuple(numbers), kind.phrase
 
     def reason(self) -> str:
-        """Return why there is no uncertainty."""
-        return NO_END + reason_of(self.name, self.error)
+        """Return the words of its kind, with its numbers."""
+        if not self.numbers:
+            return self.kind.words
+        value, *limits = self.numbers
+        told_apart = _told_apart(self.name, value, limits[0])
+        return self.kind.words.format(told_apart, *(_held(self.name, limit) for limit in limits))
+
+
+def rests_on_spacing(error: JkrollError | None) -> bool:
+    """Return whether a quantity has no value as the atomic spacing, which was not given, decides on it."""
+    return isinstance(error, Failure) and error.kind == RESTS_ON_SPACING
+
+
+def no_finite_value(name: str, value: float) -> Failure:
+    """Return the error of a result outside the range of doubles, or without limit."""
+    return Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)
+
+
+def no_uncertainty(name: str, error: JkrollError) -> Failure:
+    """Return the error of a value whose uncertainty is wanted, and which has none."""
+    return Failure(Kind("no error bar", NO_END + reason_of(name, error)), name)
 
 
 def written_outcome(name: str, outcome: Any) -> Any:
-    """Return the outcome of a quantity for a reader of numbers: an infinite value is an InfiniteValue."""
-    return InfiniteValue(name) if isinstance(outcome, float) and isinf(outcome) else outcome
+    """Return the outcome of a quantity for a reader of numbers: an infinite value is a failure."""
+    return Failure(INFINITE, name) if isinstance(outcome, float) and isinf(outcome) else outcome
 
 
 def reason_of(name: str, error: JkrollError) -> str:
@@ -368,25 +306,29 @@ _LEAST_APPROACH: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
 }
 
 
-def failure_of(step: str, given: Mapping[str, Any]) -> NoResult | None:
+def failure_of(step: str, given: Mapping[str, Any]) -> Failure | None:
     """Return why a formula has no result for these numbers, if the physics forbids it.
 
     The least load or approach itself is one without a contact where rounding puts it beyond the end.
     """
     if step in _LEAST_LOAD and given["load"] <= (least := _LEAST_LOAD[step](given)):
-        return BeyondPullOff(given["load"], least)
+        return Failure(BEYOND_PULL_OFF, numbers=(given["load"], least))
     if step in _LEAST_APPROACH and given["approach_at_load"] <= (least := _LEAST_APPROACH[step](given)):
-        return BeyondFold(given["approach_at_load"], least)
-    found: NoResult | None = None
+        return Failure(BEYOND_FOLD, numbers=(given["approach_at_load"], least))
+    failure: Failure | None = None
     match step:
         case "r_min" if given["radius2"] == INFINITY:
-            found = NoChain()
+            failure = Failure(NO_CHAIN)
         case "vertical_frequency" | "peeling_force" | "peeling_radius" if _is_held_by_grips_alone(given):
-            found = NotHeld(step)
+            failure = Failure(NOT_HELD, step)
         case "rolling_resistance_coefficient" if given["load"] <= 0:
-            found = NotPressed()
+            failure = Failure(NOT_PRESSED)
+        case "viscosity_number" if given["poisson_ratio"] * given["poisson_ratio2"] <= 0:
+            failure = Failure(NO_POISSON_RATIO)
+        case "sticking_speed_viscous" if given["viscosity_number"] > LARGEST:
+            failure = Failure(STICKS_ALWAYS, numbers=(given["viscosity_number"], LARGEST))
         case "contact_displacement" if given["edge_ratio"] == 0:
-            found = Apart()
+            failure = Failure(APART)
         case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
-            found = TooMuchHysteresis(given["adhesion_hysteresis"], given["work_of_adhesion"])
-    return found
+            failure = Failure(TOO_MUCH_HYSTERESIS, numbers=(given["adhesion_hysteresis"], given["work_of_adhesion"]))
+    return failure

@@ -1,11 +1,13 @@
 """The inverse problem: values of one input or two, the unknowns, at which as many quantities have their measured values.
 
-`unknowns` solves it. Here stands what it is: the inputs that can be unknown, the problem, its solution, and why it may have none.
+Here stands what it is: the inputs that can be unknown, the problem, its solution, and why it may have none. `scans` solves
+it for one unknown, `pairs` for two, and `unknowns` calls them.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
 from math import inf
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
@@ -29,6 +31,7 @@ SIZES = {
     "adhesion_hysteresis": (1e-9, 1e3),
     "youngs_modulus": (1.0, 1e15),
     "shear_strength": (1.0, 1e15),
+    "viscous_time": (1e-18, 1.0),
     "radius": (1e-12, 1e3),
     "load": (1e-15, 1e3),
 }
@@ -50,14 +53,6 @@ class AlreadyGiven(JkrollError):
 
 class OnlyGiven(JkrollError):
     """Error raised where what was measured is an input that no formula gives."""
-
-
-def only_given(name: str, quantity: str) -> OnlyGiven:
-    """Return the error of a measured input, with how it is given where another one is asked for."""
-    option = NOMENCLATURE[quantity].option or quantity
-    return OnlyGiven(
-        f"{quantity} is an input, and no formula gives it; give it as {option}, and ask for {name} without infer"
-    )
 
 
 def no_unknown(word: str) -> CannotInfer:
@@ -125,21 +120,23 @@ def independent(unknown: str, quantity: str) -> NoDependence:
     return NoDependence([unknown], f"{quantity} does not depend on it here")
 
 
-def unseparated(unknowns: Sequence[str], quantities: Iterable[str], condition: float, remark: str) -> Unseparated:
+def unseparated(problem: "Problem", remark: str, condition: float = inf) -> Unseparated:
     """Return the error of two quantities with a condition number that is too large; `remark` says what is left open."""
-    most = f"{MAX_CONDITION:.0e}".replace("+0", "")
-    size = f"κ = {condition:.2g} is above {most}" if condition < inf else f"κ is above {most}"
-    return Unseparated(unknowns, f"{listed(quantities)} do not separate them: {remark} ({size})")
+    size = f"κ = {condition:.2g} is above 1e8" if condition < inf else "κ is above 1e8"
+    remedy = "measure another quantity, or give one of the two"
+    return Unseparated(problem.unknowns, f"{listed(problem.measured)} cannot give both: {remark} ({size}); {remedy}")
 
 
-def unsolved(unknowns: Sequence[str], measured: Values, quantity: str, span: tuple[float, float]) -> NoSolution:
-    """Return the error of measured values that no values give; `span`: of one quantity, where the others have theirs."""
-    what = "value" if len(unknowns) == 1 else "pair of values"
+def unsolved(
+    problem: "Problem", quantity: str, span: tuple[float, float], held: Values = MappingProxyType({})
+) -> NoSolution:
+    """Return the error of a measured value that no values give; `span`: of the quantity, where others are held."""
+    what = "value" if len(problem.unknowns) == 1 else "pair of values"
     low, high = (amount(quantity, value) for value in span)
-    others = {name: value for name, value in measured.items() if name != quantity}
-    lies = f"where {equal(others)}, {quantity} lies" if others else "it lies"
-    text = f"no {what} gives {equal(measured)}; {lies} between {low} and {high} for {sizes_in_words(unknowns)}"
-    return NoSolution(unknowns, text, span=span)
+    lies = f"where {equal(held)}, {quantity} lies" if held else "it lies"
+    given = equal({name: float(level) for name, level in problem.levels.items() if name == quantity or name in held})
+    text = f"no {what} gives {given}; {lies} between {low} and {high} for {sizes_in_words(problem.unknowns)}"
+    return NoSolution(problem.unknowns, text, span=span)
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
@@ -158,16 +155,6 @@ def equal(values: Values) -> str:
 
 
 # --- Problems and solutions -------------------------------------------------------------------------------------------
-
-
-class Solution(NamedTuple):
-    """The values of the unknowns, and what proves them."""
-
-    values: Values
-    condition: float  # of the logarithms of the measured values as functions of those of the unknowns
-    growths: Mapping[str, float]  # by unknown, the largest factor by which relative errors of measured values enter it
-    scene: Scene  # with these values in it
-    forward: Values  # the measured quantities in this scene
 
 
 class Problem(NamedTuple):
@@ -209,8 +196,8 @@ class Problem(NamedTuple):
         return bool(self.scene.arrays)
 
     def with_values(self, values: Mapping[str, Any]) -> Scene:
-        """Return the scene with values of the unknowns, or arrays of them."""
-        return self.scene.replace(**{each: values[name] for name in self.unknowns for each in self.names_of(name)})
+        """Return the scene with values of unknowns, or arrays of them."""
+        return self.scene.replace(**{each: value for name, value in values.items() for each in self.names_of(name)})
 
     def filled(self) -> Scene:
         """Return the scene with placeholders for the unknowns, the largest values."""
@@ -265,11 +252,10 @@ class Problem(NamedTuple):
             return
         for quantity, names in depends.items():
             if not names:
-                raise unseparated(self.unknowns, self.measured, inf, f"{quantity} depends on neither")
+                raise unseparated(self, f"{quantity} depends on neither")
         for name in self.unknowns:
             if not any(name in names for names in depends.values()):
-                remark = f"they leave {NOMENCLATURE[name].symbol} open"
-                raise unseparated(self.unknowns, self.measured, inf, remark)
+                raise unseparated(self, f"they leave {NOMENCLATURE[name].symbol} open")
 
     def _check_given(self, unknown: str, quantity: str) -> None:
         """Raise AlreadyGiven if the scene has the unknown, the measured quantity, or what these follow from."""
@@ -281,7 +267,9 @@ class Problem(NamedTuple):
             self.scene.plan(quantity)
         except MissingInput as error:
             if quantity in error.missing:
-                raise only_given(unknown, quantity) from error
+                option = NOMENCLATURE[quantity].option or quantity
+                remedy = f"give it as {option}, and ask for {unknown} without infer"
+                raise OnlyGiven(f"{quantity} is an input, and no formula gives it; {remedy}") from error
 
     def failure(self) -> JkrollError:
         """Return the reason why a measured quantity has no value for any values of the unknowns."""
@@ -289,6 +277,26 @@ class Problem(NamedTuple):
             if isinstance(outcome, JkrollError):
                 return outcome
         return independent(self.unknowns[0], next(iter(self.measured)))
+
+
+class Solution(NamedTuple):
+    """The values of the unknowns of a problem: numbers, or arrays with nan in the rows that have none for a reason."""
+
+    problem: Problem
+    values: Mapping[str, Any]  # by unknown
+    condition: Any  # of the logarithms of the measured values as functions of those of the unknowns
+    growths: Mapping[str, Any]  # by unknown, the largest factor by which relative errors of measured values enter it
+    failures: Mapping[int, JkrollError] = MappingProxyType({})  # by row
+
+    @property
+    def scene(self) -> Scene:
+        """The scene with these values in it."""
+        return self.problem.with_values(self.values)
+
+    @property
+    def forward(self) -> Values:
+        """The measured quantities in this scene."""
+        return self.scene.numbers(*self.problem.measured)
 
 
 def input_named(word: str) -> str:

@@ -220,7 +220,7 @@ LIMITS = (
     ),
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
-        "above 1", "after a head-on impact the spheres do not stick",
+        "above 1", "after a head-on impact on a held body 2, elastic spheres do not stick",
         "below 1: the spheres stick",
         IMPACT,
         ends_meaning=True,
@@ -235,6 +235,12 @@ LIMITS = (
         f"below {JUMP:g}", "the contact forms and opens smoothly, adhesion alone loses almost no energy",
         "contacts jump together and apart",
         conclusion="has_jump",
+    ),
+    Limit(
+        "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "damping-fitted"},
+        "from a time that was fitted at one size",
+        "v_stick holds at that size alone; one code has 31.6 ps for silica of 0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
+        "no viscous damping",
     ),
     Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},

@@ -20,14 +20,15 @@ from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, Range, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain
 from .failures import (
+    RESTS_ON_SPACING,
+    TWO_RIGID_BODIES,
     Contradiction,
+    Failure,
     MissingInput,
-    NoFiniteValue,
     NotInLaw,
-    RestsOnSpacing,
     ShapeMismatch,
-    TwoRigidBodies,
     failure_of,
+    no_finite_value,
 )
 from .wiring import NO_PLAN, OF_A_SOLID, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
@@ -45,7 +46,8 @@ def check_range(name: str, value: Any) -> None:
     if isinstance(value, NUMBER):
         if not takes(name, value):
             raise OutOfRange(name, value, _wanted(limits, value))
-    elif (refused := ~takes(name, value)).any():
+    elif not _takes_all(name, value):
+        refused = ~takes(name, value)
         place = tuple(places[0].item() for places in refused.nonzero())
         first = value[place].item()
         raise OutOfRange(name, first, _wanted(limits, first), place)
@@ -57,6 +59,12 @@ def takes(name: str, value: Any) -> Any:
     is_large_enough = (size >= LEAST) | limits.admits(0.0)
     is_small_enough = (size <= MOST) | (value == INFINITY)
     return limits.admits(value) & is_large_enough & is_small_enough
+
+
+def _takes_all(name: str, values: Any) -> bool:
+    """Return whether a scene takes each element of an array: nearly always all lie between two finite numbers that it takes."""
+    least, most = values.min(initial=INFINITY), values.max(initial=-INFINITY)
+    return bool((most < INFINITY and takes(name, least) and takes(name, most)) or takes(name, values).all())
 
 
 def _wanted(limits: Range, value: float) -> str:
@@ -198,7 +206,7 @@ class Scene:
         self._has_area = _has_area(self.given, own_material2=material2 is not None)
         self._failures: dict[str, JkrollError] = {}
         if self.is_rigid:
-            self._failures |= {name: TwoRigidBodies() for name in _ON_AREA if name not in self.values}
+            self._failures |= {name: Failure(TWO_RIGID_BODIES) for name in _ON_AREA if name not in self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
         self._plan = NO_PLAN
         self.known = frozenset(self.values)
@@ -387,10 +395,9 @@ class Scene:
         if missing.lacking:
             return NotInLaw(name, missing.lacking, self.law.title)
         materials = {1: self.material, 2: self.material2 or self.material}
-        without = [materials[NOMENCLATURE[each].sphere] for each in missing.names if of_sphere(1, each) in PROPERTIES]
-        lacking = dict.fromkeys(
-            f"{material.name} has none in {material.title}" for material in without if material and material.name
-        )
+        properties = [each for each in missing.names if of_sphere(1, each) in PROPERTIES]
+        without = [(materials[NOMENCLATURE[each].sphere], of_sphere(1, each)) for each in properties]
+        lacking = dict.fromkeys(material.lack_of(name) for material, name in without if material and material.name)
         names = missing.names
         if XI in names and "radius" in self.given:
             lacking["that of two different solids is not known"] = None
@@ -450,7 +457,7 @@ class Scene:
             elif SMALLEST <= value < INFINITY or is_answer(name, value):  # the first holds nearly always
                 values[name] = value
             else:
-                failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
+                failures[name] = failure_of(name, given) or no_finite_value(name, value)
 
     def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
         """Return an array with nan in place of the elements that are no answer, or whose formula has an argument that is none."""
@@ -481,7 +488,7 @@ class Scene:
         if source in self._failures:
             return self._failures[source]
         rests = self.rests_on_spacing(name)
-        return RestsOnSpacing(name) if rests is True else where(rests, nan, self.values[source])
+        return Failure(RESTS_ON_SPACING, name) if rests is True else where(rests, nan, self.values[source])
 
     def rests_on_spacing(self, name: str) -> Any:
         """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""

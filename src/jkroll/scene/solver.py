@@ -13,7 +13,7 @@ from ..physics.elementary import NUMBER
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, as_input, canonical, named
 from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
-from .failures import GivenTwice, NoUncertainty
+from .failures import GivenTwice, no_uncertainty
 from .scene import Scene
 from .wiring import Plan
 
@@ -189,9 +189,9 @@ def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
 
 
 def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError | None") -> float | Uncertain:
-    """Return a value with its uncertainty, if it has one; raise NoUncertainty with the reason why there is none."""
+    """Return a value with its uncertainty, if it has one; raise a Failure with the reason why there is none."""
     if isinstance(found, JkrollError):
-        raise NoUncertainty(name, found)
+        raise no_uncertainty(name, found)
     return value if found is None else found.uncertainty
 
 

@@ -6,22 +6,22 @@ value among the places along the edges of their box: within 1 % of the distance 
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import reduce
 from itertools import product
-from math import erfc, fsum, isfinite, isnan, nan, sqrt
+from math import erfc, fsum, isfinite, isnan, sqrt
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
-from .inverse import Problem
+from .inverse import Problem, Solution
 from .scene import Scene
 from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
 STEPS = 64  # along each edge of the box of ranges
-STEPS_OF_SHARES = 12  # along each range in the middle of the others
 ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
 FEW = 800  # places that floats compute in the time of importing numpy: those of up to three ranges
 
@@ -126,32 +126,22 @@ def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
 # --- Error bars -------------------------------------------------------------------------------------------------------
 
 Place = Sequence[Any]  # a value of each source
-Outcomes = Iterable[Mapping[str, Any]]  # quantities at places: numbers, arrays, or errors that say why there are none
-Evaluate = Callable[[Sequence[Place]], Outcomes]
+Evaluate = Callable[[Sequence[Place]], Mapping[str, list[Any]]]  # quantities at places; an error where one has no value
 
 
 class Propagated(NamedTuple):
-    """The uncertainty of a result, and the part that each source has in it."""
+    """The uncertainty of a result, and the part that each source has in it.
+
+    Of arrays it has arrays: nan where a place of the sources has no value, and no width where no source has an influence.
+    """
 
     uncertainty: Uncertain
-    shares: Mapping[str, float]  # by the first input of a source; of the variance, or of the width of a range
+    shares: Mapping[
+        str, float
+    ]  # by the first input of a source; of the variance, or of the width of a range; of numbers
 
 
-class Elements(NamedTuple):
-    """The uncertainty of a quantity of a scene of arrays, element by element."""
-
-    sides: Mapping[str, Any]  # minus and plus, or low and high; nan where there is none
-    is_open: Any  # where a place of the sources has no value; floats say why
-
-
-class _Bar(NamedTuple):
-    """An error bar of a number, or of each element of an array."""
-
-    sides: Mapping[str, Any]
-    has_influence: Any  # of a source
-    changes: Sequence[Any] = ()  # by a source
-
-
+_Bar = tuple[Mapping[str, Any], Sequence[Any]]  # the sides of an error bar, and how far each source moves the value
 Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the reason why there is none
 
 
@@ -169,6 +159,11 @@ def uncertainties(
     return propagated(_evaluation(scene, [*values], sources.entering, alternative), values, sources.entering), sources
 
 
+def uncertainties_of_elements(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
+    """Return the uncertainties of quantities of a scene of arrays."""
+    return propagated(_evaluation(scene, [*values], sources), values, sources)
+
+
 def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
     """Return the part of all values that standard uncertainties stand for, normally distributed, at which a load is beyond pull-off.
 
@@ -183,13 +178,6 @@ def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
     spread = hypot(of_force, of_load)
     distance = scene["load"] + force["pull_off_force"]
     return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
-
-
-def uncertainties_of_elements(
-    scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, Elements]:
-    """Return the uncertainties of quantities of a scene of arrays."""
-    return elements(_evaluation(scene, [*values], sources), values, sources)
 
 
 def moved(sources: Sequence[Source], place: Place) -> dict[str, Any]:
@@ -210,10 +198,11 @@ def _evaluation(
         changed = scene.replace(**{**middles, **moved(sources, place)})
         return (changed if alternative is None else alternative(changed)).evaluate(names)
 
-    def evaluate(places: Sequence[Place]) -> Outcomes:
-        if len(places) <= FEW or scene.shape:
-            return map(at, places)
-        return _as_arrays(at, places)
+    def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
+        if len(places) > FEW and not scene.shape:
+            return _as_arrays(at, places)
+        rows = [at(place) for place in places]
+        return {name: [row[name] for row in rows] for name in names}
 
     return evaluate
 
@@ -225,144 +214,105 @@ def as_columns(places: Sequence[Place]) -> list[Any]:
     return [*numpy.transpose(places)]
 
 
-def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]) -> Outcomes:
-    """Iterate over quantities at many places. A place without a value has the reason that it has by itself."""
+def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]) -> Mapping[str, list[Any]]:
+    """Return quantities at many places. A place without a value has the outcome that it has by itself."""
     import numpy
 
-    columns = {
-        name: [outcome] * len(places)
-        if isinstance(outcome, JkrollError)
-        else numpy.broadcast_to(outcome, len(places)).tolist()
-        for name, outcome in at(as_columns(places)).items()
-    }
-    for place, row in zip(places, zip(*columns.values(), strict=True), strict=True):
-        outcomes = dict(zip(columns, row, strict=True))
-        has_gap = any(isinstance(outcome, float) and isnan(outcome) for outcome in row)
-        yield at(place) if has_gap else outcomes
-
-
-def propagated(evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]) -> Bars:
-    """Return the uncertainties of numbers, from sources of one kind."""
-    if not (sources and values):
-        return {}
-    bars: Bars = {}
-    is_range = isinstance(sources[0].given, Interval)
-    found = (_over_ranges if is_range else _in_quadrature)(evaluate, values, sources)
-    widths = _widths(evaluate, values, sources) if is_range else {}
-    for name, bar in found.items():
-        if isinstance(bar, JkrollError):
-            bars[name] = bar
-        elif bar.has_influence:
-            shares = _shares(sources, widths[name] if is_range else _squares(bar.changes))
-            bars[name] = Propagated(type(sources[0].given)(values[name], **bar.sides), shares)
-    return bars
-
-
-def elements(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Elements]:
-    """Return the uncertainties of arrays, as `propagated` does for numbers."""
-    if not (sources and values):
-        return {}
-    import numpy
-
-    bars: dict[str, Elements] = {}
-    is_range = isinstance(sources[0].given, Interval)
-    for name, bar in (_over_ranges if is_range else _in_quadrature)(evaluate, values, sources).items():
-        if isinstance(bar, JkrollError):
-            bars[name] = Elements({}, is_open=True)
-            continue
-        is_open = numpy.isnan(sum(bar.sides.values()))
-        is_known = bar.has_influence & ~is_open
-        bars[name] = Elements({side: where(is_known, numbers, nan) for side, numbers in bar.sides.items()}, is_open)
-    return bars
-
-
-def _in_quadrature(
-    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, _Bar | JkrollError]:
-    """Return standard uncertainties: the changes at both ends of each source, each side added in quadrature."""
-    middle = [source.given.value for source in sources]
-    places = [[*middle[:axis], end, *middle[axis + 1 :]] for axis, source in enumerate(sources) for end in source.ends]
-    outcomes = [*evaluate(places)]
-    return {name: _quadrature(value, [outcome[name] for outcome in outcomes]) for name, value in values.items()}
-
-
-def _quadrature(value: Any, outcomes: Sequence[Any]) -> _Bar | JkrollError:
-    """Return the error bar of a value, from the outcomes at the lower and the upper end of each source in turn."""
-    for outcome in outcomes:
+    columns: dict[str, list[Any]] = {}
+    for name, outcome in at(as_columns(places)).items():
         if isinstance(outcome, JkrollError):
-            return outcome
-    changes = [(low - value, high - value) for low, high in zip(outcomes[::2], outcomes[1::2], strict=True)]
+            columns[name] = [outcome]
+            continue
+        columns[name] = column = numpy.broadcast_to(outcome, len(places)).tolist()
+        for number in [number for number, value in enumerate(column) if isnan(value)]:
+            column[number] = at(places[number])[name]
+            if isinstance(column[number], JkrollError):
+                break  # which is the reason
+    return columns
+
+
+def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
+    """Return the uncertainties of numbers or arrays, from sources of one kind."""
+    if not (sources and values):
+        return {}
+    given = sources[0].given
+    is_range = isinstance(given, Interval)
+    outcomes = evaluate([*(_on_edges(sources) if is_range else _at_ends(sources))])
+    bars: Bars = {}
+    for name, value in values.items():
+        error = next((outcome for outcome in outcomes[name] if isinstance(outcome, JkrollError)), None)
+        if error is not None:
+            bars[name] = error
+            continue
+        size = len(outcomes[name]) // len(sources)
+        of_sources = [outcomes[name][size * axis : size * (axis + 1)] for axis in range(len(sources))]
+        sides, parts = (_range if is_range else _quadrature)(value, of_sources)
+        is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
+        if not isinstance(is_still, bool):
+            still = value if is_range else 0.0
+            sides = {side: where(is_still, still, ends) for side, ends in sides.items()}
+            bars[name] = Propagated(given._replace(value=value, **sides), {})
+        elif not is_still:
+            bars[name] = Propagated(given._replace(value=value, **sides), _shares(sources, parts))
+    return bars
+
+
+def _at_ends(sources: Sequence[Source]) -> Iterator[Place]:
+    """Iterate over places at the lower and the upper end of each standard uncertainty in turn."""
+    middle = [source.given.value for source in sources]
+    for axis, source in enumerate(sources):
+        for end in source.ends:
+            yield [*middle[:axis], end, *middle[axis + 1 :]]
+
+
+def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
+    """Return a standard uncertainty, and how far each source moves the value: its changes at both ends, each side in quadrature."""
+    changes = [(low - value, high - value) for low, high in of_sources]
     minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
     plus = hypot(*(at_least(at_least(low, high), 0.0) for low, high in changes))
     alike = abs(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
     middle = (minus + plus) / 2
-    minus, plus = where(alike, middle, minus), where(alike, middle, plus)
-    return _Bar({"minus": minus, "plus": plus}, at_least(plus, minus) > ROUNDING * abs(value), changes)
+    sides = {"minus": where(alike, middle, minus), "plus": where(alike, middle, plus)}
+    return sides, [hypot(low, high) for low, high in changes]
 
 
-def _over_ranges(
-    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, _Bar | JkrollError]:
-    """Return the least and the largest values on the edges of the box of all ranges.
+def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
+    """Iterate over places along the edges of the box of ranges: by ratio, or by difference where a range has 0 in it.
 
     The largest value of a quantity that has no turning point is that of a corner. One that is that of the weaker body,
     and falls off where the other becomes the weaker, has it at a corner or where such a ridge meets an edge.
     """
-    low, high, errors = dict(values), dict(values), dict[str, JkrollError]()
-    for outcomes in evaluate([*_edges([source.ends for source in sources])]):
-        for name, outcome in outcomes.items():
-            if isinstance(outcome, JkrollError):
-                errors.setdefault(name, outcome)
-            else:
-                low[name], high[name] = at_most(low[name], outcome), at_least(high[name], outcome)
-    return {
-        name: errors.get(name)
-        or _Bar({"low": low[name], "high": high[name]}, high[name] - low[name] > ROUNDING * abs(value))
-        for name, value in values.items()
-    }
-
-
-def _edges(ends: Sequence[tuple[Any, Any]]) -> Iterator[Place]:
-    """Iterate over places along the edges of the box of ranges."""
+    ends = [source.ends for source in sources]
     for axis, (low, high) in enumerate(ends):
+        is_by_ratio = low * high > 0
+        ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
+        parts = [step / STEPS for step in range(1, STEPS)]
+        between = [where(is_by_ratio, low * ratio**part, low + part * (high - low)) for part in parts]
         for corner in product(*(pair if other != axis else (low,) for other, pair in enumerate(ends))):
-            for value in _steps(low, high, STEPS):
+            for value in (low, *between, high):
                 yield [*corner[:axis], value, *corner[axis + 1 :]]
 
 
-def _steps(low: Any, high: Any, count: int) -> list[Any]:
-    """Return values from one end of a range to the other: by ratio, or by difference where the range has 0 in it."""
-    parts = [number / count for number in range(1, count)]
-    is_by_ratio = low * high > 0
-    ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
-    return [low, *(where(is_by_ratio, low * ratio**part, low + part * (high - low)) for part in parts), high]
+def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
+    """Return the least and the largest value on the edges of the box of all ranges; a source moves it by the mean of its edges."""
+    low, high, parts = value, value, []
+    for outcomes in of_sources:
+        edges = [_span(outcomes[start : start + STEPS + 1]) for start in range(0, len(outcomes), STEPS + 1)]
+        parts.append(sum(most - least for least, most in edges) / len(edges))
+        low, high = _span([low, high, *(end for edge in edges for end in edge)])
+    return {"low": low, "high": high}, parts
 
 
-def _widths(
-    evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]
-) -> Mapping[str, Sequence[float]]:
-    """Return by quantity how far it moves along each range, in the middle of the others."""
-    middle = [source.given.value for source in sources]
-    widths: dict[str, list[float]] = {name: [] for name in values}
-    for axis, source in enumerate(sources):
-        line = [[*middle[:axis], value, *middle[axis + 1 :]] for value in _steps(*source.ends, STEPS_OF_SHARES)]
-        outcomes = [*evaluate(line)]
-        for name, own in widths.items():
-            numbers = [outcome[name] for outcome in outcomes if not isinstance(outcome[name], JkrollError)]
-            own.append(max(numbers) - min(numbers) if numbers else 0.0)
-    return widths
-
-
-def _squares(changes: Iterable[tuple[float, float]]) -> list[float]:
-    """Return the squares of the changes of a number by each source, over the largest of them: they may leave the doubles."""
-    sizes = [hypot(low, high) for low, high in changes]
-    return [(size / max(sizes)) ** 2 if size else 0.0 for size in sizes]
+def _span(values: Sequence[Any]) -> tuple[Any, Any]:
+    """Return the least and the largest of values, element by element for arrays."""
+    return reduce(at_most, values), reduce(at_least, values)
 
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
-    """Return the share of each source, the largest first; a source without influence has none."""
-    whole = fsum(parts)
-    shares = {source.names[0]: part / whole for source, part in zip(sources, parts, strict=True) if part}
+    """Return the share of each source, the largest first; a source without influence has none. Variances are added, or widths."""
+    power = 1 if isinstance(sources[0].given, Interval) else 2
+    sizes = [(part / max(parts)) ** power for part in parts]  # squares of the parts may leave the doubles
+    shares = {source.names[0]: size / fsum(sizes) for source, size in zip(sources, sizes, strict=True) if size}
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
 
 
@@ -375,32 +325,29 @@ def sources_of_problem(problem: Problem) -> Sources:
     return sources_of(problem.scene, problem.used(), of_measured)
 
 
-def uncertainties_of_unknowns(values: Mapping[str, float], problem: Problem) -> tuple[Bars, Sources]:
+def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
     """Return the uncertainties of the unknowns that solve a problem, and their sources."""
     from .unknowns import solutions
 
-    sources = sources_of_problem(problem)
+    problem, sources = solution.problem, sources_of_problem(solution.problem)
 
-    def evaluate(places: Sequence[Place]) -> Outcomes:
-        changed = moved(sources.entering, as_columns(places))
-        found = solutions(problem.replace(changed), len(places), near=values)
-        for row in range(len(places)):
-            error = found.failures.get(row)
-            yield {name: error or float(column[row]) for name, column in found.values.items()}
+    def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
+        changed = problem.replace(moved(sources.entering, as_columns(places)))
+        ends = solutions(changed, len(places), near=solution.values)
+        failures = [*ends.failures.values()]
+        return {name: failures or column.tolist() for name, column in ends.values.items()}
 
-    return propagated(evaluate, values, sources.entering), sources
+    return propagated(evaluate, solution.values, sources.entering), sources
 
 
-def uncertainties_of_elements_of_unknowns(
-    values: Mapping[str, Any], size: int, problem: Problem
-) -> dict[str, Elements]:
+def uncertainties_of_elements_of_unknowns(solution: Solution, size: int) -> Bars:
     """Return the uncertainties of the unknowns that solve a problem of arrays."""
     from .unknowns import solutions
 
-    sources = sources_of_problem(problem).entering
+    problem, sources = solution.problem, sources_of_problem(solution.problem).entering
 
-    def evaluate(places: Sequence[Place]) -> Outcomes:
-        changed = (problem.replace(moved(sources, place)) for place in places)
-        return (solutions(other, size, near=values).values for other in changed)
+    def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
+        ends = [solutions(problem.replace(moved(sources, place)), size, near=solution.values) for place in places]
+        return {name: [end.values[name] for end in ends] for name in problem.unknowns}
 
-    return elements(evaluate, values, sources)
+    return propagated(evaluate, solution.values, sources)

@@ -1,0 +1,254 @@
+"""A call of a command: its words and options, read as far as they are needed, as scenes and as a format of results."""
+
+import sys
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+from ..errors import BadRequest
+from ..materials.library import Material, Materials, materials_of_user
+from ..quantities.formatting import Format, amount
+from ..quantities.laws import law_named
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
+from ..quantities.values import Spread, error_about, spreads_of
+from ..rows.sweep import Pair, Sweep
+from ..scene.scene import EXCLUSIVE, check_range
+from ..text import ending, listed, quoted, say_wrapped
+
+if TYPE_CHECKING:
+    from ..answers.curve import Loads
+    from .commands import Command
+
+
+class Call:
+    """One call of a command. A command reads those options that it declares."""
+
+    file: str | None = None  # of materials
+    quiet: bool = False
+    # how results are written
+    to: str | None = None
+    digits: int | None = None
+    bare: bool = False
+    json: bool = False
+    csv: bool = False
+    explain: bool = False
+    cite: bool = False
+    measured: tuple[str, ...] = ()
+    target: str | None = None
+    curve: bool = False
+    # of pictures
+    x: str | None = None
+    y: str | None = None
+    mark: str = ""
+    data: str | None = None
+    width: str | None = None
+    style: str | None = None
+    uncaptioned: bool = False
+    panel: str | None = None
+    as_printed: bool = False
+    plain: bool = False
+    # of tables
+    quantities: str | None = None
+    infer: str = ""
+    no_doubt: bool = False
+    alternatives: bool = False
+    # of the measurements of speed
+    quick: bool = False
+    plot: str | None = None
+
+    def __init__(self, command: "Command", words: Sequence[str] = (), options: Mapping[str, Any] | None = None) -> None:
+        """`options`: values by the names of options, which for inputs are those of the nomenclature."""
+        self.command = command.name
+        first = 1 if command.words.has_subject else 0
+        self.subject = "".join(words[:first])  # the program, input, quantity, table or figure; empty without one
+        self.words = tuple(words[first:])
+        self.inputs: dict[str, str] = {}  # texts by the names of the nomenclature
+        self.settings: dict[str, Any] = {}  # of `batch` alone: fields of its Settings
+        for name, value in (options or {}).items():
+            if name in NOMENCLATURE:
+                self.inputs[name] = value
+            elif name in OPTIONS:
+                setattr(self, name, value)
+            else:
+                self.settings[name] = value
+
+    # --- Scenes -------------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def materials(self) -> Materials:
+        """The known materials."""
+        return known_materials_of(self.file)
+
+    @cached_property
+    def models(self) -> Sequence[str | None]:
+        """The names of laws; None where none was given."""
+        text = self.inputs.get("model")
+        if text is None:
+            return [None]
+        names = [law_named(word).name for word in text.split(",")]
+        if len(set(names)) < len(names):
+            raise BadRequest(f"--model: {quoted(text)} names a law more than once")
+        return names
+
+    @cached_property
+    def values(self) -> dict[str, str]:
+        """The texts of inputs that are numbers, by name; the radii among the words are one of them."""
+        texts = {name: text for name, text in self.inputs.items() if name not in ("material2", "model")}
+        if "plane" in map(str.casefold, self.words):
+            raise BadRequest("a plane is sphere 2: write --radius2 plane")
+        if radii := [word for word in self.words if not _is_material(word)]:
+            texts["radius"] = ",".join(radii)
+        for alternatives in EXCLUSIVE:
+            given = [NOMENCLATURE[name].option or "a radius" for name in alternatives if name in texts]
+            if len(given) > 1:
+                raise BadRequest(f"{listed(given)} exclude each other")
+        if _is_part(texts.get("adhesion_hysteresis", "")):
+            texts["hysteresis_fraction"] = texts.pop("adhesion_hysteresis")
+        return texts
+
+    @cached_property
+    def spreads(self) -> dict[str, list[Spread]]:
+        """The values of each input, in the order of the nomenclature, without the loads of a force curve.
+
+        Raises OutOfRange for a value that the input cannot have.
+        """
+        every = {name: spreads_of(text, name) for name, text in self.values.items() if not self._is_of_curve(name)}
+        for name, spreads in every.items():
+            for spread in spreads:
+                check_range(name, spread.low)
+                check_range(name, spread.high)
+        return {name: every[name] for name in NOMENCLATURE if name in every}
+
+    def _is_of_curve(self, name: str) -> bool:
+        return self.curve and name == "load"
+
+    @cached_property
+    def loads(self) -> "Loads | None":
+        """The loads between which a force curve is wanted, if they are given."""
+        from ..answers.curve import loads_of
+
+        if "approach_at_load" in self.values:
+            raise BadRequest("--curve goes through all approaches; it takes none")
+        text = self.values.get("load")
+        if text is None:
+            return None
+        ends = text.split(":")
+        if len(ends) == 2 and not all(ends):
+            pull_off = amount("load", -self.sweep.kinds[0]["pull_off_force"])
+            lacking = f"--load: {quoted(text)} has no {'upper' if ends[0] else 'lower'} end"
+            raise BadRequest(f"{lacking}; write both, as in -5nN:20nN (an example); pull-off is at {pull_off}")
+        return loads_of(text)
+
+    @cached_property
+    def pairs(self) -> list[Pair]:
+        """The materials of the two spheres, in all combinations. A file of materials is checked, needed or not."""
+        if self.file is not None:
+            _ = self.materials
+        named = [word for word in self.words if _is_material(word)]
+        if len(named) > 1:
+            both = f"two materials, {quoted(named[0])} and {quoted(named[1])}"
+            raise BadRequest(f"{both}; for a list write quartz,iron; for sphere 2, --material2 iron")
+        return [*product(self._named(named[0] if named else None), self._named(self.inputs.get("material2")))]
+
+    @cached_property
+    def sweep(self) -> Sweep:
+        """The rows: a scene for each combination of materials and values."""
+        return Sweep(self.pairs, self.spreads, self.models)
+
+    @cached_property
+    def _every_material(self) -> list[Material | None]:
+        """The materials that have no mistake; those that have one are told."""
+        for mistake in self.materials.mistakes.values():
+            say_wrapped(f"note: left out: {mistake}", sys.stderr)
+        return [*self.materials.materials.values()]
+
+    def _named(self, text: str | None) -> list[Material | None]:
+        """Return the materials of a list; None where none was given."""
+        if text is None:
+            return [None]
+        if text.casefold() == "all":
+            return self._every_material
+        if (word := next(filter(is_table, text.split(",")), None)) is not None:
+            raise BadRequest(f"{quoted(word)} is a table; jkroll batch {word} reads it")
+        return [self.materials[word] for word in text.split(",")]
+
+    # --- Format of the output -----------------------------------------------------------------------------------------
+
+    @cached_property
+    def kind(self) -> str:
+        """The name of the output format: the one that was chosen, else a table on a terminal and plain lines in a pipe.
+
+        A name of the output file that ends in .json chooses JSON.
+        """
+        chosen = [name for name in FORMATS if getattr(self, name)]
+        if len(chosen) > 1:
+            raise BadRequest(f"--{chosen[0]} and --{chosen[1]} exclude each other")
+        if self.target is not None and ending(self.target) == "json":
+            if chosen and chosen != ["json"]:
+                raise BadRequest(f"-o {quoted(self.target)} and --{chosen[0]} exclude each other")
+            return "json"
+        if chosen:
+            return chosen[0]
+        return "table" if sys.stdout.isatty() else "plain"
+
+    @property
+    def names_picture(self) -> bool:
+        """True if the name of the output file is that of a picture, be it one that is drawn or not."""
+        return self.target is not None and ending(self.target) in (*PICTURES, *OTHER_PICTURES)
+
+    def form(self, quantities: Sequence[str]) -> Format:
+        """Return the format of results; each unit of `--to` applies to the quantities of its dimension."""
+        units: dict[str, tuple[str, Unit]] = {}
+        for text in self.to.split(",") if self.to is not None else []:
+            try:
+                unit = parse_unit(text)
+            except BadUnit as error:
+                wanted = [dimension_of(NOMENCLATURE[name].unit) for name in quantities]
+                example = f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
+                raise error_about("--to", text, error, wanted, example) from None
+            fitting = [
+                name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
+            ]
+            if not fitting:
+                units_of_results = ", ".join(dict.fromkeys(NOMENCLATURE[name].unit for name in quantities))
+                raise BadRequest(f"--to: {quoted(text)} fits none of the results, which are in: {units_of_results}")
+            if fitting[0] in units:
+                both = f"{quoted(units[fitting[0]][0])} and {quoted(text)}"
+                raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
+            units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
+        return Format(units, self.digits)
+
+
+OPTIONS = frozenset(Call.__annotations__)  # names of options that are no inputs
+FORMATS = ("bare", "json", "csv", "explain", "cite")
+PICTURES = ("svg", "pdf", "png")
+OTHER_PICTURES = ("jpg", "jpeg", "gif", "tif", "tiff", "eps", "ps", "svgz", "bmp", "webp")  # are not drawn
+
+
+def is_table(word: str) -> bool:
+    """Return whether a word is the name of a file that holds a table."""
+    if "." not in word:
+        return False
+    from ..batch.files import format_of_name
+
+    return format_of_name(word) is not None
+
+
+def known_materials_of(option: str | None) -> Materials:
+    """Return the known materials with those of the user's files, and say which names these take from others."""
+    known = materials_of_user(option)
+    for text in known.overrides:
+        say_wrapped(f"note: {text}", sys.stderr)
+    return known
+
+
+def _is_part(text: str) -> bool:
+    """Return whether an adhesion hysteresis is given as a part of the work of adhesion: 40%, and not 5mJ/m2 ± 20%."""
+    number = text.casefold().partition("±")[0].replace("to", "").replace("e", "")
+    return text.rstrip().endswith("%") and not any(map(str.isalpha, number))
+
+
+def _is_material(word: str) -> bool:
+    return word.casefold() == "all" or (word[:1].isalpha() and word.casefold() != "plane")

@@ -1,0 +1,166 @@
+"""Head-on collisions: restitution, and sticking with viscous damping, against the equation of motion on the JKR curve."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import dblquad, solve_ivp  # type: ignore[import-untyped]
+
+from harness import Run
+from jkroll import infer, solve
+from jkroll.physics.any_law import pull_off_force_rough
+from jkroll.physics.viscous import ALL_STICK, LARGEST, sticking_speed_viscous
+from jkroll.scene.failures import Failure, MissingInput
+from relative import approx
+
+QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-6}
+# The motion in units of δ0 and √(P_cδ0/m): δ̂ = 3y⁴ − 2y with y = z/6^(1/3), dt = 2·6^(-1/3)(z³ − 1)dσ, which makes it polynomial.
+C = 6 ** (-1 / 3)
+
+
+def acceleration(z: float, u: float, viscosity: float) -> float:
+    return 2 * C * (z**3 - 1) * (-(z**3) * (z**3 - 6) / 9 - 2 * viscosity * C**2 * z**2 * u)
+
+
+def slowest_that_parts(viscosity: float) -> float:
+    """Return the speed at which grains meet that come to rest at the fold: the motion backwards in time, from there to where they met."""
+    growth, start = math.sqrt(10 * C / 3), 1e-5
+
+    def backwards(_: float, state: Any) -> list[float]:
+        z, u = state
+        return [-u, -acceleration(z, u, viscosity)]
+
+    def meets(_: float, state: Any) -> float:
+        return float(state[0] - 4 ** (1 / 3)) if state[1] > 0 else -1.0 if state[0] < 4 ** (1 / 3) else 1.0
+
+    meets.terminal, meets.direction = True, -1  # type: ignore[attr-defined]
+    initial = [1 + start, -growth * start]
+    found = solve_ivp(backwards, (0, 1e3), initial, "DOP853", events=meets, rtol=1e-13, atol=1e-18)
+    return float(found.y_events[0][0][1])
+
+
+@pytest.mark.parametrize("viscosity", [1e-6, 1e-3, 0.03, 0.1, 0.27, 0.45, 0.6, 0.66, 0.68, LARGEST])
+def test_sticking_speed_with_damping_by_the_equation_of_motion(viscosity: float) -> None:
+    unit = {"sticking_energy": 1.0, "reduced_mass": 2.0}
+    ratio = slowest_that_parts(viscosity) / slowest_that_parts(0.0)
+    assert sticking_speed_viscous(viscosity_number=viscosity, **unit) == approx(ratio, rel=1e-9)
+
+
+def test_sticking_speed_is_that_without_damping_in_the_limit() -> None:
+    slow, damped = solve("sticking_speed", **QUARTZ), solve("sticking_speed", **QUARTZ, viscous_time=1e-25)
+    assert damped == approx(slow, rel=1e-10)
+    assert slow == approx(slowest_that_parts(0.0) * math.sqrt(_scale()), rel=1e-9)
+
+
+def _scale() -> float:
+    """Return P_cδ0/m."""
+    energy, mass = solve(["adhesion_energy", "reduced_mass"], **QUARTZ).values()
+    return float(energy / mass)
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 0.03, 0.3])
+@pytest.mark.parametrize("times", [1.5, 4.0])
+def test_restitution_bounds_that_of_the_equation_of_motion(viscosity: float, times: float) -> None:
+    least = slowest_that_parts(viscosity)
+
+    def forwards(_: float, state: Any) -> list[float]:
+        z, u = state
+        return [u, acceleration(z, u, viscosity)]
+
+    def parts(_: float, state: Any) -> float:
+        return float(state[0] - 1)
+
+    parts.terminal, parts.direction = True, -1  # type: ignore[attr-defined]
+    motion = solve_ivp(
+        forwards, (0, 1e3), [4 ** (1 / 3), times * least], "DOP853", events=parts, rtol=1e-12, atol=1e-14
+    )
+    leaves = -float(motion.y_events[0][0][1]) / (times * least)
+    speed = times * solve("sticking_speed", **QUARTZ, **_with(viscosity))
+    bound = solve("restitution", **QUARTZ, **_with(viscosity), speed=speed)
+    assert bound == approx(leaves, rel=1e-8) if not viscosity else leaves < bound < 1
+
+
+def _with(viscosity: float) -> dict[str, Any]:
+    """Return the viscous time that a viscosity number stands for."""
+    return {"viscous_time": viscosity / solve("viscosity_number", **QUARTZ, viscous_time=1.0)} if viscosity else {}
+
+
+def test_spheres_that_stick_lose_all() -> None:
+    speed = solve("sticking_speed", **QUARTZ)
+    speeds = np.array([speed / 2, speed * (1 - 1e-12), 2 * speed])
+    bounces, lost = solve(["restitution", "lost_energy"], **QUARTZ, speed=speeds).values()
+    assert bounces.tolist()[:2] == [0, 0]
+    assert bounces[2] == approx(math.sqrt(3) / 2, rel=1e-12)
+    mass, energy = solve(["reduced_mass", "sticking_energy"], **QUARTZ).values()
+    assert lost[0] == approx(mass * speeds[0] ** 2 / 2, rel=1e-12)
+    assert lost[2] == approx(energy, rel=1e-12)
+
+
+def test_damping_of_grains_that_always_stick_is_refused() -> None:
+    viscous_time = 1.25e-11
+    with pytest.raises(Failure, match=r"viscosity_number: T\* = 1.952\d* is above 0.6815: they stick at every speed"):
+        solve("sticking_speed", material="quartz", radius=1e-7, viscous_time=viscous_time)
+    several = solve("sticking_speed", material="quartz", radius=np.array([1e-7, 1e-6]), viscous_time=viscous_time)
+    assert np.isnan(several).tolist() == [True, False]
+    with pytest.raises(Failure, match="Poisson's ratios other than 0"):
+        solve("sticking_speed", **QUARTZ, poisson_ratio=0.0, viscous_time=viscous_time)
+    with pytest.raises(MissingInput, match="Maugis–Dugdale"):
+        solve("sticking_speed", **QUARTZ, viscous_time=viscous_time, model="maugis")
+    assert LARGEST < ALL_STICK
+
+
+def test_viscous_time_of_a_measured_sticking_speed() -> None:
+    """The public code's own fit for 0.76 µm on a wall is 31.6 ps, by its comments."""
+    pair: dict[str, Any] = {
+        "material": "quartz",
+        "radius": 0.76e-6,
+        "radius2": math.inf,
+        "surface_energy": 0.025,
+        "density": 2650.0,
+    }
+    found = infer("viscous_time", measured={"sticking_speed": 1.06}, **pair)
+    assert found == approx(3.16e-11, rel=0.01)
+    assert solve("sticking_speed", **pair, viscous_time=found) == approx(1.06, rel=1e-12)
+
+
+def test_a_measured_restitution_bounds_the_surface_energy(run: Run) -> None:
+    ran = run("infer gamma quartz 1um --speed 1m/s --measured restitution=0.9")
+    assert "γ1 is an upper limit: other losses of the collision are taken for it" in " ".join(ran.err.split())
+    assert "upper limit" not in run("infer gamma quartz 1um --measured pull_off_force=100nN").err
+
+
+def test_what_an_impact_says(run: Run) -> None:
+    ran = run("impact quartz 1um --speed 1cm/s --explain").out
+    assert "e = 0: they stick, as v_stick = 87.4268 mm/s is not below v" in " ".join(ran.split())
+    ran = run("impact quartz 1um --speed 1m/s --viscous-time 12.5ps --explain").out
+    assert "from a time that was fitted at one size" in " ".join(ran.split())
+    assert "elastic theory's" not in ran
+
+
+@pytest.mark.parametrize("asperity", [0.2e-9, 1.5e-9, 5e-9])
+def test_rough_pull_off_by_the_pairwise_sum(asperity: float) -> None:
+    """A sphere on a plane, with a hemisphere of the same solid between: van der Waals' force is the sum over the volumes."""
+    radius, gap = 1e-6, 1.65e-10
+
+    def on_point(across: float, height: float) -> float:
+        """Return the force along the axis of a sphere, that rests on the asperity, on a point of the hemisphere, per Hamaker constant."""
+        up = asperity + gap + radius - height
+        distance = math.hypot(across, up)
+        field = 8 * radius**3 * distance / (distance**2 - radius**2) ** 4  # of the sphere, of 4π/3 R³/(d² − R²)³
+        return field * up / distance * 2 * math.pi * across
+
+    hemisphere, _ = dblquad(on_point, 0, asperity, 0, lambda height: math.sqrt(asperity**2 - height**2), epsrel=1e-6)
+    half_space = radius**3 * 2 / 3 / ((asperity + gap) ** 2 * (asperity + gap + 2 * radius) ** 2)
+    smooth = radius / (6 * gap**2)
+    exact = hemisphere / math.pi + half_space
+    form = pull_off_force_rough(pull_off_force_dmt=smooth, reduced_radius=radius, asperity_radius=asperity, cutoff=gap)
+    assert exact < form < 1.035 * exact
+
+
+def test_unlike_solids_have_the_harmonic_mean_beside(run: Run) -> None:
+    said = run("pull-off 1um --gamma 20mJ/m2 --gamma2 400mJ/m2").err
+    assert "an upper estimate for solids as unlike as these; by the harmonic one w = 76.1905 mJ/m²" in said.replace(
+        "\n ", ""
+    )
+    assert "harmonic" not in run("pull-off 1um --gamma 20mJ/m2 --gamma2 50mJ/m2").err
