@@ -283,10 +283,7 @@ class _Cells:
         distinct = [self.column(name) for name in leading] or [numbers]
         heads = ["\n".join(parts) for parts in zip(*distinct, strict=True)]
         rows = [self.column(name) for name in results]
-        words = [
-            NOMENCLATURE[key].sentence if key in NOMENCLATURE else row[0]
-            for key, row in zip(results, rows, strict=True)
-        ]
+        words = [NOMENCLATURE[key].sentence if key in NOMENCLATURE else "" for key in results]
         yield _table(
             ["quantity", *heads], [[word, *row] for word, row in zip(words, rows, strict=True)], out, set(heads[1:])
         )

@@ -238,8 +238,8 @@ LIMITS = (
     ),
     Limit(
         "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "damping-fitted"},
-        "from a time that was fitted at one size",
-        "v_stick holds at that size alone; one code has 31.6 ps for silica of 0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
+        "above 0",
+        "the viscous time was fitted at one size, and v_stick holds there alone; one code has 31.6 ps for silica of 0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
         "no viscous damping",
     ),
     Limit(
