@@ -156,7 +156,7 @@ class Pairs:
         return inside
 
     def followed(self, near: Values, size: int) -> tuple[Solution, Any]:
-        """Return the solutions to which Newton's method leads from values, and the rows in which it leads to none from some."""
+        """Return the solutions to which Newton's method leads from values, and the rows in which it leads to none."""
         rows = numpy.arange(size)
         start = self.places(rows, near)
         places, distance = self.improved(rows, start)
