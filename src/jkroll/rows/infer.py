@@ -159,9 +159,9 @@ class Unknowns(Wanted):
         for name, values in solved.values.items():
             columns.column(name)[...] = values
         if self.known_sides and scene.is_uncertain:
-            from ..scene.uncertainty import uncertainties_of_elements_of_unknowns
+            from ..scene.uncertainty import uncertainties_of_unknowns
 
-            bars = uncertainties_of_elements_of_unknowns(solved, size)
+            bars, _ = uncertainties_of_unknowns(solved, size)
             for row in numpy.flatnonzero(columns.put_sides(bars)).tolist():
                 put_row(columns, row, partial(scene_of, row))
         return columns

@@ -1,7 +1,7 @@
-"""The inverse problem: values of one input or two, the unknowns, at which as many quantities have their measured values.
+"""The inverse problem: values of one input or two, the unknowns, at which quantities have their measured values.
 
-Here stands what it is: the inputs that can be unknown, the problem, its solution, and why it may have none. `scans` solves
-it for one unknown, `pairs` for two, and `unknowns` calls them.
+Here stands what it is: the inputs that can be unknown, the problem, its solution, and why it may have none. `scans`
+solves it for one unknown, `pairs` for two, and `unknowns` calls them.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -224,7 +224,7 @@ class Problem(NamedTuple):
         return self._replace(measured=levels, scene=self.scene.replace(**arrays) if arrays else self.scene)
 
     def used(self, values: Mapping[str, Any] | None = None) -> list[str]:
-        """Return the other inputs on which the measured quantities depend. `values`: of the unknowns, where they are known."""
+        """Return the other inputs on which the measured quantities depend. `values`: of the unknowns, if they are known."""
         scene = self.filled() if values is None else self.with_values(values)
         own = {each for name in self.unknowns for each in self.names_of(name)}
         return [name for name in scene.inputs_used([*self.measured], [*self.measured]) if name not in own]

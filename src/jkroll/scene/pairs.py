@@ -1,4 +1,4 @@
-"""Two unknowns from two quantities: a grid of both, and Newton's method from each cell that both measured values may cross."""
+"""Two unknowns from two quantities: a grid, and Newton's method from each cell that both measured values may cross."""
 
 from functools import cached_property
 from math import inf, log
@@ -156,7 +156,7 @@ class Pairs:
         return inside
 
     def followed(self, near: Values, size: int) -> tuple[Solution, Any]:
-        """Return the solutions to which Newton's method leads from values, and the rows in which it leads to none from some."""
+        """Return the solutions to which Newton's method leads from values, and the rows in which it leads to none."""
         rows = numpy.arange(size)
         start = self.places(rows, near)
         places, distance = self.improved(rows, start)
@@ -282,7 +282,8 @@ class Pairs:
         for name, small, large in ((other, second, first), (one, first, second)):
             if abs(small) <= _LEFT_OPEN * abs(large):
                 return f"they leave {NOMENCLATURE[name].symbol} open"
-        return f"both stay as they are along {NOMENCLATURE[one].symbol} ∝ {NOMENCLATURE[other].symbol}^{-first / second:.3g}"
+        power = f"{NOMENCLATURE[other].symbol}^{-first / second:.3g}"
+        return f"both stay as they are along {NOMENCLATURE[one].symbol} ∝ {power}"
 
 
 def _zeros(places: Any) -> Rows:

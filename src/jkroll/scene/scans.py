@@ -90,7 +90,7 @@ def bisected(inside: Any, outside: Any, is_inside: Callable[[Any], Any]) -> tupl
 
 
 def highest(left: Any, right: Any, sign: Any, function: Callable[[Any], Any]) -> Any:
-    """Return where functions with one maximum between two values are highest, by golden-section search; with sign −1, lowest."""
+    """Return where functions with one maximum between two values have it, by golden-section search; `sign` −1: a minimum."""
     for _ in range(_SEARCHES):
         low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
         falls = sign * function(low) > sign * function(high)

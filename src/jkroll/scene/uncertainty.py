@@ -266,7 +266,7 @@ def _at_ends(sources: Sequence[Source]) -> Iterator[Place]:
 
 
 def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
-    """Return a standard uncertainty, and how far each source moves the value: its changes at both ends, each side in quadrature."""
+    """Return a standard uncertainty, whose changes at both ends add in quadrature, and the size of these by source."""
     changes = [(low - value, high - value) for low, high in of_sources]
     minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
     plus = hypot(*(at_least(at_least(low, high), 0.0) for low, high in changes))
@@ -294,7 +294,7 @@ def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
 
 
 def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
-    """Return the least and the largest value on the edges of the box of all ranges; a source moves it by the mean of its edges."""
+    """Return the least and the largest value on the edges of the box of ranges, and the mean width along those of a source."""
     low, high, parts = value, value, []
     for outcomes in of_sources:
         edges = [_span(outcomes[start : start + STEPS + 1]) for start in range(0, len(outcomes), STEPS + 1)]
@@ -309,7 +309,7 @@ def _span(values: Sequence[Any]) -> tuple[Any, Any]:
 
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
-    """Return the share of each source, the largest first; a source without influence has none. Variances are added, or widths."""
+    """Return the share of each source in the variance or in the width, the largest first; none where it has no influence."""
     power = 1 if isinstance(sources[0].given, Interval) else 2
     sizes = [(part / max(parts)) ** power for part in parts]  # squares of the parts may leave the doubles
     shares = {source.names[0]: size / fsum(sizes) for source, size in zip(sources, sizes, strict=True) if size}
@@ -325,29 +325,23 @@ def sources_of_problem(problem: Problem) -> Sources:
     return sources_of(problem.scene, problem.used(), of_measured)
 
 
-def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
-    """Return the uncertainties of the unknowns that solve a problem, and their sources."""
+def uncertainties_of_unknowns(solution: Solution, size: int | None = None) -> tuple[Bars, Sources]:
+    """Return the uncertainties of the unknowns that solve a problem, and their sources.
+
+    `size`: the number of rows, of a problem of arrays.
+    """
     from .unknowns import solutions
 
     problem, sources = solution.problem, sources_of_problem(solution.problem)
 
     def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
-        changed = problem.replace(moved(sources.entering, as_columns(places)))
-        ends = solutions(changed, len(places), near=solution.values)
-        failures = [*ends.failures.values()]
-        return {name: failures or column.tolist() for name, column in ends.values.items()}
+        if size is not None:
+            changed = [problem.replace(moved(sources.entering, place)) for place in places]
+            ends = [solutions(other, size, near=solution.values).values for other in changed]
+            return {name: [values[name] for values in ends] for name in problem.unknowns}
+        every = problem.replace(moved(sources.entering, as_columns(places)))
+        rows = solutions(every, len(places), near=solution.values)
+        failures = [*rows.failures.values()]
+        return {name: failures or column.tolist() for name, column in rows.values.items()}
 
     return propagated(evaluate, solution.values, sources.entering), sources
-
-
-def uncertainties_of_elements_of_unknowns(solution: Solution, size: int) -> Bars:
-    """Return the uncertainties of the unknowns that solve a problem of arrays."""
-    from .unknowns import solutions
-
-    problem, sources = solution.problem, sources_of_problem(solution.problem).entering
-
-    def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
-        ends = [solutions(problem.replace(moved(sources, place)), size, near=solution.values) for place in places]
-        return {name: [end.values[name] for end in ends] for name in problem.unknowns}
-
-    return propagated(evaluate, solution.values, sources)

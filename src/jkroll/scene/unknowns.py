@@ -13,7 +13,7 @@ _TOGETHER = 1 << 17  # values of a scan that are computed at once
 
 
 def solution(problem: Problem) -> Solution:
-    """Return the one solution of a problem of numbers. Raises the reason why there is none, or the error of the inputs."""
+    """Return the one solution of a problem of numbers. Raises why there is none, or the error of the inputs."""
     arrays = solutions(problem, 1)
     for error in arrays.failures.values():
         raise error
@@ -23,7 +23,7 @@ def solution(problem: Problem) -> Solution:
 
 
 def solutions(problem: Problem, size: int, near: Values | None = None) -> Solution:
-    """Return the solutions of some rows. `near`: of two unknowns, values from which Newton's method starts, if it succeeds."""
+    """Return the solutions of some rows. `near`: values of two unknowns from which Newton's method starts first."""
     problem.check()
     failures: dict[int, JkrollError] = {}
     values, growths = ({name: numpy.full(size, numpy.nan) for name in problem.unknowns} for _ in range(2))
