@@ -104,7 +104,7 @@ MESSAGES = {
     "contact gold 100nm": (2, f"contact radius without load needs Young's modulus and Poisson's ratio; {GOLD}"),
     "n-roll gold 100nm": (
         2,
-        f"turns until sphere 1 stops needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may replace some",
+        f"turns with a sliding contact needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may replace some",
     ),
     "contact quartz 100nm --material2 gold": (
         2,
