@@ -41,7 +41,7 @@ NAMES = [
     "zf'x'",
     'zg"x"',
     "zh>hacked",
-    "zi_+é",
+    "zz_+é",
 ]
 NAMED = "".join(f"[materials.{json.dumps(name, ensure_ascii=False)}]\n" for name in NAMES)
 
@@ -91,7 +91,7 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
         ("jkroll figure 3a --mark quartz@1m", ["quartz@1mm", "quartz@1m"]),
         ("jkroll figure 3a --mark quar", ["quartz@"]),
         ("jkroll guide mo", ["models"]),
-        ("jkroll export la", ["lammps"]),
+        ("jkroll export lam", ["lammps"]),
         ("jkroll quantities r_", ["r_min", "r_min_over_radius"]),
         ("jkroll map r_", ["r_min", "r_min_over_radius"]),
         ("jkroll map r_min qua", ["quartz"]),
@@ -116,7 +116,7 @@ def test_an_option_is_offered_once() -> None:
 
 def test_no_name_in_a_file_becomes_a_command(shell: Shell) -> None:
     assert shell.words_of(f"jkroll pull-off {NAMES[0][:2]}\t") == ["pull-off", NAMES[0][:2]]
-    assert shell.words_of("jkroll pull-off zi\t") == ["pull-off", NAMES[-1]]
+    assert shell.words_of("jkroll pull-off zz\t") == ["pull-off", NAMES[-1]]
     assert not (shell.words.parent / "hacked").exists()
 
 

@@ -50,7 +50,7 @@ REFUSED = {
     "pull-off quartz 1um --help=x": "--help takes no value: leave '=x' out",
     "pull-off 1um --gamma 1J/m2 --surface-energy 2J/m2": "--gamma is given more than once",
     "batch in.csv -o x.csv --output y.csv": "--output is given more than once",
-    "materials quartz iron": "'iron' is one word too many: jkroll materials [MATERIAL]",
+    "materials quartz iron": "no material 'quartz iron'; did you mean quartz? jkroll materials lists all",
     "verify quickly": "'quickly' is one word too many: jkroll verify",
     "batch a.csv b.csv": "'b.csv' is one word too many: jkroll batch IN",
     "pull-off quartz 1um --=x": "no such option '--'; see jkroll pull-off --help",
