@@ -163,7 +163,7 @@ def _cell(value: "float | str | Uncertain", unit: tuple[str, Unit], form: Format
         ends = (convert(end, unit[1]) for end in (value.low, value.high))
         return "–".join(dict.fromkeys(significant(end, form.digits or _OF_A_RANGE) for end in ends))
     number = convert(value, unit[1])
-    keeps_zeros = form.digits is None and 1e-4 <= abs(number) < 10**_DIGITS
+    keeps_zeros = form.digits is None and number and not 10**_DIGITS <= abs(number) < 10**6
     text = f"{number:#.{_DIGITS}g}" if keeps_zeros else significant(number, form.digits or _DIGITS)
     return text.removesuffix(".")
 
@@ -364,9 +364,7 @@ def _described(
 
 def _broken(parts: Iterable[str]) -> str:
     """Return parts of a sentence as one, in lines that fit; what belongs together stays so."""
-    joined = (
-        ", ".join(parts).replace(" = ", f"{NO_BREAK_SPACE}={NO_BREAK_SPACE}").replace(" (--", f"{NO_BREAK_SPACE}(--")
-    )
+    joined = ", ".join(parts).replace(" (--", f"{NO_BREAK_SPACE}(--").replace("no load", f"no{NO_BREAK_SPACE}load")
     return "\n".join(wrapped(joined, terminal_width(), 2))
 
 
