@@ -41,7 +41,7 @@ NAMES = [
     "zf'x'",
     'zg"x"',
     "zh>hacked",
-    "zz_+é",
+    "zy_+é",
 ]
 NAMED = "".join(f"[materials.{json.dumps(name, ensure_ascii=False)}]\n" for name in NAMES)
 
@@ -81,7 +81,7 @@ def offered(line: str) -> list[str]:
 def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "mine.toml").write_text(NAMED, encoding="utf-8")
     monkeypatch.setenv("JKROLL_MATERIALS", "mine.toml")
-    assert offered("jkroll pull-off z") == [NAMES[-1]]
+    assert offered("jkroll pull-off zy") == [NAMES[-1]]
 
 
 @pytest.mark.parametrize(
@@ -116,7 +116,7 @@ def test_an_option_is_offered_once() -> None:
 
 def test_no_name_in_a_file_becomes_a_command(shell: Shell) -> None:
     assert shell.words_of(f"jkroll pull-off {NAMES[0][:2]}\t") == ["pull-off", NAMES[0][:2]]
-    assert shell.words_of("jkroll pull-off zz\t") == ["pull-off", NAMES[-1]]
+    assert shell.words_of("jkroll pull-off zy\t") == ["pull-off", NAMES[-1]]
     assert not (shell.words.parent / "hacked").exists()
 
 
