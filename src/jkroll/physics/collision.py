@@ -110,9 +110,6 @@ def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> E
 
     Source:   Energy, as `restitution`.
     Valid:    A lower bound where the law is right.
-
-    >>> lost_energy(speed=5.0, sticking_speed=3.0, reduced_mass=2.0)
-    9.0
     """
     slower = at_most(speed, sticking_speed)
     return reduced_mass * slower * slower / 2

@@ -58,10 +58,6 @@ def sticking_speed_viscous(*, sticking_energy: Energy, reduced_mass: Mass, visco
     Source:   Equation of motion on the JKR curve with F = 2(T_vis/ν²)E*a dδ/dt; r is fitted to its solutions within 1e-10.
     Valid:    T* ≤ 0.6815; beyond, a float raises ValueError and an array holds NaN. Above T_c spheres stick at every speed.
               The damping is a quasi-static one, for T* well below 1.
-
-    >>> speed = sticking_speed_viscous(sticking_energy=0.5, reduced_mass=1.0, viscosity_number=0.1)
-    >>> round(speed, 9)
-    1.952702699
     """
     distance = -ln(1 - viscosity_number / ALL_STICK)
     ratio = within(viscosity_number <= LARGEST, cube(_polynomial(_OVER, distance) / _polynomial(_UNDER, distance)))
