@@ -665,7 +665,7 @@ def test_the_list_is_a_screen_of_sets_with_the_methods(run: Run) -> None:
     places = [out.index(f"\n{title} ") for title in ("Table 1", "minerals and glasses", "polymers", "metals", "ices")]
     assert places == sorted(places)
     assert re.search(r"ice-warm +190 ± 69 +critical rolling force of µm ice grains\s", out)
-    assert re.search(r"alumina +— +give --gamma\s", out)
+    assert re.search(r"alumina +– +give --gamma\s", out)
     assert all(len(re.findall(rf"^  {re.escape(name)} ", out, re.MULTILINE)) == 1 for name in Materials().names)
     rows = {row["material"]: row for row in csv.DictReader(io.StringIO(run("materials --csv").out))}
     assert (rows["quartz"]["source"], rows["quartz"]["state"]) == ("Table 1", "")
@@ -721,7 +721,9 @@ def test_a_substance_of_several_states_is_refused(run: Run, word: str, states: t
 
 
 def test_glass_is_soda_lime_in_air_and_says_so(run: Run) -> None:
-    assert run("pull-off glass 10um", terminal=True).out.startswith("glass-soda-lime-air, R1 = 10 µm")
+    assert run("pull-off glass 10um", terminal=True).out.startswith(
+        "glass-soda-lime-air (γ = 75 mJ/m² per surface), R1 = R2 = 10 µm"
+    )
 
 
 def test_no_plain_name_stands_for_a_clean_or_cleaved_surface_or_for_a_guess(run: Run) -> None:
