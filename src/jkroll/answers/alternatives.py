@@ -1,4 +1,4 @@
-"""What may stand in place of the results of one scene: by another law of attraction, or by forces that were measured."""
+"""Alternatives to the results of one scene: by another law of attraction, or by forces that were measured."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from math import log

@@ -126,7 +126,7 @@ class Answer:
 
     @cached_property
     def laws(self) -> Mapping[str, Mapping[str, float | None]]:
-        """What stands in place of the results under the other law, and how far it is from them."""
+        """The results under the other law, and their distance from these."""
         if self.scene.missing(["tabor_parameter"]):
             return {}
         from .alternatives import over_this_law  # which a line in a pipe does not show
@@ -141,7 +141,7 @@ class Answer:
 
     @cached_property
     def displacement(self) -> Mapping[str, Any] | None:
-        """What the assumed displacement is worth for the results, as far as forces were measured."""
+        """The worth of the assumed displacement for the results, as far as forces were measured."""
         if XI not in self.inputs:
             return None
         from .alternatives import displacement_in_full  # most answers rest on no ξ, or on one that was given
@@ -150,7 +150,7 @@ class Answer:
 
     @cached_property
     def alternatives(self) -> "list[Alternative]":
-        """What may stand in place of the results: by the other law where that moves one of them, and by measured forces."""
+        """The results that may stand in place of these: by the other law where it moves one, and by measured forces."""
         from ..scene.alternatives import rolled_solid
         from .alternatives import by_data, by_other_law
 

@@ -121,7 +121,7 @@ class Inferred(Answer):
 
     @cached_property
     def displacement(self) -> Mapping[str, Any] | None:
-        """What the assumed displacement is worth for what was measured."""
+        """The worth of the assumed displacement for what was measured."""
         return self.forward.displacement if self.solution is not None else None
 
     @cached_property

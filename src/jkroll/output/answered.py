@@ -93,7 +93,7 @@ class Answered:
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, float | Uncertain | None]]:
-        """What may stand in place of the values: "maugis", by the law that holds there, and "data", by forces that were measured."""
+        """The values that may stand in place of these: "maugis", by the law that holds there, "data", by measured forces."""
         return {one.key: one.values for one in self._found.alternatives}
 
     @cached_property

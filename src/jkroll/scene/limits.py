@@ -84,7 +84,7 @@ class Doubt(NamedTuple):
 
     @property
     def excess(self) -> Any:
-        """How far it is beyond the first threshold, as the logarithm of a factor."""
+        """The distance beyond the first threshold, as the logarithm of a factor."""
         return self.limit.excess(self.judged)
 
     @property
@@ -110,18 +110,18 @@ class Doubt(NamedTuple):
 
     @property
     def factor(self) -> float | None:
-        """How many times the number is beyond the first threshold, below 1 where the limit holds; None if that is 0, or the factor infinite."""
+        """The number over the first threshold, below 1 where the limit holds; None if that is 0, or the ratio infinite."""
         return exp(self.excess) if self.threshold and self.excess < inf else None
 
     @property
     def text(self) -> str:
-        """What follows from the number for an answer."""
+        """The consequence of the number for an answer."""
         level: int = self.level
         return self.limit.text([*self.limit.codes][level - 1]) if level else self.limit.fine
 
     @property
     def sentence(self) -> str:
-        """What follows, with the number: "contact radius below 3 atoms (a/z0 = 2.15)"."""
+        """The consequence with the number: "contact radius below 3 atoms (a/z0 = 2.15)"."""
         return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {self.value:.3g})"
 
     @property
