@@ -4,8 +4,13 @@ import gc
 import os
 import sys
 
+TYPE_CHECKING = False  # the module typing is for those who read types
+if TYPE_CHECKING:
+    from types import FrameType
+
 INTERRUPTED = 130
 CANNOT_WRITE = 1
+PAUSE = 0.01  # seconds until an interrupt that came in an import is tried again
 SELDOM = 50_000  # new objects until the next search for cycles: what imports make is no garbage
 
 
@@ -19,9 +24,13 @@ def run() -> None:
     try:
         import signal
 
-        def stop(number: int, _: object) -> None:
-            """Raise KeyboardInterrupt; the next signal ends all at once."""
+        def stop(number: int, frame: "FrameType | None") -> None:
+            """Raise KeyboardInterrupt, after an import in whose midst a library may crash; the next signal ends all at once."""
             nonlocal ended_by
+            if _is_importing(frame) and hasattr(signal, "setitimer"):  # not on Windows
+                signal.signal(signal.SIGALRM, lambda _, later: stop(number, later))
+                signal.setitimer(signal.ITIMER_REAL, PAUSE)
+                return
             ended_by = number
             for each in signals:
                 signal.signal(each, signal.SIG_DFL)
@@ -51,6 +60,12 @@ def run() -> None:
         signal.raise_signal(ended_by)
     # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be interrupted.
     os._exit(code)
+
+
+def _is_importing(frame: "FrameType | None") -> bool:
+    while frame is not None and frame.f_code.co_filename != "<frozen importlib._bootstrap>":
+        frame = frame.f_back
+    return frame is not None
 
 
 def _end_if_interrupted(unraisable: "sys.UnraisableHookArgs") -> None:

@@ -184,7 +184,7 @@ class WholeCurve(Answer):
     @cached_property
     def bits(self) -> int:
         """The doubts as bits."""
-        return int(bits_of(doubts(self.scene, self.shown)))
+        return int(bits_of(doubts(self.scene, self.scene.possible(self.shown))))
 
 
 class At(NamedTuple):
