@@ -137,7 +137,7 @@ def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool 
     The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip: with it the
     contact would vibrate sideways, with 2/7 of the masses, 1000 times as fast. Sphere 1 starts to roll by 1e-5.
     """
-    scene = both(sphere, {**sphere2, "density": 1e40} if held else sphere2)
+    scene = both(sphere, {**sphere2, "density": 1e30} if held else sphere2)
     names = ("pull_off_force", "reduced_radius", "approach", "reduced_mass", "rolling_mass")
     pull_off, radius, approach, mass, rolling_mass = jkroll.solve(names, **scene).values()
     rolling = 4 * pull_off / radius
