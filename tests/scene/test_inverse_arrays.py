@@ -85,18 +85,20 @@ def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
         unknowns.solutions(Problem(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene), 1)
 
 
-# A load that is sought next to Maugis' pull-off: arrays find a value that the row by itself does not.
-UNSETTLED = ("load", "maugis")
 FAST = ("surface_energy",)  # for which all laws are tried in the fast tests
+
+
+def marks_of(name: str, model: str) -> list[pytest.MarkDecorator]:
+    """The marks of a test of an unknown under a law."""
+    marks = [pytest.mark.slow] if model != "jkr" and name not in FAST else []
+    if (name, model) == ("load", "maugis"):
+        marks.append(pytest.mark.xfail(reason="next to pull-off, arrays find a load that a row by itself does not"))
+    return marks
 
 
 @pytest.mark.parametrize(
     ("name", "model"),
-    [
-        pytest.param(*each, marks=pytest.mark.slow if each[1] != "jkr" and each[0] not in FAST else ())
-        for each in product(MEASURED, LAWS)
-        if each not in LACKING and each != UNSETTLED
-    ],
+    [pytest.param(*each, marks=marks_of(*each)) for each in product(MEASURED, LAWS) if each not in LACKING],
 )
 def test_arrays_give_what_floats_give(name: str, model: str) -> None:
     """Where the measured value alone varies, where some inputs vary, and where all do."""

@@ -176,16 +176,21 @@ class NotInProgram(JkrollError):
         return f"export: {self.program} {self.what}"
 
 
-def dust_simulation_material(scene: Scene) -> Iterator[str]:
-    """Iterate over the lines of a material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
-    scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
-    _refuse_state(scene, "dust-simulation")
+def _refuse_for_dust(scene: Scene, program: str, strength: str) -> None:
+    """Raise the reason why a program for dust cannot have a scene; `strength`: its words for a given shear strength."""
+    _refuse_state(scene, program)
     if not scene.is_identical:
         raise Failure(OF_IDENTICAL_SPHERES)
     if "shear_strength" in scene.given:
-        raise NotInProgram("dust-simulation", "has the shear strength G/4π², and takes no other")
+        raise NotInProgram(program, strength)
     if scene["poisson_ratio"] == 0:
-        raise NotInProgram("dust-simulation", "divides by Poisson's ratio, which is 0 here")
+        raise NotInProgram(program, "divides by Poisson's ratio, which is 0 here")
+
+
+def dust_simulation_material(scene: Scene) -> Iterator[str]:
+    """Iterate over the lines of a material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
+    scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
+    _refuse_for_dust(scene, "dust-simulation", "has the shear strength G/4π², and takes no other")
     numbers = (
         100 * scene["radius"],
         scene["density"] / 1000,
@@ -217,13 +222,7 @@ def _about_dust_simulation(scene: Scene) -> Iterator[str]:
 def dust_collider_material(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of a material in a command file of Paulemaule/DustCollider, in SI units."""
     scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
-    _refuse_state(scene, "dust-collider")
-    if not scene.is_identical:
-        raise Failure(OF_IDENTICAL_SPHERES)
-    if "shear_strength" in scene.given:
-        raise NotInProgram("dust-collider", "has a shear strength of its own, and takes no other")
-    if scene["poisson_ratio"] == 0:
-        raise NotInProgram("dust-collider", "divides by Poisson's ratio, which is 0 here")
+    _refuse_for_dust(scene, "dust-collider", "has a shear strength of its own, and takes no other")
     gamma = scene["work_of_adhesion"] / 2
     numbers = (gamma, *(scene[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")))
     name = scene.material.name if scene.material else "jkroll"
