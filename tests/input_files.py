@@ -58,7 +58,7 @@ title = "Laboratory notes"
     "bars.csv": b"label,gamma [mJ/m2],gamma_err (%),R_min [nm],R_max [nm],E_std\na,25,20,90,110,1\nb,25,,,,\n",
     "labels.csv": b"Material,E_GPa,nu,R1 (um),gamma [mJ/m2]\nAISI 1020,200,0.29,1,50\nquartz,,,1,\nSiO2,70,0.17,1,25\nPTFE,,0.4,1,20\n",
     "german.csv": "Name;R1 (µm);gamma [mJ/m2];E [GPa];nu\nA, b;1,5;25,0;54;0,17\nB;2;3e1;70,5;,2\n".encode(),
-    "columns.dat": b"#  R_um   gamma_mJ_m2 \n  1.5  25\n\n2\t30  \n",
+    "columns.dat": b"#  radius_um   gamma_mJ_m2 \n  1.5  25\n\n2\t30  \n",
     "empty.csv": b"",
     "grains.ndjson": b'{"material": "quartz", "radius [m]": 1e-7}\n{"material": null, "radius [m]": "1 um"}\n[]\n{"radius [m]": NaN\n',
     "good.ndjson": b'{"id": 1, "material": "quartz", "radius [nm]": 100, "load": null}\n{"id": "b", "material": "gold", "radius [nm]": "2 um", "load": "-2 nN", "more": [1, {"x": 2}]}\n',
