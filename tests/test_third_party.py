@@ -250,7 +250,7 @@ def test_tamaas_moment_of_a_shifted_strip(tamaas: Any, load_constant: float) -> 
     """
     xi, period = 0.05, 128.0
     solids = {"cylinder_radius": 100.0, "plane_strain_modulus": 1.0}
-    load = cylinder.load_per_length(load_constant=load_constant, **solids)
+    load = float(cylinder.load_per_length(load_constant=load_constant, **solids))
     moments = []
     for cells in (4096, 8192):
         cell = period / cells

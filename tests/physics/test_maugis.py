@@ -84,7 +84,7 @@ def exact_state(transition: Exact, a: Exact, t: Exact) -> dict[str, Exact]:
     }
 
 
-def ulps(value: float, exact: Exact) -> float:
+def ulps(value: Any, exact: Exact) -> float:
     return float(abs(mpf(float(value)) - exact)) / math.ulp(float(exact))
 
 
@@ -399,8 +399,8 @@ def test_si_formulas_agree_with_each_other() -> None:
     scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9}
     modulus, spacing, load = {"contact_modulus": 27.8e9}, 0.4e-9, 3e-9
     tabor = (50e-9 * 0.05**2 / (27.8e9**2 * spacing**3)) ** (1 / 3)
-    transition = any_law.transition_parameter(tabor_parameter=tabor)
-    stress = any_law.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing)
+    transition = float(any_law.transition_parameter(tabor_parameter=tabor))
+    stress = float(any_law.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing))
     at_pull_off = maugis.edge_ratio_at_pull_off(transition_parameter=transition)
     given = {"edge_ratio_at_pull_off": at_pull_off, "transition_parameter": transition, **scene}
     force = maugis.pull_off_force_maugis(**given)
@@ -408,7 +408,7 @@ def test_si_formulas_agree_with_each_other() -> None:
     span = maugis.zone_span(edge_ratio=ratio, transition_parameter=transition, **scene, **modulus)
     known = {"edge_ratio": ratio, "zone_span": span, "reduced_radius": 50e-9, "cohesive_stress": stress, **modulus}
     assert math.isclose(maugis.load_maugis(**known), load, rel_tol=1e-12)
-    approach = maugis.approach_maugis(**known)
+    approach = float(maugis.approach_maugis(**known))
     again = _edge_ratio_at(approach, {"transition_parameter": transition, **scene, **modulus})
     assert math.isclose(again, ratio, rel_tol=1e-12)
     a = maugis.contact_radius_maugis(edge_ratio=ratio, zone_span=span)

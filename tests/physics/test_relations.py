@@ -6,13 +6,14 @@ import pydoc
 import re
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any, get_type_hints
+from typing import Any, assert_type, get_type_hints
 
 import numpy as np
 import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
@@ -329,10 +330,15 @@ def test_materials_of_one_s_own(tmp_path: Path) -> None:
     assert mine["ice"].properties["poisson_ratio"] == 0.3
 
 
+def test_a_type_checker_sees_a_number_or_an_array() -> None:
+    """Held by mypy."""
+    assert_type(jkroll.yield_angle(yield_displacement=2e-10, reduced_radius=5e-8), float | NDArray[np.float64])
+
+
 def test_pint_quantities_in_and_out() -> None:
     force = solve("pull_off_force", radius=UREG.Quantity(100.0, "nm"), surface_energy=UREG.Quantity(25.0, "erg/cm^2"))
     assert math.isclose(force.m_as("nN"), 11.780972450961725, rel_tol=1e-14)
-    direct = jkroll.pull_off_force(
+    direct = FORMULAS["pull_off_force"](
         work_of_adhesion=UREG.Quantity(50.0, "mJ/m^2"), reduced_radius=UREG.Quantity(50.0, "nm")
     )
     assert math.isclose(direct.m_as("nN"), 11.780972450961725, rel_tol=1e-14)

@@ -26,7 +26,9 @@ def test_the_exact_pressure_bears_the_load_and_the_moment_of_eq_25() -> None:
         name: state[name] for name in ("contact_modulus", "reduced_radius", "hertz_pressure", "boussinesq_pressure")
     }
     along = np.linspace(-a, a, 9)[1:-1]
-    even = shifted.exact_pressure(position_in_circle=along, contact_radius_at_load=a, yield_displacement=shift, **parts)
+    even = np.asarray(
+        shifted.exact_pressure(position_in_circle=along, contact_radius_at_load=a, yield_displacement=shift, **parts)
+    )
     depth = np.sqrt(1 - (along / a) ** 2)
     odd = (even - even[::-1]) / 2  # the tilt alone
     tilt = 2 * state["contact_modulus"] * shift / (math.pi * state["reduced_radius"])

@@ -56,7 +56,9 @@ def test_labelled_array_of_si_numbers() -> None:
 
 
 def test_formula_reads_the_unit_inside_a_labelled_array() -> None:
-    force = jkroll.pull_off_force(work_of_adhesion=Quantity(0.05, "J/m^2"), reduced_radius=Labelled(RADII / 2))
+    force = jkroll.FORMULAS["pull_off_force"](
+        work_of_adhesion=Quantity(0.05, "J/m^2"), reduced_radius=Labelled(RADII / 2)
+    )
     assert numpy.allclose(in_newtons(force), FORCES, rtol=1e-14)
 
 

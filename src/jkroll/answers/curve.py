@@ -113,7 +113,7 @@ def _largest(scene: Scene, loads: Loads | None) -> float:
 
 def _of_jkr(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
     """Return states by x = â^(3/2), from the end of the unstable branch on."""
-    last = cbrt(6 * scene.replace(load=loads.high)["load_factor"]) if loads else 2.0
+    last = float(cbrt(6 * scene.replace(load=loads.high)["load_factor"])) if loads else 2.0
     roots = [last * step / steps for step in range(1, steps + 1)]
     factors = {root**3 / 6: "" for root in roots} | NAMED
     return [

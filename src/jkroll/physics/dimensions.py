@@ -1,13 +1,22 @@
 """The dimension of every parameter and result, as an annotation that carries the SI unit.
 
-A value is a float, or an array of floats; arrays broadcast. The annotation is for the reader, for the help texts and for
-the tests, which feed each formula pint Quantities and compare the units of the nomenclature: at run time it costs nothing.
+A value is a float, or an array of floats; floats give a float, and arrays broadcast. The annotation is for the reader,
+for type checkers, for the help texts and for the tests, which feed each formula pint Quantities and compare the units of
+the nomenclature: at run time it costs nothing.
 The formulas import `annotations` from `__future__`, so that `help` shows the dimension by its name.
 """
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
-FloatOrArray = Any  # a float gives a float and an array an array, which a union of the two could not say
+if TYPE_CHECKING:  # the formulas run without numpy
+    from numpy import bool_, float64
+    from numpy.typing import NDArray
+
+    FloatOrArray = float | NDArray[float64]
+    Condition = bool | NDArray[bool_]
+else:
+    FloatOrArray = float
+    Condition = bool
 
 Length = Annotated[FloatOrArray, "m"]
 PerLength = Annotated[FloatOrArray, "m^-1"]

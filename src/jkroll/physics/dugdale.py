@@ -18,11 +18,14 @@ At these, at a load and at an approach, v is the root of a smooth function, foun
 enough for a fixed number of steps.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from .elementary import arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
+from .dimensions import Condition, FloatOrArray
+from .elementary import absolute, arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
 
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): below, a vanishes before fixed grips let go
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): below, approaching spheres attract before they touch
@@ -34,12 +37,16 @@ _TINY = 1e-300  # in place of a slope of 0
 _LAST_OF_FRACTION = 21  # what is left out is below 1e-17 of it, up to θ = π/2
 
 
-def length_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
+def length_unit(
+    work_of_adhesion: FloatOrArray, reduced_radius: FloatOrArray, contact_modulus: FloatOrArray
+) -> FloatOrArray:
     """Return the unit of lengths along the surface, (πwR²/K)^(1/3)."""
     return cbrt(3 / 4 * pi * work_of_adhesion * reduced_radius**2 / contact_modulus)
 
 
-def approach_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
+def approach_unit(
+    work_of_adhesion: FloatOrArray, reduced_radius: FloatOrArray, contact_modulus: FloatOrArray
+) -> FloatOrArray:
     """Return the unit of approaches, (π²w²R/K²)^(1/3)."""
     return cbrt(9 / 16 * pi**2 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
 
@@ -47,16 +54,16 @@ def approach_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: A
 class Shape(NamedTuple):
     """The functions of the edge ratio that the module names."""
 
-    v: Any
-    n: Any
-    theta: Any
-    h: Any
-    g2: Any
-    g3: Any
-    d: Any
+    v: FloatOrArray
+    n: FloatOrArray
+    theta: FloatOrArray
+    h: FloatOrArray
+    g2: FloatOrArray
+    g3: FloatOrArray
+    d: FloatOrArray
 
 
-def shape(edge_ratio: Any) -> Shape:
+def shape(edge_ratio: FloatOrArray) -> Shape:
     """Return the functions of an edge ratio v ≥ 0."""
     v = edge_ratio
     square = 1 + v * v
@@ -67,32 +74,32 @@ def shape(edge_ratio: Any) -> Shape:
     return Shape(v, n, theta, h, theta - h, v + bent, v * h + bent * theta)
 
 
-def _lag(at: Shape) -> Any:
+def _lag(at: Shape) -> FloatOrArray:
     """Return 1 − vθ, where v = cot θ, by Lambert's continued fraction: θ²/(3 − θ²/(5 − θ²/(7 − …)))."""
     square = at.theta * at.theta
-    rest = _LAST_OF_FRACTION
+    rest: FloatOrArray = _LAST_OF_FRACTION
     for odd in range(_LAST_OF_FRACTION - 2, 1, -2):
         rest = odd - square / rest
     return square / rest
 
 
-def g1(at: Shape) -> Any:
+def g1(at: Shape) -> FloatOrArray:
     """Return G1, as v(1 − vθ) + θ."""
     return at.v * _lag(at) + at.theta
 
 
-def span(transition: Any, at: Shape) -> Any:
+def span(transition: FloatOrArray, at: Shape) -> FloatOrArray:
     """Return T of a contact, from λ and its shape."""
     half = 2 / 3 * (transition * transition) * at.g2
     return 1 / (half + sqrt(half * half + transition / 2 * g1(at)))
 
 
-def half_width(transition: Any) -> Any:
+def half_width(transition: FloatOrArray) -> FloatOrArray:
     """Return b = 8λ/3π, which is T at the fold of spheres that do not touch."""
     return 8 / (3 * pi) * transition
 
 
-def span_apart(transition: Any, approach: Any) -> Any:
+def span_apart(transition: FloatOrArray, approach: FloatOrArray) -> FloatOrArray:
     """Return T of spheres that attract without contact, where it is c.
 
     c²/2 − bc = δ + 2/(πλ); fixed grips hold the larger root.
@@ -102,37 +109,37 @@ def span_apart(transition: Any, approach: Any) -> Any:
     return b + sqrt(at_least(square, 0.0))
 
 
-def load(transition: Any, at: Shape, span: Any) -> Any:
+def load(transition: FloatOrArray, at: Shape, span: FloatOrArray) -> FloatOrArray:
     """Return P, in contact or apart."""
     square = span * span
     return square * (cube(at.v) * span - transition * at.g3)
 
 
-def approach(transition: Any, at: Shape, span: Any) -> Any:
+def approach(transition: FloatOrArray, at: Shape, span: FloatOrArray) -> FloatOrArray:
     """Return δ of a contact."""
     touching = at.v * span
     return touching * touching - 4 / 3 * transition * span
 
 
-def unloaded_radius(transition: Any, at: Shape, span: Any) -> Any:
+def unloaded_radius(transition: FloatOrArray, at: Shape, span: FloatOrArray) -> FloatOrArray:
     """Return a of a contact without load: a³ = λT²G3, as P is 0; v would bring its error in as its power 3/2."""
     return cbrt(transition * span * span * at.g3)
 
 
-def approach_apart(transition: Any, span: Any) -> Any:
+def approach_apart(transition: FloatOrArray, span: FloatOrArray) -> FloatOrArray:
     """Return δ of spheres that attract without contact."""
     b = half_width(transition)
     return span * (span / 2 - b) - 2 / (pi * transition)
 
 
-def stiffness_ratio(at: Shape, q: Any) -> Any:
+def stiffness_ratio(at: Shape, q: FloatOrArray) -> FloatOrArray:
     """Return dP/dδ over that of a flat punch of radius T, in contact or apart: v without attraction, 0 at pull-off, −∞ at the fold."""
     give = at.g3 - q * at.h
-    at_fold = abs(give) <= _ROUNDING * at.g3  # as near as doubles come, where the sign is chance
+    at_fold = absolute(give) <= _ROUNDING * at.g3  # as near as doubles come, where the sign is chance
     return where(at_fold, -math.inf, (at.v * at.g3 - q * at.d) / where(at_fold, 1.0, give))
 
 
-def energy(transition: Any, at: Shape, span: Any, approach: Any) -> Any:
+def energy(transition: FloatOrArray, at: Shape, span: FloatOrArray, approach: FloatOrArray) -> FloatOrArray:
     """Return the elastic and surface energy Φ, in contact or apart: dΦ = P dδ, and 0 for spheres that do not attract.
 
     Φ = ¾(aδ² − ⅔a³δ + a⁵/5) − c² + λT⁴(θ − v + (2v + 3v³)(1 − vθ))/4 + λT²(n²θ − v)(a² − δ) − (4/9)λ²T³(v + 2n)h²
@@ -150,7 +157,7 @@ def energy(transition: Any, at: Shape, span: Any, approach: Any) -> Any:
 # --- Extremes, and no load --------------------------------------------------------------------------------------------
 
 
-def pull_off_ratio(transition: Any) -> Any:
+def pull_off_ratio(transition: FloatOrArray) -> FloatOrArray:
     """Return v where the tension is largest, from a fit to 4e-4."""
     square = 0.2900717 / transition - 0.7981143
     square = square / (1 + transition * (1.456039 + transition * (0.960759 + transition * 0.109797)))
@@ -163,7 +170,7 @@ def pull_off_ratio(transition: Any) -> Any:
     return v
 
 
-def fold_ratio(transition: Any) -> Any:
+def fold_ratio(transition: FloatOrArray) -> FloatOrArray:
     """Return v where fixed grips let go; 0 where they hold on to spheres that no longer touch."""
     beyond = at_least(transition - FOLD_WITHOUT_CONTACT, 0.0)
     difference = beyond - 0.46
@@ -174,14 +181,14 @@ def fold_ratio(transition: Any) -> Any:
     return where(beyond == 0, 0.0, v)
 
 
-def lowest_approach(transition: Any, least: Any) -> Any:
+def lowest_approach(transition: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
     """Return δ at the fold, in contact or apart, from its v."""
     at = shape(least)
     apart = approach_apart(transition, half_width(transition))
     return where(least == 0, apart, approach(transition, at, span(transition, at)))
 
 
-def unloaded_ratio(transition: Any) -> Any:
+def unloaded_ratio(transition: FloatOrArray) -> FloatOrArray:
     """Return v of the stable contact without load, from a fit to 8e-5."""
     curved = (0.5219 + transition * (1.0059 + 0.7003 * transition)) / (1 + transition * (1.9949 + 0.692 * transition))
     v = transition * sqrt(1.2114137 + 1.2467419 / (transition * (1 + transition * curved)))
@@ -191,7 +198,7 @@ def unloaded_ratio(transition: Any) -> Any:
     return v
 
 
-def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
+def _step_to(transition: FloatOrArray, at: Shape, q: FloatOrArray, growth: FloatOrArray) -> FloatOrArray:
     """Return v after a step of Newton's method towards the v whose state of some kind belongs to λ.
 
     λ = ¾qT with T³ = 8/(3q(G1 + 2qG2)) is the one that has this state at v; `q` is what makes it of its kind, and
@@ -209,7 +216,9 @@ def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
 # --- States ---------------------------------------------------------------------------------------------------------
 
 
-def ratio_at_load(transition: Any, load_in_units: Any, least: Any, tension: Any) -> Any:
+def ratio_at_load(
+    transition: FloatOrArray, load_in_units: FloatOrArray, least: FloatOrArray, tension: FloatOrArray
+) -> FloatOrArray:
     """Return v of the stable contact at a load; there is none beyond pull-off, which rounding may miss.
 
     `least` and `tension` are v and −P at pull-off. The start is a fit, to 15 % up to 10³ pull-off forces, and in a wide
@@ -224,7 +233,7 @@ def ratio_at_load(transition: Any, load_in_units: Any, least: Any, tension: Any)
     power = (1 + 1 / ((1 + 0.82 * root) * (1 + 0.82 * root))) / 3
     start = least * (1 + reach / scale) ** power
 
-    def curve(at: Shape) -> tuple[Any, Any]:
+    def curve(at: Shape) -> tuple[FloatOrArray, FloatOrArray]:
         wide = span(transition, at)
         q = 4 / 3 * transition / wide
         slope = 3 / 2 * wide * (at.v * at.g3 - q * at.d) * _stretch(transition, at, wide, q)
@@ -238,50 +247,58 @@ def ratio_at_load(transition: Any, load_in_units: Any, least: Any, tension: Any)
     return where(is_far, _root(curve, aim, v, least, power), v)
 
 
-def ratio_at_approach(transition: Any, approach_in_units: Any, least: Any, fold: Any) -> Any:
+def ratio_at_approach(
+    transition: FloatOrArray, approach_in_units: FloatOrArray, least: FloatOrArray, fold: FloatOrArray
+) -> FloatOrArray:
     """Return v of the state that fixed grips hold at an approach: 0 without contact; there is none beyond the fold.
 
     `least` and `fold` are v and δ at the fold.
     """
     at = shape(least)
     lowest = approach(transition, at, span(transition, at))
-    is_held = approach_in_units >= fold - _ROUNDING * abs(fold)
+    is_held = approach_in_units >= fold - _ROUNDING * absolute(fold)
     excess = at_least(within(is_held, approach_in_units - lowest), 0.0)
     aim = sqrt(excess)
     start = least + (sqrt(aim * transition * (aim + transition)) + cbrt(transition * excess)) / 2
     start = where(aim > 100, _in_wide_contact(transition, sqrt(at_least(approach_in_units, 0.0))), start)
 
-    def curve(at: Shape) -> tuple[Any, Any]:
+    def curve(at: Shape) -> tuple[FloatOrArray, FloatOrArray]:
         wide = span(transition, at)
         return approach(transition, at, wide) - lowest, approach_slope(transition, at, wide)
 
     return _root(curve, aim, _root(curve, aim, start, least), least)
 
 
-def approach_slope(transition: Any, at: Shape, span: Any) -> Any:
+def approach_slope(transition: FloatOrArray, at: Shape, span: FloatOrArray) -> FloatOrArray:
     """Return dδ/dv of a contact."""
     q = 4 / 3 * transition / span
     return (at.g3 - q * at.h) * _stretch(transition, at, span, q)
 
 
-def _is_any(condition: Any) -> bool:
+def _is_any(condition: Condition) -> bool:
     """Return whether a condition is met, by any element for arrays."""
     return condition if isinstance(condition, bool) else bool(condition.any())
 
 
-def _in_wide_contact(transition: Any, radius: Any) -> Any:
+def _in_wide_contact(transition: FloatOrArray, radius: FloatOrArray) -> FloatOrArray:
     """Return v of a ring around a contact whose radius is Hertz': wide, v² = (π/4)λa², or narrow, v³ = ⅔λa² + ⅔λ²av."""
     area = transition * radius * radius
     return at_most(sqrt(pi / 4 * area), cbrt(2 / 3 * area)) + transition * sqrt(2 / 3 * radius)
 
 
-def _stretch(transition: Any, at: Shape, span: Any, q: Any) -> Any:
+def _stretch(transition: FloatOrArray, at: Shape, span: FloatOrArray, q: FloatOrArray) -> FloatOrArray:
     """Return the factor that dP/dv and dδ/dv have in common, T²v(2 + q)/(n²(G1 + qG2)), with G1 = 2/(λT²) − 2qG2."""
     square = span * span
     return square * at.v * (2 + q) / (at.n * at.n * (2 / (transition * square) - q * at.g2))
 
 
-def _root(curve: Callable[[Shape], tuple[Any, Any]], aim: Any, start: Any, least: Any, power: Any = 1.0) -> Any:
+def _root(
+    curve: Callable[[Shape], tuple[FloatOrArray, FloatOrArray]],
+    aim: FloatOrArray,
+    start: FloatOrArray,
+    least: FloatOrArray,
+    power: FloatOrArray = 1.0,
+) -> FloatOrArray:
     """Return the v where the root of a curve is `aim`, by Newton's method in v^(1/power).
 
     The curve is the load or the approach above its least. Its root has a slope at the least as well, and under a load is

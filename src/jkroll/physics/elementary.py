@@ -4,14 +4,17 @@ The type of the value decides, so that a float needs no import of numpy, and an 
 numpy's protocol) no loop. Both take the same operations in the same order, and agree to the last digit or the one before.
 """
 
+from __future__ import annotations
+
 import math
-from typing import Any
+
+from .dimensions import Condition, FloatOrArray
 
 pi = math.pi
 NUMBER = float, int  # named once: `float | int` would be made anew by each call
 
 
-def sqrt(value: Any) -> Any:
+def sqrt(value: FloatOrArray) -> FloatOrArray:
     """Return the square root. Of a negative number it raises ValueError; such an element of an array becomes nan."""
     if isinstance(value, NUMBER):
         return math.sqrt(value)
@@ -20,19 +23,19 @@ def sqrt(value: Any) -> Any:
     return numpy.sqrt(value)
 
 
-def cbrt(value: Any) -> Any:
+def cbrt(value: FloatOrArray) -> FloatOrArray:
     """Return the cube root, improved by one step of Newton's method: some C libraries are off by 3 ulp."""
     if isinstance(value, NUMBER):
         root = math.cbrt(value)
         return root - (cube(root) - value) / (3 * root * root) if root else root
     import numpy
 
-    root = numpy.cbrt(value)
-    slope = 3 * root * root
-    return root - (cube(root) - value) / (slope + (slope == 0))  # the root of 0 is exact
+    roots: FloatOrArray = numpy.cbrt(value)
+    slopes = 3 * roots * roots
+    return roots - (cube(roots) - value) / (slopes + (slopes == 0))  # the root of 0 is exact
 
 
-def ln(value: Any) -> Any:
+def ln(value: FloatOrArray) -> FloatOrArray:
     """Return the natural logarithm, −∞ of 0 and of what is below it.
 
     >>> ln(1.0), ln(0.0)
@@ -46,12 +49,12 @@ def ln(value: Any) -> Any:
         return numpy.log(numpy.maximum(value, 0.0))
 
 
-def cube(value: Any) -> Any:
+def cube(value: FloatOrArray) -> FloatOrArray:
     """Return the third power by products, which round alike for numbers and arrays; numpy's power is 5 times slower."""
     return value * value * value
 
 
-def arctan(value: Any) -> Any:
+def arctan(value: FloatOrArray) -> FloatOrArray:
     """Return the angle of a tangent."""
     if isinstance(value, NUMBER):
         return math.atan(value)
@@ -60,19 +63,24 @@ def arctan(value: Any) -> Any:
     return numpy.arctan(value)
 
 
-def hypot(*values: Any) -> Any:
+def hypot(*values: FloatOrArray) -> FloatOrArray:
     """Return the root of the sum of squares."""
     if all(isinstance(value, NUMBER) for value in values):
         return math.hypot(*values)
     import numpy
 
-    root = 0.0
+    root: FloatOrArray = 0.0
     for value in values:
         root = numpy.hypot(root, value)
     return root
 
 
-def at_least(value: Any, bound: Any) -> Any:
+def absolute(value: FloatOrArray) -> FloatOrArray:
+    """Return the absolute value, as `abs` does, whose type for a union is no number."""
+    return value.__abs__()
+
+
+def at_least(value: FloatOrArray, bound: FloatOrArray) -> FloatOrArray:
     """Return the larger of a value and a bound, element by element for arrays."""
     if isinstance(value, NUMBER) and isinstance(bound, NUMBER):
         return max(value, bound)
@@ -81,7 +89,7 @@ def at_least(value: Any, bound: Any) -> Any:
     return numpy.maximum(value, bound)
 
 
-def at_most(value: Any, bound: Any) -> Any:
+def at_most(value: FloatOrArray, bound: FloatOrArray) -> FloatOrArray:
     """Return the smaller of a value and a bound, element by element for arrays."""
     if isinstance(value, NUMBER) and isinstance(bound, NUMBER):
         return min(value, bound)
@@ -90,28 +98,28 @@ def at_most(value: Any, bound: Any) -> Any:
     return numpy.minimum(value, bound)
 
 
-def smaller_and_larger(value: Any, value2: Any) -> tuple[Any, Any]:
+def smaller_and_larger(value: FloatOrArray, value2: FloatOrArray) -> tuple[FloatOrArray, FloatOrArray]:
     """Return two values in ascending order, element by element for arrays."""
     return at_most(value, value2), at_least(value, value2)
 
 
-def in_series(value: Any, value2: Any) -> Any:
+def in_series(value: FloatOrArray, value2: FloatOrArray) -> FloatOrArray:
     """Return 1/(1/x + 1/y) of two positive values, of which one may be infinite."""
     smaller, larger = smaller_and_larger(value, value2)
     return smaller / (1 + smaller / larger)
 
 
-def quotient(value: Any, divisor: Any, otherwise: float) -> Any:
+def quotient(value: FloatOrArray, divisor: FloatOrArray, otherwise: float) -> FloatOrArray:
     """Return a quotient, and another number where the divisor is 0 or nan, element by element for arrays.
 
     >>> quotient(3.0, 2.0, 1.0), quotient(3.0, 0.0, 1.0)
     (1.5, 1.0)
     """
-    is_known = abs(divisor) > 0
+    is_known = absolute(divisor) > 0
     return where(is_known, value / where(is_known, divisor, 1.0), otherwise)
 
 
-def where(condition: Any, value: Any, otherwise: Any) -> Any:
+def where(condition: Condition, value: FloatOrArray, otherwise: FloatOrArray) -> FloatOrArray:
     """Return the one value or the other, element by element for arrays."""
     if isinstance(condition, bool):
         return value if condition else otherwise
@@ -120,7 +128,7 @@ def where(condition: Any, value: Any, otherwise: Any) -> Any:
     return numpy.where(condition, value, otherwise)
 
 
-def within(condition: Any, value: Any) -> Any:
+def within(condition: Condition, value: FloatOrArray) -> FloatOrArray:
     """Return a value that is defined under a condition. Elsewhere a number raises ValueError, and an array holds nan."""
     if isinstance(condition, bool) and not condition:
         raise ValueError("outside the domain of the formula")

@@ -7,9 +7,7 @@ two between the fold and 0.
 
 from __future__ import annotations
 
-from typing import Any
-
-from .dimensions import Area, Energy, Force, Length, Number, Stress, SurfaceEnergy
+from .dimensions import Area, Energy, FloatOrArray, Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt, where, within
 
 FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
@@ -21,7 +19,7 @@ NEWTON_STEPS = 6  # from the start below; a seventh changes nothing
 WELL = 6 / 5
 PULL_OFF_AT_FIXED_GRIPS = 6 / 5 + 2 / 15 / CBRT_6
 PULL_OFF_AT_DEAD_LOAD = (6 - cbrt(4.0)) / 5
-STICKING = 2 / 15 / CBRT_6 + 4 / 5 * (2 / 3) ** (1 / 3)
+STICKING: float = 2 / 15 / CBRT_6 + 4 / 5 * (2 / 3) ** (1 / 3)
 
 
 def load_margin_of_factor(*, load_factor: Number) -> Number:
@@ -75,7 +73,7 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
     return (1 + 2 * _approach_over_root(approach_at_load / approach)) / 3
 
 
-def _approach_over_root(approach_ratio: Any) -> Any:
+def _approach_over_root(approach_ratio: FloatOrArray) -> FloatOrArray:
     """Return δ̂/y = 3x − 2 on the stable branch, y = x^(1/3), at δ̂ ≥ δ̂_fold; an error of y counts once in it."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
@@ -83,13 +81,13 @@ def _approach_over_root(approach_ratio: Any) -> Any:
     return approach_ratio / y
 
 
-def _excess(approach_ratio: Any) -> Any:
+def _excess(approach_ratio: FloatOrArray) -> FloatOrArray:
     """Return 6^(1/3)(δ̂ − δ̂_fold), with the digits of δ̂_fold beyond a double; the domain ends at the fold."""
     above_fold = approach_ratio - FOLD_APPROACH
     return within(above_fold >= 0, where(above_fold > 0, above_fold - FOLD_APPROACH_REST, 0.0) * CBRT_6)
 
 
-def _root_of_excess(eta: Any, excess: Any) -> Any:
+def _root_of_excess(eta: FloatOrArray, excess: FloatOrArray) -> FloatOrArray:
     """Return the root of the convex η²(3 + 2η + η²/2) = excess by Newton's method, from a start beyond it."""
     for _ in range(NEWTON_STEPS):
         slope = eta * (6 + eta * (6 + 2 * eta))

@@ -7,10 +7,8 @@ spheres attract without contact, v is 0 and T is c. `dugdale` has the same curve
 
 from __future__ import annotations
 
-from typing import Any
-
 from . import dugdale
-from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
+from .dimensions import FloatOrArray, Force, Length, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import arctan, at_least, cube, pi, sqrt, where, within
 
 
@@ -447,7 +445,7 @@ def contact_radius_at_fold_maugis(
     return _radius(transition_parameter, edge_ratio_at_fold) * unit
 
 
-def _radius(transition: Any, edge_ratio: Any) -> Any:
+def _radius(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
     """Return the radius of the contact circle in its unit, 0 for spheres that do not touch."""
     return edge_ratio * dugdale.span(transition, dugdale.shape(edge_ratio))
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from . import dugdale
-from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
+from .dimensions import Energy, FloatOrArray, Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import at_most, pi, where
 
 # Gauss-Legendre quadrature: places to either side of the middle of an interval, and their weights.
@@ -120,7 +118,7 @@ def pull_off_work_at_dead_load_maugis(
     """
     middle = (edge_ratio_at_pull_off + unloaded_edge_ratio) / 2
     half = (edge_ratio_at_pull_off - unloaded_edge_ratio) / 2
-    work = 0.0
+    work: FloatOrArray = 0.0
     for place, weight in _EIGHT_POINTS:
         for edge_ratio in (middle - place * half, middle + place * half):
             at = dugdale.shape(edge_ratio)
@@ -161,27 +159,29 @@ def sticking_energy_maugis(
     return where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, (fold - met) * unit)
 
 
-def _energy(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
+def _energy(
+    work_of_adhesion: FloatOrArray, reduced_radius: FloatOrArray, contact_modulus: FloatOrArray
+) -> FloatOrArray:
     """Return the unit of energies, πwR(π²w²R/K²)^(1/3)."""
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return pi * work_of_adhesion * reduced_radius * unit
 
 
-def _of(transition: Any, edge_ratio: Any) -> Any:
+def _of(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
     """Return Φ of a contact, or at the fold of spheres that do not touch, dimensionless."""
     at = dugdale.shape(edge_ratio)
     span = where(at.v > 0, dugdale.span(transition, at), dugdale.half_width(transition))
     return _of_state(transition, at, span)
 
 
-def _of_state(transition: Any, at: dugdale.Shape, span: Any) -> Any:
+def _of_state(transition: FloatOrArray, at: dugdale.Shape, span: FloatOrArray) -> FloatOrArray:
     """Return Φ of a state, in contact or apart, dimensionless."""
     touching = dugdale.approach(transition, at, span)
     approach = where(at.v > 0, touching, dugdale.approach_apart(transition, span))
     return dugdale.energy(transition, at, span, approach)
 
 
-def _held_to(transition: Any, approach: Any, least: Any) -> Any:
+def _held_to(transition: FloatOrArray, approach: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
     """Return Φ at an approach, dimensionless, in contact or apart; `least` is v at the fold."""
     fold = dugdale.lowest_approach(transition, least)
     at = dugdale.shape(dugdale.ratio_at_approach(transition, approach, least, fold))

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from .dimensions import (
     Density,
+    FloatOrArray,
     Frequency,
     Inertia,
     Length,
@@ -21,7 +20,7 @@ from .dimensions import (
 from .elementary import cube, pi, sqrt
 
 
-def _frequency(stiffness: Any, inertia: Any) -> Any:
+def _frequency(stiffness: FloatOrArray, inertia: FloatOrArray) -> FloatOrArray:
     """Return the frequency of a spring with a mass, or of a torsion spring with a moment of inertia; 0 ≤ stiffness."""
     return sqrt(stiffness / inertia) / (2 * pi)
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-from .dimensions import Energy, Length, Mass, Number, Speed, Stress, Time
+from .dimensions import Energy, FloatOrArray, Length, Mass, Number, Speed, Stress, Time
 from .elementary import cube, ln, sqrt, within
 
 ALL_STICK = 0.681745209228707968  # T* from which on spheres stick at every speed
@@ -64,9 +63,9 @@ def sticking_speed_viscous(*, sticking_energy: Energy, reduced_mass: Mass, visco
     return ratio * sqrt(2 * sticking_energy) / sqrt(reduced_mass)
 
 
-def _polynomial(coefficients: Sequence[float], value: Any) -> Any:
+def _polynomial(coefficients: Sequence[float], value: FloatOrArray) -> FloatOrArray:
     """Return a polynomial by Horner's scheme, in which nothing cancels as all coefficients are positive."""
-    total: Any = 0.0
+    total: FloatOrArray = 0.0
     for coefficient in coefficients:
         total = total * value + coefficient
     return total

@@ -194,7 +194,7 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
     radius = SIZE["radius"]
     size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
-    a = unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size)
+    a = float(unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size))
     shift = float(Scene(SIZE).values["yield_displacement"])
     size["load_constant"] = 0.0
     centred, shifted = across(-a, a), across(-a - shift, a - shift)

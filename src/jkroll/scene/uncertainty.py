@@ -12,7 +12,7 @@ from math import erfc, fsum, isfinite, isnan, sqrt
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
-from ..physics.elementary import at_least, at_most, hypot, where
+from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Problem, Solution
@@ -270,7 +270,7 @@ def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
     changes = [(low - value, high - value) for low, high in of_sources]
     minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
     plus = hypot(*(at_least(at_least(low, high), 0.0) for low, high in changes))
-    alike = abs(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
+    alike = absolute(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
     middle = (minus + plus) / 2
     sides = {"minus": where(alike, middle, minus), "plus": where(alike, middle, plus)}
     return sides, [hypot(low, high) for low, high in changes]
