@@ -147,15 +147,20 @@ def _mixes_laws(name: str, model: str, known: frozenset[str]) -> bool:
     return False
 
 
+@cache
 def formula_of(name: str) -> Any:
     """Return the formula of a quantity, which for sphere 2 is that of sphere 1; None for an input."""
     return FORMULAS.get(of_sphere(1, name))
 
 
-def arguments_of(name: str) -> list[tuple[str, str]]:
-    """Return the parameters of a quantity's formula, each with the name of its value: of sphere 2 for a quantity of sphere 2."""
+@cache
+def arguments_of(name: str) -> tuple[tuple[str, str], ...]:
+    """Return the parameters of a quantity's formula, each with the name of its value.
+
+    This is the value of sphere 2 for a quantity of sphere 2.
+    """
     parameters, is_of_2 = parameters_of(formula_of(name)), NOMENCLATURE[name].sphere == 2
-    return [(parameter, of_sphere(2, parameter) if is_of_2 else parameter) for parameter in parameters]
+    return tuple((parameter, of_sphere(2, parameter) if is_of_2 else parameter) for parameter in parameters)
 
 
 def in_order(names: Collection[str]) -> tuple[str, ...]:
