@@ -7,7 +7,7 @@ import pytest
 
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
-from jkroll.quantities.errors import OutOfRange
+from jkroll.quantities.errors import QuantityError
 from jkroll.scene.failures import MissingInput
 from maugis_reference import mpf
 from reference import ulp_error
@@ -56,7 +56,7 @@ def test_compressive_strength_tends_to_the_cube_of_the_filling_factor() -> None:
     assert math.isclose(loose, half_turn * 1e-18 / 1e-21, rel_tol=1e-5)
     assert solve("compressive_strength", filling_factor=0.7399999, **QUARTZ) > 1e18 * loose
     for phi in (0.0, 0.74, 0.8, 1.0):
-        with pytest.raises(OutOfRange, match=r"must lie between 0 and 0.74"):
+        with pytest.raises(QuantityError, match=r"must lie between 0 and 0.74"):
             solve("compressive_strength", filling_factor=phi, **QUARTZ)
 
 

@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 
 import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
+from jkroll.errors import BadRequest
 from jkroll.output.sources import docstring_fields
-from jkroll.quantities.errors import OutOfRange, QuantityError, UnknownQuantity
+from jkroll.quantities.errors import QuantityError, UnknownQuantity
 from jkroll.quantities.units import dimension_of, kind_of
 from jkroll.scene.failures import (
     Contradiction,
     Failure,
     MissingInput,
-    ShapeMismatch,
 )
 
 INFINITY = math.inf
@@ -367,14 +367,14 @@ def test_texts_with_units_in() -> None:
     ("scene", "error"),
     [
         ({"material": "gold", "radius": 1e-7}, MissingInput),
-        ({"radius": 0.0}, OutOfRange),
-        ({"radius": -1.0}, OutOfRange),
-        ({"radius": math.nan}, OutOfRange),
-        ({"radius": INFINITY}, OutOfRange),
-        ({"radius": 1e-7, "poisson_ratio": 0.6}, OutOfRange),
-        ({"radius": np.array([1e-7, -1e-7])}, OutOfRange),
-        ({**QUARTZ, "radius": 1e300}, OutOfRange),
-        ({**QUARTZ, "radius": 1e-7, "load": 1e31}, OutOfRange),
+        ({"radius": 0.0}, QuantityError),
+        ({"radius": -1.0}, QuantityError),
+        ({"radius": math.nan}, QuantityError),
+        ({"radius": INFINITY}, QuantityError),
+        ({"radius": 1e-7, "poisson_ratio": 0.6}, QuantityError),
+        ({"radius": np.array([1e-7, -1e-7])}, QuantityError),
+        ({**QUARTZ, "radius": 1e300}, QuantityError),
+        ({**QUARTZ, "radius": 1e-7, "load": 1e31}, QuantityError),
     ],
 )
 def test_what_cannot_be_answered_raises(scene: dict[str, Any], error: type[Exception]) -> None:
@@ -400,10 +400,10 @@ def test_what_the_physics_forbids_raises(given: dict[str, float], words: str) ->
     ],
 )
 def test_a_number_of_an_array_that_is_refused_is_named_with_its_index(scene: dict[str, Any], words: str) -> None:
-    with pytest.raises(OutOfRange) as refused:
+    with pytest.raises(QuantityError) as refused:
         solve("stiffness", **scene, **QUARTZ)
     assert str(refused.value) == words
-    with pytest.raises(OutOfRange) as refused:
+    with pytest.raises(QuantityError) as refused:
         jkroll.infer("gamma", measured={"pull_off_force": 1e-8}, **scene)
     assert str(refused.value) == words
 
@@ -448,9 +448,9 @@ def test_free_spheres_do_not_vibrate_beyond_pull_off() -> None:
 def test_contradictions_and_mismatches_are_refused() -> None:
     with pytest.raises(Contradiction):
         solve("stiffness", radius=1e-7, load=5e-9, approach_at_load=5e-11, **QUARTZ)
-    with pytest.raises(ShapeMismatch):
+    with pytest.raises(BadRequest):
         solve("reduced_radius", radius=[1e-7, 2e-7], radius2=[1e-7, 2e-7, 3e-7])
-    with pytest.raises(OutOfRange):
+    with pytest.raises(QuantityError):
         solve("load", load_factor=-1.0, radius=1e-7, **QUARTZ)
     with pytest.raises(QuantityError):
         solve("pull_off_force", radius=np.ma.masked_array([1e-7, 2e-7], [False, True]), **QUARTZ)

@@ -6,6 +6,7 @@ import numpy
 import pytest
 
 from jkroll import solve
+from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
@@ -16,7 +17,6 @@ from jkroll.scene.failures import (
     Contradiction,
     Failure,
     MissingInput,
-    ShapeMismatch,
 )
 from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
@@ -91,7 +91,7 @@ def test_a_scene_with_other_inputs_is_another_scene() -> None:
 def test_arrays_that_do_not_broadcast_are_no_scene(name: str) -> None:
     """Also where they decide on what follows from the inputs: on rigid bodies, and on a material's displacement."""
     arrays = {name.removesuffix("2"): numpy.ones(2), name: numpy.ones(3)}
-    with pytest.raises(ShapeMismatch, match=rf"do not broadcast: {name.removesuffix('2')} \(2,\), {name} \(3,\)"):
+    with pytest.raises(BadRequest, match=rf"do not broadcast: {name.removesuffix('2')} \(2,\), {name} \(3,\)"):
         Scene(arrays, known_materials()["silica-dry"])
 
 

@@ -18,6 +18,7 @@ from ..scene.failures import (
     MissingInput,
     reason_of,
     rests_on_spacing,
+    without_value,
 )
 from ..scene.limits import Doubt, doubts, not_judged
 from ..scene.scene import Scene
@@ -35,7 +36,7 @@ from .notes import (
     with_spacing,
 )
 from .questions import Question
-from .results import Note, NoValue, Result, over_spacing, propagated_of, with_law
+from .results import Note, Result, over_spacing, propagated_of, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -255,7 +256,7 @@ class Answer:
         if self._known:
             return None
         name, error = next(iter(self.errors.items()), ("", Failure(OF_IDENTICAL_SPHERES)))
-        return NoValue(name, self._reason(name, error)) if rests_on_spacing(error) else error
+        return without_value(name, self._reason(name, error)) if rests_on_spacing(error) else error
 
 
 def _width(result: Result) -> float:

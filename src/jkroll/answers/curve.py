@@ -10,7 +10,7 @@ from ..physics.elementary import cbrt
 from ..quantities.values import parse_quantity
 from ..rows.columns import Row, Wanted
 from ..rows.sweep import entering
-from ..scene.failures import MissingInput
+from ..scene.failures import Failure, MissingInput, without_value
 from ..scene.limits import Doubt, bits_of, doubts
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
@@ -18,7 +18,7 @@ from ..text import quoted
 from .alternatives import Alternative
 from .answer import Answer
 from .questions import Question
-from .results import NoValue, Result
+from .results import Result
 
 FORCE_CURVE = Question(
     ("approach_at_load", "load"),
@@ -203,10 +203,10 @@ def at_states(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[A
             yield At(state, scene.replace(**{state.given: state.value}), curve)
 
 
-def _known(state: State) -> dict[str, float | NoValue]:
+def _known(state: State) -> dict[str, float | Failure]:
     """Return results that are known exactly at a state, where a computed value would be rounding error."""
     if state.name == NAMED[FOLD]:
-        return {"stiffness": NoValue("stiffness", "infinite at the fold")}
+        return {"stiffness": without_value("stiffness", "infinite at the fold")}
     return {"approach_at_load": 0.0} if state.name == NAMED[JUMP_IN] else {}
 
 
@@ -249,8 +249,8 @@ class AtState(Answer):
         return self.curve.about(doubt)
 
 
-def _as_known(result: Result, value: float | NoValue) -> Result:
-    if isinstance(value, NoValue):
+def _as_known(result: Result, value: float | Failure) -> Result:
+    if isinstance(value, Failure):
         return result._replace(value=None, reason=value.reason(), propagated=None)
     return result._replace(value=value, propagated=None)
 
@@ -281,7 +281,7 @@ class OfCurve(Wanted):
             for key in self.keys_of(name):
                 numbers[key] = nan
                 reasons.pop(key, None)
-            if isinstance(value, NoValue):
+            if isinstance(value, Failure):
                 reasons[name] = value
             else:
                 numbers[name] = value

@@ -10,12 +10,12 @@ from ..materials.library import Material
 from ..quantities.formatting import Format, amount, significant, span
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, of_sphere
-from ..scene.failures import NO_END, MissingInput, grouped
+from ..scene.failures import NO_END, MissingInput, grouped, without_value
 from ..scene.limits import IMPACT, doubts, not_judged, touched
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
-from .results import Note, NoValue, Result
+from .results import Note, Result
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -346,7 +346,9 @@ def about_missing(results: Iterable[Result], errors: Mapping[str, JkrollError]) 
     for result in results:
         if result.value is None:
             error = errors.get(result.name)
-            reasons[result.name] = error if isinstance(error, MissingInput) else NoValue(result.name, result.reason)
+            reasons[result.name] = (
+                error if isinstance(error, MissingInput) else without_value(result.name, result.reason)
+            )
     return [Note("missing", f"{first_symbols(names)}: {reason}") for names, reason in grouped(reasons)]
 
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from ..errors import JkrollError, NoResult
+from ..errors import JkrollError
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import at_half_spacing, uses_law
@@ -15,18 +15,6 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated
 else:
     Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
-
-
-class NoValue(NoResult):
-    """Error raised for a result without a value, with the reason in words."""
-
-    def __init__(self, name: str, text: str) -> None:
-        super().__init__(name, text)
-        self.name, self.text = name, text
-
-    def reason(self) -> str:
-        """Return the reason."""
-        return self.text
 
 
 class Result(NamedTuple):

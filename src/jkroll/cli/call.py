@@ -112,7 +112,7 @@ class Call:
     def spreads(self) -> dict[str, list[Spread]]:
         """The values of each input, in the order of the nomenclature, without the loads of a force curve.
 
-        Raises OutOfRange for a value that the input cannot have.
+        Raises QuantityError for a value that the input cannot have.
         """
         every = {name: spreads_of(text, name) for name, text in self.values.items() if not self._is_of_curve(name)}
         for name, spreads in every.items():

@@ -147,7 +147,7 @@ def answer(
 
     Raises
     ------
-    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
+    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
         An input is wrong, or one is missing without which there is no result.
     NoResult
         There is no contact, or no result at all. A single result without a value has a reason instead.

@@ -1,32 +1,39 @@
-"""Errors about the values of quantities."""
+"""Errors about the values and the names of quantities."""
 
 from collections.abc import Collection, Sequence
 
 from ..errors import JkrollError
 from ..text import closest, listed, quoted
 from .nomenclature import NOMENCLATURE, OPTION_WORDS, with_symbol
-from .units import dimension_of, kind_of
+from .units import NO_UNIT, NO_UNIT_OF_BAR, dimension_of, kind_of
 
 
 class QuantityError(JkrollError):
-    """Error raised when a text is not a value of the quantity that it was given for."""
+    """Error raised when a text or a number is not a value of the quantity that it was given for."""
 
-    def __init__(self, name: str, text: str, reason: str, remedy: str = "") -> None:
-        """`reason` follows the quoted text; `remedy` says what to type instead, by default an example of the quantity."""
-        super().__init__(name, text, reason, remedy)
-        self.name, self.text, self.reason, self.remedy = name, text, reason, remedy
+    def __init__(self, name: str, value: object, reason: str, remedy: str = "", place: Sequence[int] = ()) -> None:
+        """`reason` follows the value; `remedy` says what to type instead of a text, by default an example of the quantity.
+
+        `place`: the index of a number in an array.
+        """
+        super().__init__(name, value, reason, remedy, tuple(place))
+        self.name, self.value, self.reason, self.remedy, self.place = name, value, reason, remedy, tuple(place)
         self.phrase = f"bad {name}"
 
+    @property
+    def is_bare(self) -> bool:
+        """True for a number without a unit where one is needed."""
+        return self.reason in (NO_UNIT, NO_UNIT_OF_BAR)
+
     def problem(self) -> str:
-        """Return what is wrong and what to type instead, without the name and the text."""
-        return f"{self.reason}; {self.remedy or f'expected {expectation(self.name)}'}"
+        """Return what is wrong and, of a text, what to type instead, without the name and the value."""
+        remedy = self.remedy or (f"expected {expectation(self.name)}" if isinstance(self.value, str) else "")
+        return f"{self.reason}; {remedy}" if remedy else self.reason
 
     def __str__(self) -> str:
-        return f"{self.name}: {quoted(self.text)} {self.problem()}"
-
-
-class BareNumber(QuantityError):
-    """Error raised when a number has no unit where one is needed."""
+        value = quoted(self.value) if isinstance(self.value, str) else repr(self.value)
+        where = f" at index {', '.join(map(str, self.place))}" if self.place else ""
+        return f"{self.name}: {value}{where} {self.problem()}"
 
 
 class UnknownQuantity(JkrollError):
@@ -46,52 +53,30 @@ class UnknownQuantity(JkrollError):
         return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"
 
 
-# Words of others, and the quantity that they are likely to mean.
-QUANTITY_SYNONYMS = {
-    "adhesion": "pull_off_force",
-    "adhesion_force": "pull_off_force",
-    "cohesion": "work_of_adhesion",
-    "critical_angle": "yield_angle",
-    "critical_displacement": "yield_displacement",
-    "critical_rolling_angle": "yield_angle",
-    "critical_rolling_displacement": "yield_displacement",
-    "diameter": "radius",
-    "elastic_modulus": "youngs_modulus",
-    "elasticity": "youngs_modulus",
-    "f": "pull_off_force",
-    "f_ad": "pull_off_force",
-    "force": "pull_off_force",
-    "fragmentation_speed": "disruption_speed",
-    "fragmentation_velocity": "disruption_speed",
-    "fragmentation": "disruption_speed",
-    "friction": "yield_force",
-    "friction_force": "sliding_force",
-    "impact_speed": "speed",
-    "impact_velocity": "speed",
-    "indentation": "approach_at_load",
-    "modulus": "youngs_modulus",
-    "overlap": "approach_at_load",
-    "penetration": "approach_at_load",
-    "porosity": "filling_factor",
-    "rolling_energy": "roll_energy",
-    "rolling_force": "yield_force",
-    "rolling_friction": "yield_force",
-    "rolling_friction_force": "yield_force",
-    "rolling_resistance": "yield_moment",
-    "rolling_torque": "yield_moment",
-    "sliding_stiffness": "tangential_stiffness",
-    "spring_constant": "stiffness",
-    "static_friction": "sliding_force",
-    "stickiness": "sticking_speed",
-    "sticking_velocity": "sticking_speed",
-    "surface_tension": "surface_energy",
-    "torque": "yield_moment",
-    "torsion": "twisting_moment",
-    "torsional_stiffness": "twisting_stiffness",
-    "v_frag": "disruption_speed",
-    "velocity": "speed",
+# Words of others, by the quantity that they are likely to mean.
+_SYNONYMS = {
+    "approach_at_load": "indentation overlap penetration",
+    "disruption_speed": "fragmentation_speed fragmentation_velocity fragmentation v_frag",
+    "filling_factor": "porosity",
+    "pull_off_force": "adhesion adhesion_force f f_ad force",
+    "radius": "diameter",
+    "roll_energy": "rolling_energy",
+    "sliding_force": "friction_force static_friction",
+    "speed": "impact_speed impact_velocity velocity",
+    "sticking_speed": "stickiness sticking_velocity",
+    "stiffness": "spring_constant",
+    "surface_energy": "surface_tension",
+    "tangential_stiffness": "sliding_stiffness",
+    "twisting_moment": "torsion",
+    "twisting_stiffness": "torsional_stiffness",
+    "work_of_adhesion": "cohesion",
+    "yield_angle": "critical_angle critical_rolling_angle",
+    "yield_displacement": "critical_displacement critical_rolling_displacement",
+    "yield_force": "friction rolling_force rolling_friction rolling_friction_force",
+    "yield_moment": "rolling_resistance rolling_torque torque",
+    "youngs_modulus": "elastic_modulus elasticity modulus",
 }
-
+QUANTITY_SYNONYMS = {word: name for name, words in _SYNONYMS.items() for word in words.split()}
 
 ALIKE = 0.65  # from here on, a word may be meant for another: "moment" for "yield_moment", but not "restitution" for "friction"
 
@@ -109,19 +94,6 @@ def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
     begun = (one for one in names if letters and one.replace("_", "").startswith(letters))
     meant = next(iter(with_symbol(word, names)), None) or meanings.get(name) or next(begun, None)
     return meant or meanings.get(closest(name, meanings, ALIKE) or "")
-
-
-class OutOfRange(JkrollError):
-    """Error raised when a number given to the core lies outside the range of its quantity."""
-
-    def __init__(self, name: str, value: object, words: str, place: Sequence[int] = ()) -> None:
-        """`place`: the index of the number in an array."""
-        super().__init__(name, value, words, tuple(place))
-        self.name, self.value, self.words, self.place, self.phrase = name, value, words, tuple(place), f"bad {name}"
-
-    def __str__(self) -> str:
-        where = f" at index {', '.join(map(str, self.place))}" if self.place else ""
-        return f"{self.name}: {self.value!r}{where} {self.words}"
 
 
 def expectation(name: str) -> str:

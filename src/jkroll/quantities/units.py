@@ -34,6 +34,11 @@ class Unit(NamedTuple):
     dimension: Dimension
 
 
+# The words of numbers that need a unit.
+NO_UNIT = "has no unit"
+NO_UNIT_OF_BAR = "has an uncertainty without a unit"
+
+
 class BadUnit(Exception):
     """Error raised when a text is not a unit, or not a number with a unit.
 

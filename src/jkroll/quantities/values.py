@@ -12,10 +12,12 @@ from typing import Any, Literal, NamedTuple, Self, TypeGuard
 
 from ..errors import BadRequest
 from ..text import quoted
-from .errors import BareNumber, QuantityError
+from .errors import QuantityError
 from .nomenclature import INFINITY, NOMENCLATURE
 from .units import (
     MAX_TEXT,
+    NO_UNIT,
+    NO_UNIT_OF_BAR,
     SUPERSCRIPTS,
     BadUnit,
     Dimension,
@@ -31,10 +33,6 @@ from .units import (
 
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
-
-
-class NoUnit(BadUnit):
-    """Error raised for a number without a unit where one is needed."""
 
 
 def parse_quantity(text: str, name: str) -> float:
@@ -111,7 +109,7 @@ def parse_value(text: str, dimension: Dimension) -> float:
 def unit_in(text: str, dimension: Dimension) -> Unit:
     """Read a unit of a dimension. Raises a `BadUnit`."""
     if not text and any(dimension):
-        raise NoUnit("has no unit")
+        raise BadUnit(NO_UNIT)
     unit = _unit_meant(text, dimension)
     if unit.dimension != dimension:
         raise BadUnit(f"is {kind_of(unit.dimension)}")
@@ -139,9 +137,8 @@ def error_about(
 
     For an option, `dimensions` are those that its unit may have, and `expected` is the right form.
     """
-    kind = BareNumber if isinstance(error, NoUnit) else QuantityError
     remedy = error.remedy(dimensions or [dimension_of(NOMENCLATURE[name].unit)])
-    return kind(name, text[:MAX_TEXT], str(error), remedy or expected)
+    return QuantityError(name, text[:MAX_TEXT], str(error), remedy or expected)
 
 
 def split_number(text: str) -> tuple[int, int, str]:
@@ -386,7 +383,7 @@ def _plus_minus(left: str, right: str, dimension: Dimension) -> Measured:
         share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
         return _symmetric(value, share, unit_in(unit_text, dimension))
     if unit_text and not own_text:
-        raise NoUnit("has an uncertainty without a unit")
+        raise BadUnit(NO_UNIT_OF_BAR)
     own = unit_in(own_text, dimension)
     return _symmetric(value, uncertainty, unit_in(unit_text, dimension) if unit_text else own, own)
 
@@ -489,8 +486,8 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     for item in items:
         try:
             spreads.append((_range if ":" in item else _single)(item, name))
-        except BareNumber:
-            if len(items) > 1:
+        except QuantityError as error:
+            if error.is_bare and len(items) > 1:
                 reason = "has a comma where a number has a point, or a number without a unit"
                 raise QuantityError(name, text, reason) from None
             raise

@@ -18,7 +18,7 @@ import orjson
 
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
-from ..quantities.errors import BareNumber, QuantityError
+from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, exponent_of
 from ..quantities.values import Uncertain, error_about, has_uncertainty, unit_of, value_of, written
@@ -118,8 +118,8 @@ class Column(NamedTuple):
             return value_of(self._with_unit(written(text)), self.name)
         except BadUnit as error:
             raise error_about(self.name, text, error) from None
-        except BareNumber:
-            if self.unit is None:
+        except QuantityError as error:
+            if self.unit is None or not error.is_bare:
                 raise
             raise QuantityError(self.name, text, f"is not a number of {self.unit_text}") from None
 

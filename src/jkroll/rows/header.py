@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import BadRequest, BadTable
-from ..quantities.errors import QUANTITY_SYNONYMS, BareNumber, QuantityError
+from ..quantities.errors import QUANTITY_SYNONYMS, QuantityError
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
@@ -267,10 +267,8 @@ def _is_value(cell: str, name: str) -> bool:
     """Return whether a cell says its unit, or is no value at all, which makes a bad row and no bad header."""
     try:
         value_of(cell, name)
-    except BareNumber:
-        return False
-    except QuantityError:
-        return not unit_for(cell.strip("[]() "), name)
+    except QuantityError as error:
+        return not error.is_bare and not unit_for(cell.strip("[]() "), name)
     return True
 
 

@@ -1,4 +1,4 @@
-"""Errors about a scene: inputs that are missing or exclude each other, and contacts that do not exist.
+"""Errors about a scene: inputs that are missing or exclude each other, and results that do not exist, by their kinds.
 
 Below: the numbers for which the physics gives a formula no result, with the error that says why.
 """
@@ -32,28 +32,48 @@ class MissingInput(JkrollError):
     def __str__(self) -> str:
         return f"{NOMENCLATURE[self.wanted].sentence} {self.reason()}"
 
-    def reason(self) -> str:
-        """Return why there is no value, without the name of the quantity."""
-        return f"needs {self.needs()}"
-
-    def reason_of_several(self) -> str:
-        """Return why several quantities have no value, without their names."""
-        return f"need {self.needs()}"
+    def reason(self, verb: str = "needs") -> str:
+        """Return why there is no value, without the name of the quantity; the verb is "need" for several."""
+        return f"{verb} {self.needs()}"
 
     def needs(self) -> str:
         """Return the missing inputs, the materials that do not have them, and how they are given."""
-        words = listed(NOMENCLATURE[name].sentence for name in self.missing)
         options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
         radii = [
             f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
         ]
-        give = listed([options, *radii] if options else radii)
-        others = " or ".join(map(_as_typed, self.instead))
-        instead = others and (f" or {others}" if len(self.missing) == 1 else f"; {others} may replace some")
+        give = f"give{', for example,' if self.lacking else ''} {listed([*filter(None, [options]), *radii])}"
+        if others := " or ".join(map(_as_typed, self.instead)):
+            give += f" or {others}" if len(self.missing) == 1 else f"; {others} may replace some"
         if self.lacking:
-            return f"{words}; {self.lacking}; give, for example, {give}{instead}"
-        name_one = "name a material, such as quartz, or " if {*self.missing} <= {*PROPERTIES} else ""
-        return f"{words}; {name_one}give {give}{instead}"
+            lead = f"{self.lacking}; "
+        else:
+            lead = "name a material, such as quartz, or " if {*self.missing} <= {*PROPERTIES} else ""
+        return f"{_in_words(self.missing)}; {lead}{give}"
+
+
+class NotInLaw(MissingInput):
+    """Error raised for a quantity that a law of attraction does not have: this one, or one that it follows from."""
+
+    def __init__(self, wanted: str, absent: Sequence[str], law: str) -> None:
+        super().__init__(wanted, ())
+        self.args = wanted, tuple(absent), law
+        self.absent, self.law, self.phrase = tuple(absent), law, f"not in {law}"
+
+    def __str__(self) -> str:
+        return f"{self.wanted}: {self.reason()}"
+
+    def reason(self, verb: str = "needs") -> str:
+        """Return the same of what is absent in the law."""
+        return f"not in {self.law}; {self._remedy}" if self.absent == (self.wanted,) else super().reason(verb)
+
+    def needs(self) -> str:
+        """Return the quantity that the law does not have."""
+        return f"{_in_words(self.absent)}, which {self.law} does not have; {self._remedy}"
+
+    @property
+    def _remedy(self) -> str:
+        return f"give --model {law_of(self.absent[0]) or DEFAULT_LAW}"
 
 
 def needs_in_words(missing: Iterable[str]) -> str:
@@ -62,92 +82,23 @@ def needs_in_words(missing: Iterable[str]) -> str:
     return f"needs {listed(names)}" if names else ""
 
 
-class NotInLaw(MissingInput):
-    """Error raised for a quantity that a law of attraction does not have."""
-
-    missing: tuple[str, ...] = ()
-    instead: tuple[str, ...] = ()
-    lacking = ""
-
-    def __init__(self, wanted: str, absent: Sequence[str], law: str) -> None:
-        JkrollError.__init__(self, wanted, tuple(absent), law)
-        self.wanted, self.absent, self.law = wanted, tuple(absent), law
-        self.phrase = f"not in {law}"
-
-    def __str__(self) -> str:
-        return f"{self.wanted}: {self.reason()}"
-
-    def reason(self) -> str:
-        """Return which quantity the law does not have: this one, or one that it follows from."""
-        return self._of_the_law() or super().reason()
-
-    def reason_of_several(self) -> str:
-        """Return the same for several quantities."""
-        return self._of_the_law() or super().reason_of_several()
-
-    def _of_the_law(self) -> str:
-        return f"not in {self.law}; give --model {self._giver}" if self.absent == (self.wanted,) else ""
-
-    @property
-    def _giver(self) -> str:
-        """The law that has it."""
-        return law_of(self.absent[0]) or DEFAULT_LAW
-
-    def needs(self) -> str:
-        """Return the quantity that the law does not have."""
-        words = listed(NOMENCLATURE[name].sentence for name in self.absent)
-        return f"{words}, which {self.law} does not have; give --model {self._giver}"
+def _in_words(names: Iterable[str]) -> str:
+    return listed(NOMENCLATURE[name].sentence for name in names)
 
 
 def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
-def _told_apart(name: str, value: float, limit: float) -> str:
-    """Return a value as results are shown, or with as many digits more as tell it apart from a limit."""
-    digits, text = DIGITS, amount(name, value)
-    while text == amount(name, limit, Format(digits=digits)) and digits < MAX_DIGITS:
-        digits += 1
-        text = amount(name, value, Format(digits=digits))
-    return text
-
-
-def _held(name: str, least: float) -> str:
-    """Return the least value that a contact holds as it may be typed: with so many digits that rounding does not put it beyond."""
-    digits, text = DIGITS, amount(name, least)
-    while parse_quantity(text, name) < least and digits < MAX_DIGITS:
-        digits += 1
-        text = amount(name, least, Format(digits=digits))
-    return text
-
-
 class Contradiction(JkrollError):
-    """Error raised for inputs of which one follows from the other."""
+    """Error raised for names of inputs that cannot be given together."""
 
-    def __init__(self, names: Sequence[str]) -> None:
-        super().__init__(tuple(names))
-        self.names = tuple(names)
-
-    def __str__(self) -> str:
-        return f"{listed(self.names)} exclude each other: one follows from the other"
-
-
-class GivenTwice(Contradiction):
-    """Error raised for words that all stand for one quantity."""
+    def __init__(self, names: Sequence[str], words: str = "exclude each other: one follows from the other") -> None:
+        super().__init__(tuple(names), words)
+        self.names, self.words = tuple(names), words
 
     def __str__(self) -> str:
-        return f"{listed(self.names)} are one quantity; give it once"
-
-
-class ShapeMismatch(JkrollError):
-    """Error raised for arrays that do not broadcast."""
-
-    def __init__(self, shapes: Sequence[tuple[str, tuple[int, ...]]]) -> None:
-        super().__init__(tuple(shapes))
-        self.shapes = tuple(shapes)
-
-    def __str__(self) -> str:
-        return "these arrays do not broadcast: " + ", ".join(f"{name} {shape}" for name, shape in self.shapes)
+        return f"{listed(self.names)} {self.words}"
 
 
 class Kind(NamedTuple):
@@ -227,8 +178,22 @@ class Failure(NoResult):
         if not self.numbers:
             return self.kind.words
         value, *limits = self.numbers
-        told_apart = _told_apart(self.name, value, limits[0])
+        told_apart = _amount(self.name, value, lambda text, form: text != amount(self.name, limits[0], form))
         return self.kind.words.format(told_apart, *(_held(self.name, limit) for limit in limits))
+
+
+def _held(name: str, least: float) -> str:
+    """Return the least value that a contact holds as it may be typed: rounding does not put it beyond."""
+    return _amount(name, least, lambda text, _: parse_quantity(text, name) >= least)
+
+
+def _amount(name: str, value: float, is_enough: Callable[[str, Format], bool]) -> str:
+    """Return a value as results are shown, or with as many digits more as are enough."""
+    for digits in range(DIGITS, MAX_DIGITS + 1):
+        form = Format(digits=digits)
+        if is_enough(text := amount(name, value, form), form):
+            break
+    return text
 
 
 def rests_on_spacing(error: JkrollError | None) -> bool:
@@ -241,9 +206,9 @@ def no_finite_value(name: str, value: float) -> Failure:
     return Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)
 
 
-def no_uncertainty(name: str, error: JkrollError) -> Failure:
-    """Return the error of a value whose uncertainty is wanted, and which has none."""
-    return Failure(Kind("no error bar", NO_END + reason_of(name, error)), name)
+def without_value(name: str, words: str, phrase: str = "") -> Failure:
+    """Return the error of a quantity that has no value for a reason that is in words already."""
+    return Failure(Kind(phrase, words), name)
 
 
 def written_outcome(name: str, outcome: Any) -> Any:
@@ -271,7 +236,7 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
     for names in groups.values():
         shortest = min(names, key=lambda name: len(reasons[name]))
         error = errors[shortest]
-        yield names, error.reason_of_several() if names[1:] and isinstance(error, MissingInput) else reasons[shortest]
+        yield names, error.reason("need") if names[1:] and isinstance(error, MissingInput) else reasons[shortest]
 
 
 # --- Numbers for which the physics has no result ----------------------------------------------------------------------

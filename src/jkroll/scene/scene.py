@@ -11,11 +11,11 @@ from math import isfinite, nan
 from operator import and_
 from typing import Any
 
-from ..errors import JkrollError
+from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
-from ..quantities.errors import OutOfRange, UnknownQuantity
+from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, Range, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain
@@ -26,7 +26,6 @@ from .failures import (
     Failure,
     MissingInput,
     NotInLaw,
-    ShapeMismatch,
     failure_of,
     no_finite_value,
 )
@@ -39,18 +38,18 @@ MAGNITUDE = "must lie between 1e-30 and 1e30 in SI units"
 
 
 def check_range(name: str, value: Any) -> None:
-    """Raise OutOfRange for a number, or an array with an element, that a quantity cannot have."""
+    """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
     limits = NOMENCLATURE[name].range
     if isinstance(value, NUMBER):
         if not takes(name, value):
-            raise OutOfRange(name, value, _wanted(limits, value))
+            raise QuantityError(name, value, _wanted(limits, value))
     elif not _takes_all(name, value):
         refused = ~takes(name, value)
         place = tuple(places[0].item() for places in refused.nonzero())
         first = value[place].item()
-        raise OutOfRange(name, first, _wanted(limits, first), place)
+        raise QuantityError(name, first, _wanted(limits, first), place=place)
 
 
 def takes(name: str, value: Any) -> Any:
@@ -177,7 +176,7 @@ class Scene:
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
         value that has an uncertainty; `scene.uncertainty` computes with the rest. Raises
-        OutOfRange, or ShapeMismatch for arrays that do not broadcast.
+        QuantityError, or BadRequest for arrays that do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
@@ -507,7 +506,7 @@ def _check_exclusive(given: Collection[str]) -> None:
 
 
 def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
-    """Return the shape of the arrays together; raise ShapeMismatch if they do not broadcast."""
+    """Return the shape of the arrays together; raise BadRequest if they do not broadcast."""
     if not arrays:
         return ()
     import numpy
@@ -515,7 +514,8 @@ def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
     try:
         return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
     except ValueError:
-        raise ShapeMismatch([(name, value.shape) for name, value in arrays.items()]) from None
+        shapes = ", ".join(f"{name} {value.shape}" for name, value in arrays.items())
+        raise BadRequest(f"these arrays do not broadcast: {shapes}") from None
 
 
 def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:

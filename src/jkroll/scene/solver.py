@@ -13,7 +13,7 @@ from ..physics.elementary import NUMBER
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, as_input, canonical, named
 from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
-from .failures import GivenTwice, no_uncertainty
+from .failures import NO_END, Contradiction, reason_of, without_value
 from .scene import Scene
 from .wiring import Plan
 
@@ -88,7 +88,7 @@ def solve(
 
     Raises
     ------
-    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
+    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError
         An input is wrong, or one is missing. Sizes range from 1e-30 to 1e30 in SI units.
     NoResult
         The physics has no answer: a tension beyond pull-off, two rigid bodies; or a number on the way to it leaves the
@@ -191,7 +191,7 @@ def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
 def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError | None") -> float | Uncertain:
     """Return a value with its uncertainty, if it has one; raise a Failure with the reason why there is none."""
     if isinstance(found, JkrollError):
-        raise no_uncertainty(name, found)
+        raise without_value(name, NO_END + reason_of(name, found), "no error bar")
     return value if found is None else found.uncertainty
 
 
@@ -258,7 +258,7 @@ def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = name_of_inpu
         if name not in NOMENCLATURE:
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
-            raise GivenTwice((words[name], word))
+            raise Contradiction((words[name], word), "are one quantity; give it once")
         if isinstance(value, float):
             values[name] = float(value)
             continue
