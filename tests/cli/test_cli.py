@@ -1,6 +1,7 @@
 """The command line: what it prints, to which stream, with which exit code, and every message whole."""
 
 import csv
+import email
 import io
 import json
 import math
@@ -404,6 +405,47 @@ def test_the_program_is_cited_as_its_licence_has_it(run: Run) -> None:
         "howpublished": f"Computer program, version {__version__}",
         "note": title.replace("License", "licence"),
     }
+
+
+def test_the_address_of_the_program_is_that_of_its_metadata(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert "url" not in run("r-min 100nm --cite").out.partition("\n}\n")[0]
+    described = email.message_from_string("Project-URL: Source, https://jkroll.example/a,b\nProject-URL: Other, x\n\n")
+    monkeypatch.setattr("importlib.metadata.metadata", lambda _: described)
+    assert "{https://jkroll.example/a,b}\n}\n@article" in run("r-min 100nm --cite").out
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "report quartz 100±5nm --material2 silica-dry --model maugis",
+        "aggregates ice-warm 100nm --monomers 1000",
+        "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN",
+        "resistances graphite 10um --shear-strength 12MPa --load -5nN",
+        "pull-off quartz,iron 100nm,1um",
+    ],
+)
+def test_a_paragraph_for_methods_cites_what_is_cited(run: Run, words: str) -> None:
+    text = run(f"{words} --cite --tex").out
+    keys = {key for keys in re.findall(r"~\\cite\{([^}]*)\}", text) for key in keys.split(",")}
+    assert keys == set(re.findall(r"@\w+\{(.*),", run(f"{words} --cite").out))
+    plain = re.sub(r"\$[ -#%-~]*?\$|\\cite\{[^}]*\}|\\[&%_#]|~", "", text)  # mathematics, in ASCII, and commands
+    assert not re.search(r"[\\&%$#_{}^~⟦⟧]", plain)
+
+
+def test_a_paragraph_for_methods_has_the_values_used(run: Run, tmp_path: Path) -> None:
+    text = run("n-grav quartz 100nm --cite --tex").out
+    assert r"Eqs.~(1), (5), (25), (30), (41) of Dominik \& Tielens~\cite{dominik-tielens-1995}" in text
+    assert r"longest level chain, spheres ($N_{\mathrm{grav}}$). Values used: quartz (material of sphere 1)," in text
+    assert r"${\gamma}_{1}$~=~25~mJ/m$^{2}$ (surface energy per surface)~\cite{kendall-1987,vademecum}" in text
+    assert r"${\xi}$~=~200~pm (critical rolling displacement; assumed)" in text
+    lab = tmp_path / "lab.toml"
+    lab.write_text("[materials.'a_b & 5%']\nsurface_energy = '2.5e-5 J/m2'\n", encoding="utf-8")
+    text = run("pull-off", "a_b & 5%", "1um", "--materials", str(lab), "--cite", "--tex").out
+    assert r"a\_b \& 5\% (material of sphere 1)" in text
+
+
+def test_tex_goes_with_cite(run: Run) -> None:
+    assert run("pull-off quartz 100nm --tex").err == "jkroll: --tex goes with --cite\n"
 
 
 @pytest.mark.parametrize("name", QUESTIONS)

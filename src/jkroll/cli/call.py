@@ -35,6 +35,7 @@ class Call:
     csv: bool = False
     explain: bool = False
     cite: bool = False
+    tex: bool = False
     measured: tuple[str, ...] = ()
     target: str | None = None
     curve: bool = False

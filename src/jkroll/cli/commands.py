@@ -76,7 +76,7 @@ _WITH = {
 
 
 _FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
-_INSTEAD = "Derivation with all notes, or BibTeX"
+_INSTEAD = "Derivation; BibTeX, with --tex for Methods"
 MATERIALS = Option("file", "--materials", str, "FILE", "Read your own materials as well")
 NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
 ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add the results by Maugis' law")
@@ -92,6 +92,7 @@ _OUTPUT = (
     ALTERNATIVES._replace(hidden=True),
     Option("explain", "--explain", bool, "", _INSTEAD),
     Option("cite", "--cite", bool, "", _INSTEAD),
+    Option("tex", "--tex", bool, "", "Instead of BibTeX, a paragraph for a Methods section"),
     MATERIALS,
     QUIET,
 )

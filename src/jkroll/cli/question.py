@@ -53,6 +53,8 @@ def check_format(call: Call) -> None:
     """Raise BadRequest for an output format that does not go with other options."""
     if call.alternatives and (call.kind in ("bare", "explain", "cite") or call.curve):
         raise BadRequest(f"--alternatives and --{'curve' if call.curve else call.kind} exclude each other")
+    if call.tex and not call.cite:
+        raise BadRequest("--tex goes with --cite")
     if call.names_picture:
         remedy = "add --curve to contact, or see jkroll map --help"
         raise BadRequest(f"-o: {quoted(call.target or '')} is a picture; {remedy}")
@@ -177,9 +179,11 @@ def _write_answers(call: Call, answers: Iterable[Answer], count: int, form: Form
 
             write_explanation((answer.explained for answer in watched()), out, form)
         elif call.kind == "cite":
+            from ..output.methods import write_methods
             from ..output.sources import write_citations
 
-            write_citations((answer.explained for answer in watched()), out)
+            write = write_methods if call.tex else write_citations
+            write((answer.explained for answer in watched()), out)
         else:
             _write_answer(call, next(watched()), out, form)
         out.flush()

@@ -273,28 +273,56 @@ _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
 }  # fmt: skip
 
 
+class Sources:
+    """What the results of an answer rest on: equations of the paper, and references of the law, the conventions and the data."""
+
+    def __init__(self, answer: Answer) -> None:
+        self.names = [result.name for result in answer.results if result.value is not None]
+        steps = answer.scene.plan(*self.names).steps
+        self.equations = {equation for step in steps if (equation := NOMENCLATURE[step.name].equation)}
+        self.law = _of_law(answer.scene, self.names)
+        self.conventions = _of_conventions(self.names)
+        used = answer.scene.data_used(answer.inputs)
+        self.data = [entry for material, name in used for entry in material.sources_of(name)]
+
+
 def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
     """Write BibTeX entries of this program, of the paper, with the equations used, and of the laws and data used."""
     equations: set[str] = set()
     references: dict[str, Mapping[str, str]] = {}
     failure: JkrollError | None = None
     for answer in answers:
-        scene = answer.scene
         failure = failure or answer.failure
-        known = [result.name for result in answer.results if result.value is not None]
-        equations |= {NOMENCLATURE[step.name].equation for step in scene.plan(*known).steps}
-        data = scene.data_used(answer.inputs)
-        of_materials = [entry for material, name in data for entry in material.sources_of(name)]
-        entries = [*_of_law(scene, known), *of_materials, *_of_conventions(known)]
-        references |= {str(entry["key"]): entry for entry in entries}
-    numbers = sorted(filter(None, equations), key=int)
-    if failure is not None and not numbers:
+        sources = Sources(answer)
+        equations |= sources.equations
+        references |= {entry["key"]: entry for entry in (*sources.law, *sources.data, *sources.conventions)}
+    if failure is not None and not equations:
         raise failure
-    say(bibtex(PROGRAM), out)
-    used = f"{'Eq.' if len(numbers) == 1 else 'Eqs.'} {', '.join(f'({number})' for number in numbers)}"
-    say(bibtex({**PAPER, "note": used} if numbers else PAPER), out)
+    say(bibtex({**PROGRAM, **_address()}), out)
+    say(bibtex({**PAPER, "note": cited_equations(equations)} if equations else PAPER), out)
     for entry in references.values():
         say(bibtex(entry), out)
+
+
+def cited_equations(equations: Iterable[str]) -> str:
+    """Return equations of the paper by their numbers.
+
+    >>> cited_equations({"10", "2"})
+    'Eqs. (2), (10)'
+    """
+    numbers = sorted(equations, key=int)
+    return f"{'Eq.' if len(numbers) == 1 else 'Eqs.'} {', '.join(f'({number})' for number in numbers)}"
+
+
+def _address() -> dict[str, str]:
+    """Return the address of the program, if the metadata of its installation has one."""
+    from importlib.metadata import PackageNotFoundError, metadata
+
+    try:
+        addresses = metadata("jkroll").get_all("Project-URL") or []
+    except PackageNotFoundError:
+        return {}
+    return {"url": addresses[0].partition(",")[2].strip()} if addresses else {}
 
 
 def _of_law(scene: Scene, names: Sequence[str]) -> list[Mapping[str, str]]:

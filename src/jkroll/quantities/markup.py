@@ -26,6 +26,24 @@ _SIGNS = {
     "log₁₀": r"\mathrm{log}_{10}",
 }
 _LETTERS = {"â": r"\hat{a}", "π": r"\mathrm{π}"}
+_GREEK = zip(
+    "αβγδεζηθκλμµνξπρστφχψωΓΔΘΛΞΠΣΦΨΩ",
+    "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu mu nu xi pi rho sigma tau phi chi psi omega "
+    "Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega".split(),
+    strict=True,
+)
+_COMMANDS = {ord(letter): rf"{{\{name}}}" for letter, name in _GREEK} | {ord("√"): r"{\surd}", ord("±"): r"{\pm}"}
+_ESCAPED = {
+    **{sign: f"${command}$" for sign, command in _COMMANDS.items()},
+    **{ord(sign): f"$^{{{sign.translate(_DIGITS)}}}$" for sign in _SUPERSCRIPTS},
+    **{ord(sign): rf"\{sign}" for sign in "&%$#_{}"},
+    ord(NO_BREAK_SPACE): "~",
+    **{
+        ord(sign): rf"\text{name}{{}}"
+        for sign, name in (("\\", "backslash"), ("~", "asciitilde"), ("^", "asciicircum"))
+    },
+}
+_POWER_OF_TEN = re.compile(r"(?<=\d)e([+-]?\d+)")
 _JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line ends: "P = 0 N", "P [nN]"
 
 
@@ -62,6 +80,23 @@ def typeset(text: str) -> str:
         else:
             words = re.sub(r"(?<![\w.])-(?=[\d.])", "−", part).replace("$", r"\$")
             parts.append(re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(_DIGITS)}}}$", words))
+    return "".join(parts)
+
+
+def as_latex(text: str) -> str:
+    r"""Return a text for LaTeX: mathematics, Greek letters and exponents as its commands, the rest escaped.
+
+    >>> as_latex("radius & ⟦R_c⟧ is 1 µm; ⟦γ⟧ is 2.5e-05 J/m²")
+    'radius \\& $R_{\\mathrm{c}}$ is 1~${\\mu}$m; ${\\gamma}$ is 2.5${\\times}10^{-5}$~J/m$^{2}$'
+    """
+    parts = []
+    for place, part in enumerate(_FORMULA.split(text)):
+        if place % 2:
+            formula = "".join(map(_token, _TOKEN.finditer(part)))
+            parts.append(f"${formula.translate(_COMMANDS)}$")
+        else:
+            words = with_units_joined(part).translate(_ESCAPED)
+            parts.append(_POWER_OF_TEN.sub(lambda match: rf"${{\times}}10^{{{int(match[1])}}}$", words))
     return "".join(parts)
 
 
