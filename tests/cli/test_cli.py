@@ -800,11 +800,31 @@ def test_notes_are_few_and_say_their_rows(run: Run) -> None:
 def test_a_sweep_is_one_table_with_units_in_its_head(run: Run) -> None:
     lines = run("yield-force quartz,iron 100nm", terminal=True).out.splitlines()
     assert lines[0].startswith("2 pairs, ")
-    assert lines[1].split() == ["material", "quartz", "iron"]
-    assert "as" not in lines
+    table = next(place for place, line in enumerate(lines) if "quartz" in line)
+    assert lines[table].split() == ["material", "quartz", "iron"]
+    assert lines[1].startswith("assumed: ξ = 200 pm (--xi), no load (--load)")
+    assert "γ [mJ/m²]" in lines[table + 1]
+    assert any("M [1e-18 N m]" in line for line in lines)
     wide = run("pull-off iron 1nm 1m --quiet", terminal=True).out
     assert "1 nm" in wide
     assert "1 m" in wide
+
+
+def test_inputs_stand_as_they_were_typed(run: Run) -> None:
+    typed = "yield-force 0.1um --gamma 0.025J/m2 --xi 2angstrom --young 5e10Pa --poisson .17 --load=-500pN"
+    head = " ".join(run(typed, terminal=True).out.split("assumed")[0].split())
+    assert head == "R1 = R2 = 0.1 µm, γ = 0.025 J/m² per surface, E = 5e10 Pa, ν = .17, ξ = 2 Å, P = -500 pN".replace(
+        " E = 5e10 Pa, ν = .17,", ""
+    )
+    uncertain = run("pull-off 100nm --gamma 25±5mJ/m2", terminal=True).out
+    assert "γ = 25.0 ± 5.0 mJ/m²" in uncertain
+    assert "γ = 0.025 J/m²" in run("pull-off 100nm 1um --gamma 0.025J/m2", terminal=True).out
+
+
+def test_a_list_says_what_was_assumed_above_it_and_no_value_that_differs_by_the_row(run: Run) -> None:
+    of_two = run("pull-off quartz,iron 100nm --material2 gold", terminal=True, together=True).out
+    assert "sphere 2: gold, R1 = R2 = 100 nm, γ2 = 790 mJ/m²\nassumed: w = 2√(γ1γ2) (--work-of-adhesion)\n" in of_two
+    assert of_two.count("assumed") == 1
 
 
 def test_few_digits_have_no_exponent(run: Run) -> None:

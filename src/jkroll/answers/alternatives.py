@@ -91,12 +91,12 @@ def by_data(scene: Scene, names: Sequence[str]) -> Alternative:
     for end in (at_least_measured, at_most_measured):
         numbers = end(scene).numbers(*following)
         ends.append({**numbers, **_error_bars(scene, numbers, end)})
-    values = {name: _between(ends[0].get(name), ends[1].get(name)) for name in following}
+    values = {name: between(ends[0].get(name), ends[1].get(name)) for name in following}
     size = "1 µm" if rolled_solid(scene) == SIO2 else "5 µm"
     return Alternative("data", f"by {size} data", values, "no data")
 
 
-def _between(one: Any, other: Any) -> Interval | None:
+def between(one: Any, other: Any) -> Interval | None:
     """Return the range of two values, with their error bars; None if one is missing."""
     if one is None or other is None:
         return None

@@ -208,15 +208,18 @@ class Answer:
         return with_spacing(self.inputs, self._of_limits)
 
     @cached_property
-    def assumed(self) -> list[str]:
-        """The names of inputs that were assumed, with the atomic spacing if it enters a limit."""
-        return assumed(self.scene, self._entering)
+    def assumed(self) -> Mapping[str, str]:
+        """What was assumed, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
+        return assumed(self.scene, self._entering, self._possible)
+
+    @cached_property
+    def _possible(self) -> list[str]:
+        return [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
         scene = self.scene
-        possible = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         unjudged = not_judged(self.validity)
@@ -224,7 +227,7 @@ class Answer:
         displaced = self._about_displacement()
         entering = with_limits(self.inputs, self._of_limits) | depends_on(lacking, [scene.law.name])
         return (
-            *about_given(scene, possible, self._entering, entering, displaced),
+            *about_given(scene, self._possible, self._entering, entering, displaced),
             *about_results([*self.results], scene),
             *about_missing([*self.results], self.errors),
             *about_limits(unjudged),

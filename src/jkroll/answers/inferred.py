@@ -18,7 +18,7 @@ from ..scene.scene import Scene
 from ..text import listed
 from .alternatives import Alternative, head_of
 from .answer import Answer
-from .notes import about_missing, about_uncertainties
+from .notes import about_missing, about_uncertainties, symbol_beside
 from .questions import Question
 from .results import Note, Result, propagated_of
 
@@ -62,9 +62,9 @@ class Inferred(Answer):
         return {name: in_words(name, value) for name, value in self.problem.echo().items()}
 
     @cached_property
-    def assumed(self) -> list[str]:
-        """The names of inputs that were assumed: none that was measured."""
-        return [name for name in super().assumed if name not in self.problem.measured]
+    def assumed(self) -> Mapping[str, str]:
+        """What was assumed for what was measured: none that was measured itself."""
+        return {name: text for name, text in self.forward.assumed.items() if name not in self.problem.measured}
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
@@ -138,7 +138,8 @@ class Inferred(Answer):
         """Return what follows from a limit for what was measured; of a law that is not exact, the values by Maugis' law."""
         if doubt.is_exceeded and doubt.limit.factor is not None and BETWEEN in self._by_law:
             values = self._by_law[BETWEEN].values
-            told = listed(f"{NOMENCLATURE[name].symbol} = {span(name, one, one)}" for name, one in values.items())
+            symbols = {name: symbol_beside(name, {*self.inputs, *self.assumed}) for name in values}
+            told = listed(f"{symbols[name]} = {span(name, one, one)}" for name, one in values.items())
             better = f"by Maugis' law, better here than {self.scene.law.title}"
             return f"{told} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
         return self.forward.about(doubt)

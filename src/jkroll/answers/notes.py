@@ -41,10 +41,7 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     possible = scene.possible(names)
     if not possible:
         return []
-    every = [*names, *(limit.name for limit in touched(scene, possible))]
-    of_limits = scene.inputs_of(*scene.possible(every))
-    inputs = with_spacing(scene.inputs_of(*possible), of_limits)
-    entering = with_limits(inputs, of_limits) | depends_on(scene.missing(every), [scene.law.name])
+    inputs, entering = _entering_rows(scene, names)
     displaced = []
     if XI in inputs and XI not in scene.given:
         from .alternatives import note_of_rows
@@ -57,12 +54,28 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
         with suppress(JkrollError):  # each row says which kinds do not go together
             notes = about_uncertainties({}, sources_of_results(scene, possible))
             left_out = [note._replace(kind="caveat") for note in notes]  # that of some rows
+    given = about_given(scene, possible, inputs, entering, displaced)
     return [
         *left_out,
-        *(note for note in about_given(scene, possible, inputs, entering, displaced) if note.kind != "material"),
+        *(note for note in given if note.kind not in ("material", "assumed")),
         *about_conventions(scene, possible),
         *about_limits(not_judged(doubts(scene, possible))),
     ]
+
+
+def assumed_of_rows(scene: Scene, names: Sequence[str]) -> dict[str, str]:
+    """Return what was assumed for rows of a kind, each with the option that sets it, by name."""
+    possible = scene.possible(names)
+    return assumed(scene, _entering_rows(scene, names)[0], possible, has_values=False) if possible else {}
+
+
+def _entering_rows(scene: Scene, names: Sequence[str]) -> tuple[set[str], set[str]]:
+    """Return the inputs of rows of a kind, and those on which anything depends, or would if more were given."""
+    possible = scene.possible(names)
+    every = [*names, *(limit.name for limit in touched(scene, possible))]
+    of_limits = scene.inputs_of(*scene.possible(every))
+    inputs = with_spacing(scene.inputs_of(*possible), of_limits)
+    return inputs, with_limits(inputs, of_limits) | depends_on(scene.missing(every), [scene.law.name])
 
 
 def with_spacing(inputs: Collection[str], of_limits: Collection[str]) -> set[str]:
@@ -82,18 +95,36 @@ def about_given(
 
     `inputs`: on which the quantities depend; `entering`: on which anything depends, or would if more were given.
     """
+    texts = assumed(scene, inputs, names).values()
     return [
         *displaced,
-        *about_assumed(assumed(scene, inputs), derived(scene, inputs, names)),
+        *([Note("assumed", f"assumed: {', '.join(texts)}")] if texts else []),
         *assumptions(scene, inputs, names),
         *about_idle(scene, entering),
         *about_data(scene, inputs),
     ]
 
 
-def assumed(scene: Scene, inputs: Collection[str]) -> list[str]:
-    """Return the names of those inputs that were assumed."""
-    return [name for name in DEFAULTS if name in inputs and name not in scene.given]
+def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_values: bool = True) -> dict[str, str]:
+    """Return what was assumed for some quantities, by a rule or by a value, each with the option that sets it, by name.
+
+    `has_values`: whether a rule gives the same value in all rows of which the scene is one.
+    """
+    steps = {step.name for step in scene.plan(*names).steps}
+    is_mixed = scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
+    rules = {}
+    if "disruption_energy" in names and "contacts" not in scene.given:
+        rules["contacts"] = "as many contacts as grains in each, n_c = N"
+    if "shear_strength" in steps:
+        rules["shear_strength"] = "τ = G/4π²"
+    if "work_of_adhesion" in steps and "surface_energy2" in inputs and is_mixed:
+        rules["work_of_adhesion"] = "w = 2√(γ1γ2)"
+    values = scene.numbers(*rules.keys() & steps) if has_values else {}
+    for name, value in values.items():
+        rules[name] += f" = {amount(name, value, _SHORT)}"
+    by_rule = {name: f"{rule} ({NOMENCLATURE[name].option})" for name, rule in rules.items()}
+    by_value = [name for name in DEFAULTS if name in inputs and name not in scene.given]
+    return {**by_rule, **dict(zip(by_value, parts_of_assumed(by_value), strict=True))}
 
 
 def parts_of_assumed(names: Collection[str]) -> list[str]:
@@ -102,26 +133,6 @@ def parts_of_assumed(names: Collection[str]) -> list[str]:
         f"{f'{symbol_of(name)} = {amount(name, DEFAULTS[name])}' if DEFAULTS[name] else 'no load'} ({NOMENCLATURE[name].option})"
         for name in names
     ]
-
-
-def derived(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> Iterator[str]:
-    """Iterate over what was assumed by a rule, with the value and the option that sets it."""
-    steps = {step.name for step in scene.plan(*names).steps}
-    if "disruption_energy" in names and "contacts" not in scene.given:
-        yield "as many contacts as grains in each, n_c = N (--contacts)"
-    if "shear_strength" in steps:
-        for strength in scene.numbers("shear_strength").values():
-            yield f"τ = G/4π² = {amount('shear_strength', strength, _SHORT)} (--shear-strength)"
-    is_mixed = scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
-    if "work_of_adhesion" in steps and "surface_energy2" in inputs and is_mixed:
-        mixed = amount("work_of_adhesion", scene["work_of_adhesion"], _SHORT)
-        yield f"w = 2√(γ1γ2) = {mixed} (--work-of-adhesion)"
-
-
-def about_assumed(names: Collection[str], by_rule: Iterable[str] = ()) -> list[Note]:
-    """Return a note on inputs that were assumed, by a value or by a rule."""
-    parts = [*by_rule, *parts_of_assumed(names)]
-    return [Note("assumed", f"assumed: {', '.join(parts)}")] if parts else []
 
 
 def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
@@ -384,6 +395,13 @@ def left_out_in_words(sources: "Iterable[tuple[Source, str]]") -> Iterator[str]:
 def first_symbols(names: list[str]) -> str:
     """Return the symbols of the first names of a list, and how many more there are."""
     return first_of([*map(symbol_of, names)], MAX_NAMES)
+
+
+def symbol_beside(name: str, inputs: Collection[str]) -> str:
+    """Return the symbol of a quantity, without the index of sphere 1 where no other value is that of sphere 2."""
+    quantity = NOMENCLATURE[name]
+    is_of_both = quantity.sphere == 1 and quantity.twin not in inputs and name != "radius"
+    return symbol_of(name).removesuffix("1") if is_of_both else symbol_of(name)
 
 
 def symbol_of(name: str) -> str:

@@ -12,7 +12,7 @@ from ..quantities.formatting import Format, amount
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
-from ..quantities.values import Spread, error_about, spreads_of
+from ..quantities.values import Spread, as_typed, error_about, spreads_of
 from ..rows.sweep import Pair, Sweep
 from ..scene.scene import EXCLUSIVE, check_range
 from ..text import ending, listed, quoted, say_wrapped
@@ -121,6 +121,14 @@ class Call:
                 check_range(name, spread.low)
                 check_range(name, spread.high)
         return {name: every[name] for name in NOMENCLATURE if name in every}
+
+    @property
+    def typed(self) -> dict[str, str]:
+        """The inputs that have a single value without an uncertainty, as they were typed."""
+        single = {
+            name: spreads[0] for name, spreads in self.spreads.items() if not spreads[1:] and len(spreads[0]) == 1
+        }
+        return {name: as_typed(self.values[name]) for name, spread in single.items() if spread.uncertainty is None}
 
     def _is_of_curve(self, name: str) -> bool:
         return self.curve and name == "load"

@@ -105,11 +105,11 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
     if len(sweep) == 1:
         headline = [name for name in question.headline if name in wanted.names and name not in sweep.spreads]
         blocks = iter([unless_failed(next(blocks), headline)])
-    notes = note_lines.OfRows()
-    deliver(call, wanted, notes.watch(blocks), form)
+    notes = note_lines.OfRows(sweep.noted(wanted))
+    deliver(call, wanted, notes, blocks, form)
     if len(sweep) == 1 and not call.quiet:
         return _ended(notes, note_lines.of_answer(answer(next(sweep.scenes()))))
-    return _ended(notes, notes.lines(sweep.noted(wanted), has_table=is_shown, quiet=call.quiet))
+    return _ended(notes, notes.lines(has_table=is_shown, quiet=call.quiet))
 
 
 def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
@@ -120,26 +120,27 @@ def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
     return columns
 
 
-def deliver(call: Call, wanted: Wanted, blocks: Iterable[Columns], form: Format) -> None:
-    """Write columns to stdout, as a table on a terminal or as lines of text, or to a file."""
+def deliver(call: Call, wanted: Wanted, notes: note_lines.OfRows, blocks: Iterable[Columns], form: Format) -> bool:
+    """Write columns to stdout, as a table on a terminal or as lines of text, or to a file; return whether it was a table."""
+    every = notes.watch(blocks)
     if call.target is not None:
         from ..batch.one import write_columns as write_file
 
-        write_file(wanted, blocks, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
-        return
-    every = iter(blocks)
+        write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
+        return False
     is_table = call.kind == "table"
     if is_table:
         first = [*islice(every, 2)]
         if len(first) == 1 and len(first[0]) <= MAX_TABLE:
             from ..output.table import sweep_table
 
-            sweep_table(first[0], sys.stdout, form)
-            return
+            sweep_table(first[0], sys.stdout, form._replace(typed=call.typed), notes.assumed)
+            return True
         every = chain(first, every)
     for text in lines("plain" if is_table else call.kind, wanted, every, form, doubt=not call.no_doubt):
         sys.stdout.write(fitting(text.decode(), sys.stdout))
     sys.stdout.flush()
+    return False
 
 
 def _ended(notes: note_lines.OfRows, lines: Iterable[str]) -> int:
@@ -196,7 +197,7 @@ def _write_answer(call: Call, answer: Answer, out: TextIO, form: Format) -> None
     if is_table:
         from ..output.table import scene_table
 
-        scene_table(answer, out, form)
+        scene_table(answer, out, form._replace(typed=call.typed))
     else:
         write_plain(answer, out, form, alternatives=call.alternatives)
     out.flush()
@@ -247,9 +248,9 @@ def _write_curve(call: Call) -> int:
         while block := [*islice(states, size)]:
             yield Columns.of_rows(wanted, [wanted.row(state) for state in block])
 
-    notes = note_lines.OfRows()
-    deliver(call, wanted, notes.watch(columns()), form)
     curves = [*dict.fromkeys(sample.curve for sample in samples)]
+    notes = note_lines.OfRows((curve.scene, curve.shown) for curve in curves)
+    is_table = deliver(call, wanted, notes, columns(), form)
     if len(sweep) == 1 and not call.quiet:
-        return _ended(notes, note_lines.of_answer(curves[0]))
-    return _ended(notes, notes.lines([(curve.scene, curve.shown) for curve in curves], quiet=call.quiet))
+        return _ended(notes, note_lines.of_answer(curves[0], has_head=is_table))
+    return _ended(notes, notes.lines(has_table=is_table, quiet=call.quiet))

@@ -45,9 +45,13 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
 
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of the properties of some materials."""
+    from ..answers.notes import symbol_beside
     from .table import column, write_rows
 
-    values = (column(name, [_known(material, name) for material in chosen], AS_USUAL) for name in PROPERTIES)
+    values = (
+        column(name, [_known(material, name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
+        for name in PROPERTIES
+    )
     head, *rows = zip(["material", *(material.name for material in chosen)], *values, strict=True)
     write_rows(head, rows, out)
     say(f"\n{_OF_ONE}", out)
@@ -55,14 +59,16 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of materials by sets: the surface energy of each, and how it was found."""
-    from .table import column, write_wrapped
+    from .table import column, print_table
 
-    head, *energies = column("surface_energy", [_known(material, "surface_energy") for material in chosen], AS_USUAL)
+    known = [_known(material, "surface_energy") for material in chosen]
+    head, *energies = column("surface_energy", known, AS_USUAL, "γ")
     rows: dict[str, list[tuple[str, str, str]]] = {}
     for material, energy in zip(chosen, energies, strict=True):
         of_set = rows.setdefault(material.title, [(material.title, "", "")])
         of_set.append((f"  {material.name}", energy, _how(material)))
-    write_wrapped(("material", head, "method or reference"), [row for of_set in rows.values() for row in of_set], out)
+    heads = ("material", head, "method or reference")
+    print_table(heads, [row for of_set in rows.values() for row in of_set], out, is_last_wrapped=True, anyway=True)
     say(f"\n{_OF_ONE}; find some: jkroll materials WORD", out)
 
 
@@ -199,10 +205,11 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
     elif kind in ("table", "plain") and len(names) == 1:
         _write_quantity(names[0], out)
     elif kind == "table":
-        from .table import write_wrapped
+        from .table import print_table
 
         for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names}).items():
-            write_wrapped((title, "symbol [unit]", "meaning"), [*map(_quantity_table_row, members)], out)
+            heads = (title, "symbol [unit]", "meaning")
+            print_table(heads, [*map(_quantity_table_row, members)], out, is_last_wrapped=True, anyway=True)
             say("", out)
     else:
         write_records(_HEADS, map(_quantity_row, names), kind, out)

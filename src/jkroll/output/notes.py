@@ -2,10 +2,11 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
 from typing import get_args
 
 from ..answers.answer import Answer
-from ..answers.notes import first_symbols, notes_on_rows
+from ..answers.notes import assumed_of_rows, first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
 from ..errors import JkrollError
 from ..rows.columns import Columns, as_list
@@ -82,7 +83,9 @@ def every_line(answer: Answer) -> list[str]:
 class OfRows:
     """The notes of rows: empty cells, and doubts with the number of their rows, counted while the columns are written."""
 
-    def __init__(self) -> None:
+    def __init__(self, kinds: Iterable[tuple[Scene, Sequence[str]]]) -> None:
+        """`kinds`: a scene of each kind of rows, with the quantities that it shows."""
+        self._kinds = [*kinds]
         self._codes: Counter[str] = Counter()
         self._gaps: dict[str, Gaps] = {}  # of rows with empty cells
         self.count = 0
@@ -101,12 +104,15 @@ class OfRows:
             self.count += len(columns)
             yield columns
 
-    def lines(
-        self, kinds: Iterable[tuple[Scene, Sequence[str]]], *, has_table: bool = False, quiet: bool = False
-    ) -> list[str]:
-        """Return the lines to print; `kinds`: a scene of each kind, with the quantities that it shows.
+    @cached_property
+    def assumed(self) -> dict[str, str]:
+        """What was assumed for rows, each with the option that sets it, by name."""
+        return {name: text for kind in self._kinds for name, text in assumed_of_rows(*kind).items()}
 
-        `has_table`: whether a table has columns beside the values of a law that is not exact.
+    def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:
+        """Return the lines to print; `has_table`: whether they are below a table, whose head has what was assumed.
+
+        It has columns beside the values of a law that is not exact, too.
         """
         ending = [code for code in CODES if code in self._codes and code in ENDING_MEANING]
         of_law = codes_of(OF_LAW)
@@ -117,10 +123,9 @@ class OfRows:
             return _lines(found)
         found += [Note("missing", gaps.sentence() if self.count > 1 else gaps.words) for gaps in self._gaps.values()]
         found += [Note("doubt", self._counted(doubts, "doubts"), size=0.0)] if doubts else []
-        found += dict.fromkeys(note for scene, names in kinds for note in notes_on_rows(scene, names))
-        every = by_importance(found)
-        assumed = max((note.text for note in every if note.kind == "assumed"), key=len, default="")  # of most rows
-        return [*([assumed] if assumed else []), *_lines([note for note in every if note.kind != "assumed"])]
+        found += dict.fromkeys(note for kind in self._kinds for note in notes_on_rows(*kind))
+        head = [f"assumed: {', '.join(self.assumed.values())}"] if self.assumed and not has_table else []
+        return [*head, *_lines(by_importance(found))]
 
     def _counted(self, codes: Sequence[str], lead: str) -> str:
         """Return in how many rows codes stand, and the meaning of the first."""

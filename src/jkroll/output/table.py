@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Any, TextIO
 
 from rich import box
 from rich.console import Console
-from rich.table import Column, Table
+from rich.table import Table
 from rich.text import Text
 
-from ..answers.alternatives import Alternative, head_of
-from ..answers.notes import symbol_of
+from ..answers.alternatives import Alternative, between, head_of
+from ..answers.notes import symbol_beside
 from ..quantities.formatting import Format, amount, in_words, pretty, significant, with_known_prefix
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
-from ..quantities.values import Interval
+from ..quantities.values import of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA
 from ..scene.limits import OF_LAW, codes_of
@@ -29,12 +29,16 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
-_NAMED = ("quantity", "symbol", "unit")
 MAX_ACROSS = 20  # pairs that are tried as columns
 MIN_WRAPPED = 16  # characters of a column of texts on a narrow terminal
 GAP = 2  # between two columns
 _DIGITS = 4  # of a value on a terminal
 _OF_A_RANGE = 2  # of its ends
+_NONE = "–"
+_LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}
+
+
+# --- One scene --------------------------------------------------------------------------------------------------------
 
 
 def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
@@ -44,31 +48,42 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     """
     for line in _head(answer, form):
         say(line, out)
-    grid = answer.question.grid
-    if grid and not any(result.law for result in answer.results) and _print(_grid_table(grid, answer, out, form), out):
-        _second_table(answer, _beside(answer), out, form)
-        return
-    columns = _beside(answer)
-    for count in range(len(columns), -1, -1):
-        if _print_results(answer, columns[:count], out, form):
-            _second_table(answer, columns[count:], out, form)
-            return
-    if _print_results(answer, [], out, form, heads=_NAMED[1:]):
-        _second_table(answer, columns, out, form)
-    else:
-        for result in _rows(answer):
-            row = _result_cells(result, answer, form)
-            say(" ".join(row[head] for head in ("symbol", _own_head(answer), "unit") if row[head]), out)
+    beside = _beside(answer)
+    results = _rows(answer)
+    rows = [_result_cells(result, answer, beside, form) for result in results]
+    # Dimmed is what stands beside a headline, or has no value.
+    styles = ["dim" if NOMENCLATURE[one.name].note or one.value is None else "" for one in results]
+    own, *others = head_of(answer.scene.law.name), *(one.head for one in beside)
+
+    def is_printed(*heads: str, anyway: bool = False) -> bool:
+        texts = [[row[head] for head in heads] for row in rows]
+        return print_table(heads, texts, out, right={own, *others}, styles=styles, anyway=anyway)
+
+    grid, count = answer.question.grid, 0
+    if not grid or any(result.law for result in results) or not _print_grid(grid, answer, out, form):
+        fitting_counts = range(len(others), -1, -1)
+        count = next(
+            (one for one in fitting_counts if is_printed("quantity", "symbol", own, *others[:one], "unit")), -1
+        )
+        if count < 0:
+            is_printed("symbol", own, "unit", anyway=True)
+    left = beside[max(count, 0) :]
+    differing = {name for one in left for name, value in one.values.items() if value is not None}
+    rows = [row for row, result in zip(rows, results, strict=True) if result.name in differing]
+    styles = [""] * len(rows)
+    if rows:
+        say("", out)
+        is_printed("symbol", *(one.head for one in left), "unit", anyway=True)
 
 
 def _rows(answer: "Answer") -> "list[Result]":
     """Return the results that have a row: those without a note of their own, or another result of the same value."""
     values = {result.value for result in answer.results if not NOMENCLATURE[result.name].note}
     return [
-        one
-        for one in answer.results
-        if one.name not in answer.question.beside
-        and not (one.value is not None and NOMENCLATURE[one.name].note and one.value in values)
+        result
+        for result in answer.results
+        if result.name not in answer.question.beside
+        and not (result.value is not None and NOMENCLATURE[result.name].note and result.value in values)
     ]
 
 
@@ -78,67 +93,37 @@ def _beside(answer: "Answer") -> "list[Alternative]":
     limits = [
         Alternative(column[1], column[1], {column[0]: values[limit]})
         for limit, column in answer.question.beside.items()
-        if column and values.get(limit) is not None and column[1] != _own_head(answer)
+        if column and values.get(limit) is not None and column[1] != head_of(answer.scene.law.name)
     ]
     return [*answer.alternatives, *limits]
 
 
-def _print_results(
-    answer: "Answer", beside: "Sequence[Alternative]", out: TextIO, form: Format, heads: Sequence[str] = _NAMED
-) -> bool:
-    """Print the results with some alternatives beside them, if the terminal is wide enough, and return whether it was."""
-    *named, unit = heads
-    values = [_own_head(answer), *(one.head for one in beside)]
-    rows = _rows(answer)
-    cells = [_result_cells(result, answer, form) for result in rows]
-    # Dimmed is what stands beside a headline, or has no value.
-    styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in rows]
-    texts = [[row[head] for head in (*named, *values, unit)] for row in cells]
-    return _print(_table([*named, *values, unit], texts, out, {*values}, styles), out)
-
-
-def _second_table(answer: "Answer", beside: "Sequence[Alternative]", out: TextIO, form: Format) -> None:
-    """Write alternatives below the table of the results that they differ from, if there are some."""
-    differing = {name for one in beside for name, value in one.values.items() if value is not None}
-    rows = [_result_cells(result, answer, form) for result in _rows(answer) if result.name in differing]
-    if rows:
-        heads = ["symbol", *(one.head for one in beside), "unit"]
-        say("", out)
-        _print(_table(heads, [[row[head] for head in heads] for row in rows], out, {*heads[1:-1]}), out, anyway=True)
-
-
-def _own_head(answer: "Answer") -> str:
-    """Return the head of the values of the law in use."""
-    return head_of(answer.scene.law.name)
-
-
-def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Table:
-    """Return the table of a grid; the quantities of a cell stand below each other."""
-    found: dict[str, Any] = {**answer.inputs, **answer.uncertain}
-    found |= {one.name: one.measure for one in answer.results}
-
-    def cell(names: tuple[str, ...]) -> str:
-        values = ((name, found.get(name)) for name in names)
-        return "\n".join("–" if value is None else _with_unit(name, value, form) for name, value in values)
-
-    rows = [[label, *map(cell, cells)] for label, cells in grid.rows.items()]
-    return _table(grid.heads, rows, out, grid.heads[1:])
-
-
-def _result_cells(result: "Result", answer: "Answer", form: Format) -> dict[str, str]:
+def _result_cells(result: "Result", answer: "Answer", beside: Sequence[Alternative], form: Format) -> dict[str, str]:
     """Return the cells of a result by the heads of their columns, and of what may stand in its place, all in one unit."""
-    quantity, own, value = NOMENCLATURE[result.name], _own_head(answer), result.measure
-    cells = {"quantity": quantity.sentence, "symbol": symbol_beside(result.name, answer.inputs)}
-    beside = _beside(answer)
-    others = {one.head: one.values.get(result.name) for one in beside}
-    known = [each for each in (value, *others.values()) if each is not None]
-    unit = _unit(result.name, known[:1], form)
-    cells[own] = "–" if value is None else _cell(value, unit, form)
-    for one in beside:
-        other = others[one.head]
-        is_same = result.name not in one.values and value is not None
-        cells[one.head] = f"as {own}" if is_same else one.none if other is None else _cell(other, unit, form)
-    return {**cells, "unit": pretty(unit[0]) if known else ""}
+    name, own, value = result.name, head_of(answer.scene.law.name), result.measure
+    others = {one.head: one.values.get(name, None if value is None else f"as {own}") for one in beside}
+    numbers = [each for each in (value, *others.values()) if each is not None and not isinstance(each, str)]
+    unit = _unit(name, numbers[:1], form)
+    cells = {"quantity": NOMENCLATURE[name].sentence, "symbol": symbol_beside(name, answer.inputs)}
+    cells[own] = _cell(value, unit, form)
+    cells |= {one.head: _cell(others[one.head], unit, form, one.none) for one in beside}
+    return {**cells, "unit": pretty(unit[0]) if numbers else ""}
+
+
+def _print_grid(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> bool:
+    """Print the table of a grid if it fits, and return whether it did; the quantities of a cell stand below each other."""
+    measures: dict[str, Any] = {**answer.inputs, **answer.uncertain}
+    measures |= {result.name: result.measure for result in answer.results}
+
+    def with_unit(name: str) -> str:
+        value = measures.get(name)
+        unit = _unit(name, [] if value is None else [value], form)
+        if unit[0].startswith("1e"):
+            unit = form.unit(name), Unit(1, 1, ())
+        return f"{_cell(value, unit, form)} {pretty(unit[0])}".strip()
+
+    rows = [[label, *("\n".join(map(with_unit, names)) for names in cells)] for label, cells in grid.rows.items()]
+    return print_table(grid.heads, rows, out, right=grid.heads[1:])
 
 
 def _unit(name: str, values: "Sequence[float | Uncertain]", form: Format) -> tuple[str, Unit]:
@@ -147,16 +132,10 @@ def _unit(name: str, values: "Sequence[float | Uncertain]", form: Format) -> tup
     return with_known_prefix(name, text), unit
 
 
-def _with_unit(name: str, value: "float | Uncertain", form: Format) -> str:
-    """Return a value with its unit, which has a prefix that is known, or none."""
-    unit = _unit(name, [value], form)
-    if unit[0].startswith("1e"):
-        unit = form.unit(name), Unit(1, 1, ())
-    return f"{_cell(value, unit, form)} {pretty(unit[0])}".strip()
-
-
-def _cell(value: "float | str | Uncertain", unit: tuple[str, Unit], form: Format) -> str:
+def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form: Format, none: str = _NONE) -> str:
     """Return a value in a unit: with four digits and their zeros, a range with two, or with its error bar."""
+    if value is None:
+        return none
     if isinstance(value, str) or (isinstance(value, tuple) and value.kind != "range"):
         return form.in_unit(value, unit)
     if isinstance(value, tuple):
@@ -168,34 +147,37 @@ def _cell(value: "float | str | Uncertain", unit: tuple[str, Unit], form: Format
     return text.removesuffix(".")
 
 
-_LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}
+# --- Lists ------------------------------------------------------------------------------------------------------------
 
 
-def sweep_table(columns: "Columns", out: TextIO, form: Format) -> None:
-    """Write a table of several pairs; inputs that all of them share stand above.
+def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str]) -> None:
+    """Write a table of several pairs; inputs that all of them share stand above, and what was assumed, by name.
 
     A pair is a row. Where that is wider than the terminal, a pair is a column, and where this is too wide as well, a
     row again, of as many tables as it takes.
     """
-    cells = _Cells(columns, form)
-    common = {name: values[0] for name, values in cells.inputs.items() if len({*values}) == 1}
-    say(_broken([cells.counted(common), *_described(common, form)]), out)
-    several = [name for name, values in cells.inputs.items() if len({*values} - {None}) != 1]
-    leading = [name for name in several if not cells.is_implied(name)]
-    results = [key for name in columns.wanted.names if name not in cells.inputs for key in (name, *cells.beside(name))]
-    results += [DOUBT] if any(cells.doubts) else []
-    if _print(cells.table([*leading, *results], out), out):
+    pairs = _Pairs(columns, form)
+    common = {name: values[0] for name, values in pairs.inputs.items() if len({*values}) == 1}
+    given = {name: value for name, value in common.items() if name not in assumed}
+    say(_broken([pairs.counted(common), *_described(given, form)]), out)
+    if assumed:
+        say(_broken([f"assumed: {', '.join(assumed.values())}"]), out)
+    several = [name for name, values in pairs.inputs.items() if len({*values} - {None}) != 1]
+    leading = [name for name in several if not pairs.is_implied(name)]
+    results = [key for name in columns.wanted.names if name not in pairs.inputs for key in (name, *pairs.beside(name))]
+    results += [DOUBT] if any(pairs.doubts) else []
+    if pairs.is_printed([*leading, *results], out):
         return
-    if len(columns) <= MAX_ACROSS and any(_print(table, out) for table in cells.across(leading, results, out)):
+    if len(columns) <= MAX_ACROSS and pairs.is_printed_across(leading, results, out):
         return
     while results:
         count = len(results)
-        while not _print(cells.table([*leading, *results[:count]], out), out, anyway=count == 1):
+        while not pairs.is_printed([*leading, *results[:count]], out, anyway=count == 1):
             count -= 1
         results = results[count:]
 
 
-class _Cells:
+class _Pairs:
     """The values of columns as they are printed, with their uncertainties."""
 
     def __init__(self, columns: "Columns", form: Format) -> None:
@@ -220,114 +202,86 @@ class _Cells:
         is_equal = "radius2" in self.inputs and "radius2" not in common and self.is_implied("radius2")
         return f"{len(self.columns)} pairs" + (" of equal spheres (R2 = R1)" if is_equal else "")
 
-    def values(self, name: str) -> list[Any]:
-        """Return inputs or results, with their uncertainties if they have some; None is a gap."""
-        if name in self.inputs:
-            return self.inputs[name]
-        columns = self.columns
-        found = [None if isnan(value) else float(value) for value in columns.column(name)]
-        if not (keys := columns.wanted.sides_of(name)):
-            return found
-        from ..quantities.values import of_sides
+    def is_implied(self, name: str) -> bool:
+        """Return whether an input repeats another: sphere 2 is as large as sphere 1, or the material sets a property."""
+        if name == "energy":
+            return "energy_ratio" in self.inputs
+        if name == "radius2":
+            return self.inputs[name] == self.inputs.get("radius")
+        leader = self.inputs.get(_LEADERS.get(name, ""))
+        if name == "surface_energy" or leader is None or None in leader:
+            return False
+        pairs = {*zip(leader, self.inputs[name], strict=True)}
+        return len(pairs) == len({material for material, _ in pairs})
 
-        sides = [{side: columns.column(key)[row] for side, key in keys.items()} for row in range(len(columns))]
-        return [None if value is None else of_sides(value, own) for value, own in zip(found, sides, strict=True)]
+    def values(self, name: str) -> list[Any]:
+        """Return the values of a result, with their uncertainties if they have some; None is a gap."""
+        keys = self.columns.wanted.sides_of(name)
+        sides = [self.columns.column(key) for key in keys.values()]
+        return [
+            None if isnan(value) else of_sides(float(value), dict(zip(keys, of_row, strict=True)))
+            for value, *of_row in zip(self.columns.column(name), *sides, strict=True)
+        ]
 
     def beside(self, name: str) -> list[str]:
-        """Return the keys of the columns beside a quantity: by the other law where that moves a result, and by measured forces if there are some."""
+        """Return the keys of the columns beside a quantity: by the other law where that moves a result, and by data."""
         keys = self.columns.wanted.beside(name)
         law_matters = any(bits & OF_LAW for bits in as_list(self.columns.doubts)) or DEFAULT_LAW in keys
-        found = [key for kind, key in keys.items() if kind in LAWS and law_matters]
         has_data = DATA[0] in keys and not all(map(isnan, self.columns.column(keys[DATA[0]])))
-        return [*found, *([keys[DATA[0]]] if has_data else [])]
+        wanted = {*(LAWS if law_matters else ()), *(DATA[:1] if has_data else ())}
+        return [key for kind, key in keys.items() if kind in wanted]
 
     def column(self, key: str) -> list[str]:
         """Return the head and the cells of a column: of an input, of a result, or of what may stand in its place."""
         name, _, kind = key.partition("_by_")
         if key == DOUBT:
             return [DOUBT, *self.doubts]
-        if not kind:
-            return column(name, self.values(name), self.form, exactly=name in self.inputs)
-        ends = [self.columns.column(each) for each in self._ends(name, kind)]
-        own = self.form.common_unit(name, [value for value in self.values(name) if value is not None])
-        unit = own or _unit(name, [], self.form)
-        head = "by 1 µm data" if kind in DATA else f"{symbol_of(name)} by {head_of(kind)}"
-        cells = []
-        for row in zip(*map(as_list, ends), strict=True):
-            if any(map(isnan, row)):
-                cells.append("no data" if kind in DATA else "–")
-            else:
-                value = row[0] if len(row) == 1 else Interval(sum(row) / 2, min(row), max(row))
-                cells.append(_cell(value, unit, self.form))
-        return [head if own or not unit[0] else f"{head} [{pretty(unit[0])}]", *cells]
+        symbol = symbol_beside(name, self.inputs)
+        if name in self.inputs:
+            return column(name, self.inputs[name], self.form, symbol)
+        values = self.values(name)
+        unit = _unit(name, [value for value in values if value is not None], self.form)
+        head, none = f"{symbol} [{pretty(unit[0])}]" if unit[0] else symbol, _NONE
+        if kind in DATA:
+            ends = [self.columns.column(f"{name}_by_{end}") for end in DATA]
+            values = [None if isnan(low) else between(low, high) for low, high in zip(*ends, strict=True)]
+            head, none = "by data", "no data"
+        elif kind:
+            values = [None if isnan(value) else float(value) for value in self.columns.column(key)]
+            head = f"{symbol} by {head_of(kind)}"
+        return [head, *(_cell(value, unit, self.form, none) for value in values)]
 
-    def _ends(self, name: str, kind: str) -> list[str]:
-        keys = self.columns.wanted.beside(name)
-        return [keys[end] for end in DATA] if kind in DATA else [keys[kind]]
+    def is_printed(self, names: Sequence[str], out: TextIO, *, anyway: bool = False) -> bool:
+        """Print a table with a row for each pair, if it fits or anyway, and return whether it was printed."""
+        heads, *rows = zip(*map(self.column, names), strict=True)
+        words = {name for name in (*self.inputs, DOUBT) if name == DOUBT or NOMENCLATURE[name].is_word}
+        right = [head for head, name in zip(heads, names, strict=True) if name not in words]
+        return print_table(heads, rows, out, right=right, anyway=anyway)
 
-    def table(self, names: Sequence[str], out: TextIO) -> Table:
-        """Return a table with a row for each pair."""
-        columns = [self.column(name) for name in names]
-        heads = [column[0] for column in columns]
-        right = {*heads} - {DOUBT, *(NOMENCLATURE[name].symbol or name for name in names if self.is_word(name))}
-        return _table(heads, [*zip(*(column[1:] for column in columns), strict=True)], out, right)
-
-    @staticmethod
-    def is_word(name: str) -> bool:
-        """Return whether a column has words, and no numbers."""
-        return name in NOMENCLATURE and NOMENCLATURE[name].is_word
-
-    def across(self, leading: Sequence[str], results: Sequence[str], out: TextIO) -> Iterator[Table]:
-        """Iterate over tables with a column for each pair and a row for each result: with the words for it, and without."""
+    def is_printed_across(self, leading: Sequence[str], results: Sequence[str], out: TextIO) -> bool:
+        """Print a table with a column for each pair and a row for each result, with the words for it or without, if it fits."""
         numbers = ["pair", *(str(number) for number in range(1, len(self.columns) + 1))]
-        distinct = [self.column(name) for name in leading] or [numbers]
-        heads = ["\n".join(parts) for parts in zip(*distinct, strict=True)]
-        rows = [self.column(name) for name in results]
+        heads = ["\n".join(texts) for texts in zip(*([*map(self.column, leading)] or [numbers]), strict=True)]
+        rows = [self.column(key) for key in results]
         words = [NOMENCLATURE[key].sentence if key in NOMENCLATURE else "" for key in results]
-        yield _table(
-            ["quantity", *heads], [[word, *row] for word, row in zip(words, rows, strict=True)], out, set(heads[1:])
+        worded = [[word, *row] for word, row in zip(words, rows, strict=True)]
+        return print_table(["quantity", *heads], worded, out, right=heads[1:]) or print_table(
+            heads, rows, out, right=heads[1:]
         )
-        yield _table(heads, rows, out, set(heads[1:]))
-
-    def is_implied(self, name: str) -> bool:
-        """Return whether an input repeats another: sphere 2 is as large as sphere 1, or the material sets a property."""
-        if name == "energy":
-            return "energy_ratio" in self.inputs
-        if name == "surface_energy":
-            return False
-        if name == "radius2":
-            return self.inputs[name] == self.inputs.get("radius")
-        leader = self.inputs.get(_LEADERS.get(name, ""))
-        if leader is None or None in leader:
-            return False
-        pairs = {*zip(leader, self.inputs[name], strict=True)}
-        return len(pairs) == len({material for material, _ in pairs})
 
 
-def column(
-    name: str, values: "Sequence[float | str | Uncertain | None]", form: Format, *, exactly: bool = True
-) -> list[str]:
-    """Return the head and the cells of a column; the head has the unit, if one suits all of its values.
-
-    `exactly`: whether values keep their digits, as inputs do; results have four.
-    """
-    head = NOMENCLATURE[name].symbol or name
+def column(name: str, values: Sequence[Any], form: Format, symbol: str) -> list[str]:
+    """Return the head and the cells of a column of inputs, with all their digits; the head has the unit, if one suits all values."""
     numbers = [value for value in values if value is not None and not isinstance(value, str)]
-    common = form.common_unit(name, numbers)
-    if exactly and not common:
-        return [head, *("–" if value is None else amount(name, value, form) for value in values)]
-    unit = common or _unit(name, [], form)
-    cells = [
-        "–" if value is None else form.in_unit(value, unit) if exactly else _cell(value, unit, form) for value in values
+    if not (unit := form.common_unit(name, numbers)):
+        return [symbol, *(_NONE if value is None else amount(name, value, form) for value in values)]
+    return [
+        f"{symbol} [{pretty(unit[0])}]",
+        *(_NONE if value is None else form.in_unit(value, unit) for value in values),
     ]
-    return [f"{head} [{pretty(unit[0])}]" if unit[0] else head, *cells]
 
 
-def symbol_beside(name: str, inputs: Collection[str]) -> str:
-    """Return the symbol of a quantity, without the index of sphere 1 where no other value is that of sphere 2."""
-    quantity = NOMENCLATURE[name]
-    is_of_both = quantity.sphere == 1 and quantity.twin not in inputs and name != "radius"
-    return symbol_of(name).removesuffix("1") if is_of_both else symbol_of(name)
+# --- Inputs -----------------------------------------------------------------------------------------------------------
 
 
 def _head(answer: "Answer", form: Format) -> Iterator[str]:
@@ -358,7 +312,8 @@ def _described(
         if leader in texts:
             own = [name for name in texts if _LEADERS.get(name) == leader and name in of_materials]
             data = ", ".join(texts.pop(name) for name in own)
-            texts[leader] = f"{inputs[leader]} ({data})" if data else str(inputs[leader])
+            solid = inputs[leader] if "material" in inputs else f"sphere 2: {inputs[leader]}"
+            texts[leader] = f"{solid} ({data})" if data else str(solid)
     return [*texts.values()]
 
 
@@ -368,58 +323,55 @@ def _broken(parts: Iterable[str]) -> str:
     return "\n".join(wrapped(joined, terminal_width(), 2))
 
 
+# --- Texts ------------------------------------------------------------------------------------------------------------
+
+
 def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
     """Write a table of texts, or, on a terminal too narrow for it, a line for each cell."""
-    if not _print(_table(heads, [list(map(pretty, row)) for row in rows], out), out):
+    if not print_table(heads, [list(map(pretty, row)) for row in rows], out):
         for row in rows:
             for head, cell in zip(heads, row, strict=True):
                 say(f"{head}: {cell}", out)
 
 
-def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
-    """Write a table of texts whose last column is broken into lines, within a word that is longer than the column."""
-    _print(_table(heads, rows, out, wrapped=heads[-1:]), out, anyway=True)
-
-
-def _table(
+def print_table(
     heads: Sequence[str],
     rows: Sequence[Sequence[str]],
     out: TextIO,
+    *,
     right: Collection[str] = (),
     styles: Sequence[str] = (),
-    wrapped: Collection[str] = (),
-) -> Table:
-    """Return a table of texts, with a style for each row if any.
+    is_last_wrapped: bool = False,
+    anyway: bool = False,
+) -> bool:
+    """Print a table of texts if the terminal is wide enough for it, or anyway, and return whether it was printed.
 
-    The columns named in `right` are set to the right, and those in `wrapped` broken into lines, within a word that is
-    too long.
+    The columns named in `right` are set to the right; the last may be broken into lines, within a word that is too long.
+    `styles`: of each row.
     """
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, show_edge=False)
-    for head in heads:
-        table.add_column(
-            Text(fitting(head, out)),
-            justify="right" if head in right else "left",
-            no_wrap=head not in wrapped,
-            overflow="fold" if head in wrapped else "ellipsis",
-        )
-    for row, style in zip(rows, styles or [""] * len(rows), strict=True):
-        table.add_row(*(Text(fitting(cell, out), style) for cell in row))
-    return table
-
-
-def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
-    """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
     console = Console(file=out, width=terminal_width(), highlight=False, markup=False, emoji=False)
-    width = sum(_least_width(column, console) for column in table.columns) + GAP * (len(table.columns) - 1)
-    if width > console.width and not anyway:
+    unlimited = console.options.update(width=10_000)
+    of_rows = zip(rows, styles or [""] * len(rows), strict=True)
+    texts = [[Text(fitting(cell, out), style) for cell in row] for row, style in of_rows]
+    least = GAP * (len(heads) - 1)
+    for place, head in enumerate(heads):
+        is_wrapped = is_last_wrapped and head == heads[-1]
+        title = Text(fitting(head, out))
+        width = max(
+            console.measure(text, options=unlimited).maximum for text in (title, *(row[place] for row in texts))
+        )
+        least += min(width, MIN_WRAPPED) if is_wrapped else width
+        table.add_column(
+            title,
+            justify="right" if head in right else "left",
+            no_wrap=not is_wrapped,
+            overflow="fold" if is_wrapped else "ellipsis",
+        )
+    if least > console.width and not anyway:
         return False
-    console.width = max(width, console.width)
+    for row in texts:
+        table.add_row(*row)
+    console.width = max(least, console.width)
     console.print(table)
     return True
-
-
-def _least_width(column: Column, console: Console) -> int:
-    """Return the width of the longest cell of a column, or as much of it as a column has at least that is broken into lines."""
-    cells = (column.header, *column.cells)
-    width = max(console.measure(cell, options=console.options.update(width=10_000)).maximum for cell in cells)
-    return width if column.no_wrap else min(width, MIN_WRAPPED)

@@ -6,7 +6,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from .nomenclature import INFINITY, NOMENCLATURE, header
-from .units import Unit, convert, parse_unit, power_of_ten
+from .units import RAISED, Unit, convert, parse_unit, power_of_ten
 
 if TYPE_CHECKING:
     from .values import Interval, Measured, Uncertain
@@ -16,7 +16,6 @@ ROUND_DIGITS = 12  # all that a round value has, and no rounding error
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
 _ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0
-_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
@@ -29,6 +28,7 @@ class Format(NamedTuple):
 
     units: Mapping[str, tuple[str, Unit]] = MappingProxyType({})  # by quantity: the unit to convert to
     digits: int | None = None
+    typed: Mapping[str, str] = MappingProxyType({})  # inputs of a single value, as they were typed
 
     def unit(self, name: str) -> str:
         """Return the unit in which a quantity is written for a program."""
@@ -136,7 +136,7 @@ AS_USUAL = Format()
 
 
 def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL) -> str:
-    """Return a value with its unit, and with its uncertainty if it has one, for a sentence.
+    """Return a value with its unit, and with its uncertainty if it has one, for a sentence; an input as it was typed.
 
     >>> amount("yield_displacement", 2e-10)
     '200 pm'
@@ -145,6 +145,8 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
     >>> [amount("surface_energy", value_of(text, "surface_energy")) for text in texts]
     ['25.0 ± 5.0 mJ/m²', '25.0 +6.0/-4.0 mJ/m²', '20 to 30 mJ/m²']
     """
+    if name in form.typed:
+        return form.typed[name]
     number, unit = form.rounded(name, value)
     return f"{number} {pretty(unit)}".strip()
 
@@ -245,5 +247,5 @@ def in_powers(value: float, digits: int = 4) -> str:
         return significant(value, digits)
     mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
     factor = mantissa.rstrip("0").rstrip(".")
-    power = "10" + str(int(exponent)).translate(_SUPERSCRIPTS)
+    power = "10" + str(int(exponent)).translate(RAISED)
     return power if factor == "1" else f"{factor}·{power}"

@@ -18,6 +18,7 @@ from .units import (
     MAX_TEXT,
     NO_UNIT,
     NO_UNIT_OF_BAR,
+    RAISED,
     SUPERSCRIPTS,
     BadUnit,
     Dimension,
@@ -157,6 +158,22 @@ def split_number(text: str) -> tuple[int, int, str]:
     if exponent and len(exponent.lstrip("+-")) > 3:
         raise BadUnit("has an exponent of more than 3 digits")
     return int(sign + digits), int(exponent or 0) - len(fraction or ""), rest.removeprefix(" ")
+
+
+def as_typed(text: str) -> str:
+    """Return a number with a unit as it was typed, with the unit as it is written. Any other text is unchanged.
+
+    >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
+    ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
+    """
+    plain = normalized(text)
+    try:
+        *_, unit = split_number(plain)
+    except BadUnit:
+        return text
+    written = re.sub(r"\bu(?=[mgsNJP])", "µ", re.sub("angstroms?", "Å", unit))
+    written = re.sub(r"(?<=[A-Za-z])(?:\^|\*\*)?([-0-9]+)", lambda power: power[1].translate(RAISED), written)
+    return f"{plain.removesuffix(unit).strip()} {written}".strip()
 
 
 def ratio(mantissa: int, exponent: int, unit: Unit) -> tuple[int, int]:
