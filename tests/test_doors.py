@@ -52,7 +52,8 @@ from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
 
-FEW, MANY = 20, 1000
+FEW, MANY = range(20), 1000
+PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # of many questions
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "J Ym-1", "kHz"]
 
 Cells = Mapping[str, Any]
@@ -275,18 +276,19 @@ def test_an_error_bar_that_no_double_holds_in_a_unit(run: Run) -> None:
 
 
 def test_doors_agree(run: Run) -> None:
-    check(run, seed=23, count=FEW)
+    check(run, seed=23, numbers=FEW)
 
 
 @pytest.mark.slow
-def test_doors_agree_on_fresh_questions(run: Run) -> None:
+@pytest.mark.parametrize("numbers", PARTS, ids=str)
+def test_doors_agree_on_fresh_questions(run: Run, numbers: range) -> None:
     """The seed stands at the head of the run; with ACCURACY_SEED set to it, the same questions come again."""
-    check(run, seed=int(os.environ["ACCURACY_SEED"]), count=MANY)
+    check(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 
-def check(run: Run, seed: int, count: int) -> None:
+def check(run: Run, seed: int, numbers: range) -> None:
     """Ask random questions at all doors, and those under one law in one table, too."""
-    for number in range(count):
+    for number in numbers:
         random = Random(f"{seed} {number}")
         ask = any_ask(random)
         unit = random.choice(UNITS) if random.random() < 0.4 else ""
@@ -301,17 +303,18 @@ def check(run: Run, seed: int, count: int) -> None:
 
 
 def test_doors_agree_on_alternatives(run: Run) -> None:
-    check_alternatives(run, seed=7, count=FEW)
+    check_alternatives(run, seed=7, numbers=FEW)
 
 
 @pytest.mark.slow
-def test_doors_agree_on_alternatives_of_fresh_questions(run: Run) -> None:
-    check_alternatives(run, seed=int(os.environ["ACCURACY_SEED"]), count=MANY)
+@pytest.mark.parametrize("numbers", PARTS, ids=str)
+def test_doors_agree_on_alternatives_of_fresh_questions(run: Run, numbers: range) -> None:
+    check_alternatives(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 
-def check_alternatives(run: Run, seed: int, count: int) -> None:
+def check_alternatives(run: Run, seed: int, numbers: range) -> None:
     """Ask random questions at all doors with what may stand in place of the answers."""
-    for number in range(count):
+    for number in numbers:
         ask = any_ask(Random(f"alternatives {seed} {number}"))
         assert [*alternative_disagreements(run, ask)] == [], (seed, number, ask)
 

@@ -42,7 +42,7 @@ HINTS: Mapping[str, str] = {
     "--rms": _NOT_MODELLED,
     "--humidity": _NOT_MODELLED,
     "--temperature": _NOT_MODELLED,
-    "--restitution": _NOT_MODELLED,
+    "--restitution": "jkroll impact gives it for a speed: jkroll impact quartz 100nm --speed 1m/s",
     "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
     "--ndjson": "write --json; jkroll batch reads and writes NDJSON",
