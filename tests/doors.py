@@ -13,7 +13,7 @@ from unittest.mock import patch
 import numpy as np
 
 import jkroll.batch.job
-import jkroll.batch.lines
+import jkroll.batch.run
 import jkroll.rows.sweep
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
@@ -185,7 +185,7 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
         return table_of(columns, rows[:sample], *others, **options)
 
     with ExitStack() as stack:
-        stack.enter_context(patch.object(jkroll.batch.lines, "evaluated", observed))
+        stack.enter_context(patch.object(jkroll.batch.run, "evaluated", observed))
         stack.enter_context(patch.object(jkroll.batch.job, "table_of", of_sample))
         ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
     if ran.code == 2:

@@ -30,10 +30,9 @@ def random_table(size: int, seed: int) -> str:
 IN_SMALL_BLOCKS = """
 import signal
 import jkroll.__main__
-from jkroll.batch import files, run, workers
+from jkroll.batch import files, run
 from jkroll.rows import sweep
-run.ALONE, files.CHUNK, sweep.BLOCK = 2, 1 << 14, 1 << 9
-workers.are_ready = lambda started: all([worker.answer() is None for worker in started])  # waits until they are
+run.ALONE, run.MEANWHILE, files.CHUNK, sweep.BLOCK = 2, 0, 1 << 14, 1 << 9
 if __name__ == "__main__":
     signal.signal(signal.SIGHUP, signal.SIG_DFL)  # a closed terminal ends the run, under nohup, too
     jkroll.__main__.run()

@@ -547,12 +547,12 @@ def test_any_number_of_processes_writes_the_same_bytes(run: Run) -> None:
 
 @pytest.mark.parametrize("compression", ["gz", "zst"])
 def test_compressed_tables(run: Run, compression: str) -> None:
-    from jkroll.batch.files import compressor, decompressed
+    from jkroll.batch.files import compressed, decompressed
 
     if compression == "zst":
         pytest.importorskip("zstandard")
     kind = {"gz": "gzip", "zst": "zstd"}[compression]
-    Path(f"grains.csv.{compression}").write_bytes(compressor(kind)(GRAINS.encode()))
+    Path(f"grains.csv.{compression}").write_bytes(compressed(GRAINS.encode(), kind))
     assert run(f"batch grains.csv.{compression} -o out.csv.{compression} --jobs 1").code == 0
     with open(f"out.csv.{compression}", "rb") as file:
         text = b"".join(decompressed(file, kind, "out"))

@@ -179,8 +179,9 @@ def test_a_column_of_materials_has_as_many_words_as_its_numbers_allow(run: Run) 
 def test_an_interrupted_run_leaves_no_file(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     name = write({"radius [nm]": [100.0 + row for row in range(1000)]})
     with monkeypatch.context() as patch:
-        patch.setattr("jkroll.batch.parquet._groups", Mock(side_effect=KeyboardInterrupt))
-        assert run("batch", name, "-o", "out.parquet", "--quiet") == (130, "", "")
+        patch.setattr("jkroll.batch.run.evaluated", Mock(side_effect=KeyboardInterrupt))
+        ran = run("batch", name, "-o", "out.parquet", "--quiet")
+        assert ran == (130, "", "jkroll: interrupted after 0 rows\n")
     assert [path.name for path in Path().iterdir()] == [name]
 
 

@@ -14,7 +14,7 @@ import pytest
 from harness import Run
 from jkroll.batch.job import Job
 from jkroll.batch.lines import Tally
-from jkroll.batch.one import convert_one
+from jkroll.batch.run import convert_one
 from tables import random_table
 
 PARTS = 5

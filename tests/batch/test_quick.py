@@ -7,11 +7,12 @@ from unittest.mock import patch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from jkroll.batch.delimited import DIALECTS, Delimited, as_lines
+from jkroll.batch.delimited import DIALECTS, Dialect, as_lines
 from jkroll.batch.job import Job, Settings
-from jkroll.batch.lines import Converted, Head
+from jkroll.batch.lines import Converted
+from jkroll.batch.run import Converter
 from jkroll.materials.library import known_materials
-from jkroll.output import records
+from jkroll.output import writers
 from jkroll.rows.cells import Reader
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
@@ -44,17 +45,17 @@ USUAL = rows(NUMBERS, st.sampled_from(["a", "", "b c", "-1"]))
 ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
 
 
-def converter(dialect: str, end: str, *, excel_safe: bool) -> Delimited:
+def converter(dialect: str, end: str, *, excel_safe: bool) -> Converter:
     """The converter of a table with this header."""
-    separator = DIALECTS[dialect].separator.decode()
-    table = Job(Settings(quantities="report"), {}, known_materials()).table(tuple(HEADER), [])
-    head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER))
-    return DIALECTS[dialect].converter(head, table, strict=False, excel_safe=excel_safe)
+    form = DIALECTS[dialect]
+    head = form.head((form.separator.decode().join(HEADER) + end).encode(), excel_safe=excel_safe)
+    table = Job(Settings(quantities="report"), {}, known_materials()).table(head.names, [])
+    return Converter(form, head, table, strict=False, compression="")
 
 
 def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Converted:
     """What becomes of a block of rows."""
-    return converter(dialect, end, excel_safe=excel_safe).convert(text)
+    return converter(dialect, end, excel_safe=excel_safe)(text)
 
 
 @settings(deadline=None, max_examples=75)
@@ -70,9 +71,9 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
     text = (end.join(separator.join(row) for row in table) + last).encode()
     quick = converted(dialect, end, text, excel_safe=excel_safe)
     with (
-        patch.object(Delimited, "_cut", return_value=None),
+        patch.object(Dialect, "_cut", return_value=None),
         patch.object(Reader, "_together", return_value=None),
-        patch.object(records, "STRIP", 1),
+        patch.object(writers, "STRIP", 1),
     ):
         careful = converted(dialect, end, text, excel_safe=excel_safe)
     assert quick == careful
@@ -80,9 +81,9 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
 
 def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
-    convert = converter("csv", "\n", excel_safe=False).convert
+    convert = converter("csv", "\n", excel_safe=False)
     with (
-        patch.object(Delimited, "_read", side_effect=AssertionError),
+        patch.object(Dialect, "_read", side_effect=AssertionError),
         patch.object(Reader, "_of_many_kinds") as one_by_one,
     ):
         found = convert(text)

@@ -2,12 +2,13 @@
 
 From the bottom up:
 
-lines, delimited, ndjson    the formats whose records are lines: what they have in common; CSV and TSV; NDJSON
+lines                       what formats have in common: the head of a table, its blocks taken apart, the counts of a run
+delimited, ndjson           the formats whose records are lines: CSV and TSV; NDJSON
 decimals                    decimal commas
 job                         the options of a run, and the table that they make of a header
 files                       formats and compressions; the input as blocks of whole records; the output
+parquet                     Parquet
 progress, workers, run      the bar; processes; the loop that takes blocks through a converter into the output, in order
-parquet, one                Parquet; a table of any format
 many                        many tables, by processes or on a Dask cluster
 command                     the `batch` command
 """

@@ -12,7 +12,7 @@ from ..text import first_of, say, say_wrapped
 from .job import Job, Settings
 from .lines import Tally
 from .many import convert_many, is_many
-from .one import convert_one
+from .run import convert_one
 
 MAX_CODES = 4  # of doubts that are named at the end
 MAX_GAPS = 4  # kinds of rows with empty cells that are explained at the end

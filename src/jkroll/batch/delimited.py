@@ -15,14 +15,13 @@ from itertools import islice, takewhile
 from typing import NamedTuple
 
 from ..errors import BadTable
-from ..output.records import LineFormat, Lines
-from ..quantities.formatting import Format
+from ..output.writers import Lines, in_quotes
 from ..rows.header import is_input
 from ..rows.table import Table
 from ..rows.words import MATERIALS
 from ..text import quoted
 from .decimals import has_decimal_commas, points_among_commas, with_points
-from .lines import BOM, MAX_RECORD, SAMPLE, Converted, Head, check_encoding, computed
+from .lines import BOM, MAX_RECORD, SAMPLE, Head, Records, check_encoding
 
 _MISTAKEN = (
     (";", "semicolons", "--delimiter semicolon"),
@@ -31,7 +30,7 @@ _MISTAKEN = (
     ("|", "bars", "--delimiter bar"),
     (" ", "blanks", "--delimiter blank"),
 )
-_COMMENT = re.compile(rb"[ \t]*#+ *")
+_COMMENT = re.compile(rb"\A[ \t]*#+ *")
 BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text stands behind it"
@@ -91,45 +90,23 @@ class Dialect:
 
     def line(self, cells: Sequence[str]) -> str:
         """Return the line of some cells, in quotes where they need them."""
-        return self.mark.join(map(self.quoted, cells))
+        return self.mark.join(in_quotes(cell, self.mark) for cell in cells)
 
-    def quoted(self, cell: str) -> str:
-        """Return a cell, in quotes if it needs them."""
-        if any(mark in cell for mark in (self.mark, '"', "\n", "\r")):
-            return '"' + cell.replace('"', '""') + '"'
-        return cell
+    # --- The header ---------------------------------------------------------------------------------------------------
 
-    def without_preamble(self, text: bytes, is_read: Callable[[str], bool]) -> tuple[bytes, int]:
-        """Return a table without the lines that begin with # before its header, and their number.
+    def head(self, block: bytes, is_read: Callable[[str], bool] = is_input, *, excel_safe: bool = False) -> Head:
+        """Return the beginning of a table, given its first block. Raises BadTable.
 
-        The last of them that names columns that are read is the header itself, and loses its mark, unless the line
-        below all of them names some.
+        `is_read`: tells of a header whether its column is one of those that are read. `excel_safe`: as Head has it.
         """
-        lines = text.split(b"\n")
-        comments = [*takewhile(_COMMENT.match, lines[:SAMPLE])]
-        if not comments:
-            return text, 0
-
-        def names_inputs(line: bytes) -> bool:
-            cells = self.prepared(_COMMENT.sub(b"", line).strip()).split(self.separator)
-            return any(is_read(cell.decode("utf-8", "replace").strip('"')) for cell in cells)
-
-        headers = [place for place, line in enumerate(comments) if names_inputs(line)]
-        if not headers or any(map(names_inputs, lines[len(comments) : len(comments) + 1])):
-            return b"\n".join(lines[len(comments) :]), len(comments)
-        header, *rest = lines[headers[-1] :]
-        return b"\n".join([_COMMENT.sub(b"", header), *rest]), headers[-1]
-
-    def head(self, text: bytes, is_read: Callable[[str], bool] = is_input) -> tuple[Head, list[list[str]]]:
-        """Return the header of a table, and the cells of the first rows after it. Raises BadTable.
-
-        `is_read`: tells of a header whether its column is one of those that are read.
-        """
-        check_encoding(text, self.name)
-        if not text.strip():
+        check_encoding(block, self.name)
+        mark = BOM if block.startswith(BOM) else b""
+        raw = block.removeprefix(mark).split(b"\n")
+        preamble = self._preamble(raw, is_read)
+        body = b"\n".join([_COMMENT.sub(b"", raw[preamble]), *raw[preamble + 1 :]])
+        if not body.strip():
             raise BadTable("the table is empty: it has no header")
-        body = text.removeprefix(BOM)
-        lines = as_lines(body)
+        lines = as_lines(self.prepared(body))
         records = self.records(lines)
         first = next(records)
         if first.problem == _CARRIAGE_RETURN:
@@ -151,8 +128,35 @@ class Dialect:
             [*map(is_read, names)], columns, by_all=self.separator == b";"
         )
         first_rows = with_points(whole) if has_commas else whole
-        sample = [[cell.decode("utf-8", "replace") for cell in row] for row in first_rows]
-        return Head(text[: len(text) - len(body) + len(header)], tuple(names), has_commas), sample
+        count = preamble + first.stop
+        written = self.line(_safe(first.cells)) if excel_safe and any(map(_is_formula, first.cells)) else header
+        return Head(
+            names=tuple(names),
+            sample=[[cell.decode("utf-8", "replace") for cell in row] for row in first_rows],
+            size=min(len(mark) + sum(len(line) + 1 for line in raw[:count]), len(block)),
+            lines=count,
+            preamble=preamble,
+            header=mark + written.rstrip("\r\n").encode(BYTES),
+            end="\r\n" if header.endswith("\r\n") else "\n",
+            has_decimal_commas=has_commas,
+            excel_safe=excel_safe,
+        )
+
+    def _preamble(self, lines: Sequence[bytes], is_read: Callable[[str], bool]) -> int:
+        """Return the number of lines above the header, which begin with #.
+
+        The last of them that names columns that are read is the header itself, unless the line below all of them names
+        some.
+        """
+        comments = [*takewhile(_COMMENT.match, lines[:SAMPLE])]
+
+        def names_inputs(line: bytes) -> bool:
+            cells = self.prepared(_COMMENT.sub(b"", line).strip()).split(self.separator)
+            return any(is_read(cell.decode("utf-8", "replace").strip('"')) for cell in cells)
+
+        headers = [place for place, line in enumerate(comments) if names_inputs(line)]
+        is_below = not headers or any(map(names_inputs, lines[len(comments) : len(comments) + 1]))
+        return min(len(comments), len(lines) - 1) if is_below else headers[-1]
 
     def _is_none(self, record: Record, lines: Sequence[str]) -> bool:
         """Return whether a record is a blank line."""
@@ -174,9 +178,74 @@ class Dialect:
             if is_other and not any(map(is_input, names)):
                 raise BadTable(f"header: {quoted(line.strip())} has {kind} between its columns; write {advice}")
 
-    def converter(self, head: Head, table: Table, *, strict: bool, excel_safe: bool) -> Delimited:
-        """Return the converter of the blocks after the head."""
-        return Delimited(self, head, table, strict=strict, excel_safe=excel_safe)
+    def writer(self, head: Head, table: Table) -> Lines:  # noqa: ARG002
+        """Return the writer of a table."""
+        return Lines(self.mark, end=head.end, has_commas=head.has_decimal_commas)
+
+    # --- Rows ---------------------------------------------------------------------------------------------------------
+
+    def read(self, text: bytes, head: Head, table: Table) -> Records:
+        """Return whole records, taken apart."""
+        text = self.prepared(text)
+        records = self._cut(text, head, table.places) or self._read(text, head, table.places)
+        if not head.has_decimal_commas:
+            return records
+        cells = {name: column for name, column in records.cells.items() if name not in MATERIALS}
+        odd = {**dict(points_among_commas(cells.values())), **records.odd}
+        points = dict(zip(cells, with_points(cells.values()), strict=True))
+        return records._replace(cells={**records.cells, **points}, odd=odd)
+
+    def _cut(self, text: bytes, head: Head, places: Mapping[str, int]) -> Records | None:
+        """Cut lines without quotes that have the right width at their separators; None if there are others."""
+        width, separator = len(head.names), self.separator
+        if b'"' in text or head.excel_safe:
+            return None
+        if b"\r" in text:  # to search for two bytes takes 100 times as long
+            text = text.replace(b"\r\n", b"\n")
+        if b"\r" in text or not text.endswith(b"\n"):
+            return None
+        lines = text.split(b"\n")
+        lines.pop()
+        cells = text.replace(b"\n", separator + b"\n" + separator).split(separator)
+        # Behind each line's last cell, and there only, stands a line feed.
+        if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
+            return None
+        columns = {name: cells[place : -1 : width + 1] for name, place in places.items()}
+        return Records(lines, columns, {}, range(len(lines)), len(lines))
+
+    def _read(self, text: bytes, head: Head, places: Mapping[str, int]) -> Records:
+        """Read records of any kind."""
+        width = len(head.names)
+        texts: list[str] = []
+        rows: list[list[str]] = []
+        odd: dict[int, str] = {}
+        starts: list[int] = []
+        blank = ""
+        lines = as_lines(text)
+        for record in self.records(lines):
+            line = "".join(lines[record.start : record.stop])
+            if self.is_blank(line):
+                blank += line
+                continue
+            cells, line = record.cells, line.rstrip("\r\n")
+            if len(cells) != width:
+                odd[len(rows)] = record.problem or _of_other_width(len(cells), width)
+                cells = self._squared(cells or [line], width)
+                line = self.line(cells)
+            if head.excel_safe and any(map(_is_formula, cells)):
+                line = self.line(_safe(cells))
+            starts.append(record.start)
+            texts.append(blank + line)
+            rows.append(cells)
+            blank = ""
+        columns = {name: [row[place].encode(BYTES) for row in rows] for name, place in places.items()}
+        return Records([text.encode(BYTES) for text in texts], columns, odd, starts, len(lines), blank.encode(BYTES))
+
+    def _squared(self, cells: list[str], width: int) -> list[str]:
+        """Return as many cells as the header has: what is too much stays in the last."""
+        last = width - 1
+        rest = [self.line(cells[last:])] if len(cells) > width else cells[last:]
+        return [*cells[:last], *rest, *[""] * (width - len(cells))]
 
 
 class Blanks(Dialect):
@@ -217,106 +286,9 @@ def _is_formula(cell: str) -> bool:
     return cell.startswith(("=", "+", "-", "@", "\t", "\r")) and not _NUMBER.fullmatch(cell)
 
 
-class Records(NamedTuple):
-    """A block taken apart."""
-
-    lines: list[bytes]  # without line ends, but with the blank lines before them
-    columns: Mapping[str, list[bytes]]  # the cells, by the name of the input
-    odd: Mapping[int, str]  # records that are no rows, and why
-    starts: Sequence[int]  # the line in the block at which each begins
-    size: int  # lines in the block
-    rest: bytes = b""  # blank lines behind the last
-
-
-class Delimited:
-    """Converts blocks of records."""
-
-    def __init__(self, dialect: Dialect, head: Head, table: Table, *, strict: bool, excel_safe: bool) -> None:
-        """Lines of the output end as the header does. `strict`: whether the first row that fails is an error."""
-        self.dialect, self.table, self.strict, self.excel_safe = dialect, table, strict, excel_safe
-        self.width = len(head.names)
-        end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
-        line_format = LineFormat(dialect.mark)
-        self.writer = Lines(
-            line_format, table.wanted, Format({}), table.remarks, end=end, has_commas=head.has_decimal_commas
-        )
-        header = head.text.removeprefix(BOM).rstrip(b"\r\n")
-        if excel_safe and any(map(_is_formula, head.names)):
-            header = dialect.line(_safe(head.names)).encode()
-        bom = BOM if head.text.startswith(BOM) else b""
-        self.header_line = bom + self.writer.head([header, *map(str.encode, table.said)])
-        self.said = b"".join(dialect.separator + text.encode() for text in table.said.values())
-        self.places = table.places
-        self.has_commas = head.has_decimal_commas
-
-    def convert(self, text: bytes) -> Converted:
-        """Return whole records with the results behind each."""
-        text = self.dialect.prepared(text)
-        lines, cells, odd, starts, size, rest = self._cut(text) or self._read(text)
-        if self.has_commas:
-            names = [name for name in cells if name not in MATERIALS]
-            odd = {**dict(points_among_commas(cells[name] for name in names)), **odd}
-            cells = {**cells, **dict(zip(names, with_points([cells[name] for name in names]), strict=True))}
-        block = self.table.block(len(lines), cells, odd)
-        columns, tally = computed(self.table.wanted, block, starts, strict=self.strict)
-        if self.said:
-            lines = [line + self.said for line in lines]
-        return Converted(self.writer.text(lines, columns) + rest, size, tally)
-
-    def _cut(self, text: bytes) -> Records | None:
-        """Cut lines without quotes that have the right width at their separators; None if there are others."""
-        width, separator = self.width, self.dialect.separator
-        if b'"' in text or self.excel_safe:
-            return None
-        if b"\r" in text:  # to search for two bytes takes 100 times as long
-            text = text.replace(b"\r\n", b"\n")
-        if b"\r" in text or not text.endswith(b"\n"):
-            return None
-        lines = text.split(b"\n")
-        lines.pop()
-        cells = text.replace(b"\n", separator + b"\n" + separator).split(separator)
-        # Behind each line's last cell, and there only, stands a line feed.
-        if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
-            return None
-        columns = {name: cells[place : -1 : width + 1] for name, place in self.places.items()}
-        return Records(lines, columns, {}, range(len(lines)), len(lines))
-
-    def _read(self, text: bytes) -> Records:
-        """Read records of any kind."""
-        texts: list[str] = []
-        rows: list[list[str]] = []
-        odd: dict[int, str] = {}
-        starts: list[int] = []
-        blank = ""
-        lines = as_lines(text)
-        for record in self.dialect.records(lines):
-            line = "".join(lines[record.start : record.stop])
-            if self.dialect.is_blank(line):
-                blank += line
-                continue
-            cells, line = record.cells, line.rstrip("\r\n")
-            if len(cells) != self.width:
-                odd[len(rows)] = record.problem or self._of_other_width(len(cells))
-                cells = self._squared(cells or [line])
-                line = self.dialect.line(cells)
-            if self.excel_safe and any(map(_is_formula, cells)):
-                line = self.dialect.line(_safe(cells))
-            starts.append(record.start)
-            texts.append(blank + line)
-            rows.append(cells)
-            blank = ""
-        columns = {name: [row[place].encode(BYTES) for row in rows] for name, place in self.places.items()}
-        return Records([text.encode(BYTES) for text in texts], columns, odd, starts, len(lines), blank.encode(BYTES))
-
-    def _of_other_width(self, count: int) -> str:
-        size, cells = "short" if count < self.width else "long", "cell" if count == 1 else "cells"
-        return f"row is {size}: {count} {cells} for {self.width}"
-
-    def _squared(self, cells: list[str]) -> list[str]:
-        """Return as many cells as the header has: what is too much stays in the last."""
-        last = self.width - 1
-        rest = [self.dialect.line(cells[last:])] if len(cells) > self.width else cells[last:]
-        return [*cells[:last], *rest, *[""] * (self.width - len(cells))]
+def _of_other_width(count: int, width: int) -> str:
+    size, cells = "short" if count < width else "long", "cell" if count == 1 else "cells"
+    return f"row is {size}: {count} {cells} for {width}"
 
 
 def _safe(cells: Sequence[str]) -> list[str]:

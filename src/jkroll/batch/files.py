@@ -11,15 +11,16 @@ import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from io import BufferedReader, FileIO
-from typing import BinaryIO, NamedTuple
+from itertools import chain
+from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import BadRequest, BadTable, missing_extra
 from ..output.files import whole_file
 from ..rows.columns import BLOCK
 from ..text import ending, quoted, say
 from .delimited import DELIMITED, DIALECTS, Dialect
-from .job import Settings
-from .lines import MAX_RECORD, SAMPLE
+from .job import Job, Settings
+from .lines import MAX_RECORD, SAMPLE, Source
 from .ndjson import Ndjson
 
 SPREADSHEETS = ("xlsx", "xls", "ods")  # are neither read nor written
@@ -110,19 +111,15 @@ def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
     return FileFormat(kind)
 
 
-def compressor(compression: str) -> Callable[[bytes], bytes]:
-    """Return a function that compresses a block by itself: such blocks behind each other are one compressed file."""
+def compressed(block: Any, compression: str) -> Any:
+    """Return a block, compressed by itself: such blocks behind each other are one compressed file."""
+    if not compression or not block:
+        return block
     if compression == "gzip":
-        return _gzip
-    if compression == "zstd":
-        with missing_extra("zstd"):
-            from zstandard import ZstdCompressor
-        return ZstdCompressor(level=3).compress
-    return bytes
-
-
-def _gzip(text: bytes) -> bytes:
-    return gzip.compress(text, 1, mtime=0)
+        return gzip.compress(block, 1, mtime=0)
+    with missing_extra("zstd"):
+        from zstandard import ZstdCompressor
+    return ZstdCompressor(level=3).compress(block)
 
 
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
@@ -213,6 +210,15 @@ class Input:
     def close(self) -> None:
         """Close it."""
         self.file.close()
+
+
+def lines_of(given: Input, form: FileFormat, job: Job) -> Source:
+    """Return a table whose records are lines."""
+    dialect = DELIMITED[job.settings.delimiter] if job.settings.delimiter else LINES[form.kind]
+    every = blocks(given.pieces(form.compression), dialect.cut)
+    first = next(every, b"")
+    head = dialect.head(first, job.reads, excel_safe=job.settings.excel_safe)
+    return Source(dialect, head, filter(None, chain([first[head.size :]], every)), given.size, given.position)
 
 
 def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:

@@ -1,18 +1,16 @@
 """The parts that formats whose records are lines have in common."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy
 
-from ..errors import BadRow, BadTable
-from ..rows.block import Block
-from ..rows.cells import Floats
-from ..rows.columns import Columns, Wanted
+from ..errors import BadTable
+from ..rows.cells import Floats, Numbers
+from ..rows.columns import Columns
 from ..rows.infer import Unknowns
-from ..rows.reasons import Gaps, joined, worded
-from ..rows.rows import evaluated
+from ..rows.reasons import Gaps, joined
 from ..scene.limits import CODES, NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
@@ -23,6 +21,7 @@ _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 _NONE: Counter[str] = Counter()
 _NO_GAPS: Mapping[str, Gaps] = {}  # which can be pickled
+_NO_NUMBERS: Mapping[str, Numbers] = {}
 
 
 class Tally(NamedTuple):
@@ -73,21 +72,49 @@ def _rows_of_codes(bits: Any) -> Counter[str]:
     return Counter({codes(bit): int(numpy.count_nonzero(bits & bit)) for bit in each})
 
 
+class Head(NamedTuple):
+    """The beginning of a table: the names of its columns, and what decides how they are read."""
+
+    names: tuple[str, ...]
+    sample: list[list[str]]  # the cells of the first rows
+    size: int = 0  # bytes, up to the end of the header
+    lines: int = 0  # up to the end of the header
+    preamble: int = 0  # lines above the header
+    header: Any = b""  # as it is written, without its end
+    end: str = "\n"  # of lines
+    has_decimal_commas: bool = False
+    excel_safe: bool = False  # whether cells are written so that a spreadsheet takes no text for a formula
+
+
+class Records(NamedTuple):
+    """A block of a table, taken apart."""
+
+    before: Any  # what stands before the results of each row; blank lines above a row belong to it
+    cells: Mapping[str, Sequence[bytes]]  # by the name of the column
+    odd: Mapping[int, str]  # records that are no rows, and why
+    starts: Sequence[int]  # the line in the block at which each begins
+    size: int  # lines in the block
+    rest: bytes = b""  # blank lines behind the last row
+    numbers: Mapping[str, Numbers] = _NO_NUMBERS  # columns that are numbers already
+
+
+class Source(NamedTuple):
+    """A table that is read in blocks."""
+
+    form: Any  # which takes blocks apart, and writes them
+    head: Head
+    blocks: Iterator[Any]
+    size: int  # of the input, 0 if it is unknown
+    position: Callable[[], int]  # how much of it was read
+
+
 class Converted(NamedTuple):
     """A converted block, the number of lines that it was, and its counts."""
 
-    output: bytes
+    output: Any
     lines: int
     tally: Tally = Tally()
-    size: int = 0  # of the output, where another process holds it
-
-
-class Head(NamedTuple):
-    """The beginning of a table."""
-
-    text: bytes  # the header line; empty where the format has none
-    names: tuple[str, ...]
-    has_decimal_commas: bool = False
+    size: int = 0  # bytes of the output, where another process holds it
 
 
 def check_encoding(text: bytes, name: str) -> None:
@@ -98,15 +125,3 @@ def check_encoding(text: bytes, name: str) -> None:
             raise BadTable(f"the table is compressed; give it a name that ends in .{ends}, or write --format {ends}")
     if text.startswith(_UTF_16) or b"\0" in text.partition(b"\n")[0]:
         raise BadTable("the table is not UTF-8; save it as UTF-8")
-
-
-def computed(wanted: Wanted, block: Block, lines: Sequence[int], *, strict: bool) -> tuple[Columns, Tally]:
-    """Return the columns of a block and its counts; if `strict`, raise BadRow for the first row that fails.
-
-    `lines`: at which the rows begin.
-    """
-    columns = evaluated(wanted, block)
-    if strict and columns.failed:
-        first = min(columns.failed)
-        raise BadRow(lines[first], worded(columns.reasons[first]))
-    return columns, Tally.of(columns)

@@ -18,7 +18,7 @@ from ..text import quoted, say, say_wrapped
 from .files import format_of_name
 from .job import Job, Settings
 from .lines import Tally
-from .one import convert_one
+from .run import convert_one
 
 MAX_LINES = 6  # about tables, that are said on stderr
 FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
@@ -115,12 +115,8 @@ def _by_processes(count: int, task: Task, parts: list[Part]) -> Iterator[tuple[P
         return
     from .workers import as_ready, started
 
-    with started(min(count, len(parts)), partial(_task, task)) as workers:
+    with started(min(count, len(parts)), task) as workers:
         yield from as_ready(workers, parts)
-
-
-def _task(task: Task) -> Task:
-    return task
 
 
 def _on_cluster(address: str, task: Task, parts: list[Part]) -> Iterator[tuple[Part, Outcome]]:

@@ -11,12 +11,11 @@ from typing import Any
 import orjson
 
 from ..errors import BadTable
-from ..output.records import LINE_FORMATS, Members
-from ..quantities.formatting import Format
+from ..output.writers import Objects
 from ..rows.header import holds_input
 from ..rows.table import Table
 from ..text import quoted
-from .lines import BOM, SAMPLE, Converted, Head, check_encoding, computed
+from .lines import BOM, SAMPLE, Head, Records, check_encoding
 
 Object = dict[str, Any]
 _UNWRITTEN = "[...]"  # stands for a value that is nested too deeply
@@ -29,20 +28,15 @@ class Ndjson:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1
 
-    def without_preamble(self, text: bytes, is_read: Callable[[str], bool]) -> tuple[bytes, int]:
-        """Return lines as they are read, of which none is a comment."""
-        del is_read
-        return text, 0
+    def head(self, block: bytes, is_read: Callable[[str], bool] = bool, *, excel_safe: bool = False) -> Head:
+        """Return the names in the first object, and the values of the first objects. No line is a header.
 
-    def prepared(self, text: bytes) -> bytes:
-        """Return whole lines as they are read."""
-        return text
-
-    def head(self, text: bytes, is_read: Callable[[str], bool] = bool) -> tuple[Head, list[list[str]]]:
-        """Return the names in the first object, and the values of the first objects. No line is a header."""
-        del is_read  # JSON has no decimal commas
-        check_encoding(text, "ndjson")
-        lines = [line for line in text.removeprefix(BOM).split(b"\n")[:SAMPLE] if line.strip()]
+        JSON has no decimal commas, and no spreadsheet reads it: `is_read` and `excel_safe` change nothing.
+        """
+        del is_read, excel_safe
+        check_encoding(block, "ndjson")
+        mark = BOM if block.startswith(BOM) else b""
+        lines = [line for line in block.removeprefix(mark).split(b"\n")[:SAMPLE] if line.strip()]
         if not lines:
             raise BadTable("the table is empty")
         first = _object(lines[0])
@@ -52,78 +46,64 @@ class Ndjson:
             raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
         names = tuple(first)
         sample = [[_text(row.get(name)) for name in names] for row in map(_object, lines) if row is not None]
-        return Head(BOM if text.startswith(BOM) else b"", names), sample
+        return Head(names, sample, size=len(mark), header=mark)
 
-    def converter(self, head: Head, table: Table, *, strict: bool, excel_safe: bool) -> NdjsonConverter:
-        """Return the converter of the lines. No spreadsheet reads them: `excel_safe` changes nothing."""
-        del excel_safe
-        return NdjsonConverter(head, table, strict=strict)
+    def writer(self, head: Head, table: Table) -> Objects:  # noqa: ARG002
+        """Return the writer of a table."""
+        return Objects()
 
-
-class NdjsonConverter:
-    """Converts blocks of lines."""
-
-    def __init__(self, head: Head, table: Table, *, strict: bool) -> None:
-        """`strict`: whether the first row that fails is an error."""
-        self.header_line, self.table, self.strict = head.text, table, strict
-        self.keys = {name: head.names[place] for name, place in table.places.items()}
-        self.known = {*head.names}
-        self.added = {*table.added}
-        self.said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in table.said.items())
-        self.writer = Members(LINE_FORMATS["ndjson"], table.wanted, Format({}), table.remarks)
-
-    def convert(self, text: bytes) -> Converted:
-        """Return whole lines with the results in each. Blank lines stay."""
-        lines = text.removesuffix(b"\n").split(b"\n")
-        places = [place for place, line in enumerate(lines) if line.strip()]
-        if not places:
-            return Converted(text, len(lines))
-        objects = [_object(lines[place]) for place in places]
-        odd = {row: problem for row, one in enumerate(objects) if (problem := self._problem(lines[places[row]], one))}
-        rows = [one or {} for one in objects]
-        cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
-        block = self.table.block(len(rows), cells, odd)
-        columns, tally = computed(self.table.wanted, block, places, strict=self.strict)
-        beginnings = [_beginning(lines[place], row) + self.said for place, row in zip(places, objects, strict=True)]
-        written = self.writer.text(beginnings, columns).split(b"\n")
-        for place, line in zip(places, written, strict=False):
-            lines[place] = line
-        return Converted(b"\n".join([*lines, b""]), len(lines), tally)
-
-    def _problem(self, line: bytes, one: Object | None) -> str:
-        """Return why a line is no row; an empty text if it is one.
-
-        It is none without an object, with a member twice, or with an input or result that the first line lacks.
-        """
-        if one is None:
-            return "is not a JSON object"
-        if (name := _twice(line, one)) is not None:
-            return f"has {quoted(name)} twice"
-        if one.keys() == self.known:
-            return ""
-        meanings, others = self.table.meanings, one.keys() - self.known
-        surprises = (
-            name
-            for name in one
-            if name in others and (name in self.added or holds_input(name, _text(one[name]), meanings))
-        )
-        return next((f"has {quoted(name)}, which the first line does not have" for name in surprises), "")
+    def read(self, text: bytes, head: Head, table: Table) -> Records:
+        """Return whole lines, taken apart."""
+        every = text.removesuffix(b"\n").split(b"\n")
+        starts = [place for place, line in enumerate(every) if line.strip()]
+        lines = [every[place] for place in starts]
+        objects = [*map(_object, lines)]
+        known = {*head.names}
+        problems = (_problem(line, members, known, table) for line, members in zip(lines, objects, strict=True))
+        odd = {row: problem for row, problem in enumerate(problems) if problem}
+        members = [each or {} for each in objects]
+        cells = {name: _cells([row.get(head.names[place]) for row in members]) for name, place in table.places.items()}
+        blank = [every[stop + 1 : start] for stop, start in zip([-1, *starts], [*starts, len(every)], strict=True)]
+        *above, rest = (b"".join(line + b"\n" for line in lines) for lines in blank)
+        before = [*map(bytes.__add__, above, map(_beginning, lines, objects))]
+        return Records(before, cells, odd, starts, len(every), rest)
 
 
-def _beginning(line: bytes, one: Object | None) -> bytes:
+def _problem(line: bytes, members: Object | None, known: set[str], table: Table) -> str:
+    """Return why a line is no row; an empty text if it is one.
+
+    It is none without an object, with a member twice, or with an input or result that the first line lacks. `known`: the
+    names in the first line.
+    """
+    if members is None:
+        return "is not a JSON object"
+    if (name := _twice(line, members)) is not None:
+        return f"has {quoted(name)} twice"
+    if members.keys() == known:
+        return ""
+    others = members.keys() - known
+    surprises = (
+        name
+        for name in members
+        if name in others and (name in table.added or holds_input(name, _text(members[name]), table.meanings))
+    )
+    return next((f"has {quoted(name)}, which the first line does not have" for name in surprises), "")
+
+
+def _beginning(line: bytes, members: Object | None) -> bytes:
     """Return the object of a line without its end; one that holds the line as a text where it is no object."""
-    if one is None:
+    if members is None:
         return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
-    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(one)
+    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
 
 
 def _object(line: bytes) -> Object | None:
     """Return the object that a line holds by itself, or None."""
     try:
-        found = orjson.loads(line)
+        value = orjson.loads(line)
     except orjson.JSONDecodeError:
         return None
-    return found if isinstance(found, dict) else None
+    return value if isinstance(value, dict) else None
 
 
 def _twice(line: bytes, read: Object) -> str | None:

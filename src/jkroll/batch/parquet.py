@@ -1,52 +1,127 @@
-"""Parquet to Parquet: the columns of a file with the results beside them, a number of rows at a time.
+"""Parquet: batches of rows of a file, taken apart, and rows as batches, which a thread writes while others are computed."""
 
-A thread reads and computes while another one writes, so `--jobs` changes nothing.
-"""
-
-from collections.abc import Iterable, Iterator, Mapping
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import closing, contextmanager
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import ExitStack, contextmanager
+from typing import Any, BinaryIO
 
 import numpy
 import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest, BadTable
-from ..output.records import middles, names_of_columns, shown_results
-from ..quantities.formatting import Format
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..rows.block import Block
-from ..rows.cells import Floats, Numbers, Reader
-from ..rows.columns import BLOCK, DOUBT, STATUS, Columns, Wanted, remarks_of
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
+from ..rows.cells import Column, Numbers
+from ..rows.columns import BLOCK, DOUBT, STATUS, Wanted
 from ..rows.header import is_input
 from ..rows.readings import Reading
-from ..rows.table import TableBlock
-from ..scene.limits import codes
+from ..rows.table import Table
 from ..text import quoted, shown
-from .files import Input, output_to
-from .job import Job, said_of
-from .lines import SAMPLE, Tally, computed
-from .progress import Bar
+from .files import FileFormat, Input
+from .job import Job
+from .lines import SAMPLE, Head, Records, Source
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
+RESULTS = 8 * 32  # bytes of the results of a row, about
 
-Batch = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
+# --- Rows as batches --------------------------------------------------------------------------------------------------
 
 
-def convert_parquet(path: str, job: Job) -> Tally:
-    """Convert a Parquet file."""
-    target = job.settings.target
-    if "-" in (path, target):
+class Batches:
+    """The writer of rows as batches of Arrow, of which the header is an empty one."""
+
+    has_remarks, has_words = True, False
+
+    def __init__(self, words: Sequence[str]) -> None:
+        """`words`: the headers of columns of texts; the others hold numbers."""
+        self.words = {*words, DOUBT, STATUS}
+
+    def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
+        """Return the batch without rows. `before`: the schema of the columns that stand before these."""
+        return pyarrow.RecordBatch.from_pylist([], schema=self._schema(heads, before[0] if before else ()))
+
+    def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any = None, rest: bytes = b"") -> Any:  # noqa: ARG002
+        """Return rows. `before`: the batch of the columns that stand before these."""
+        every = [each for column in columns for each in (column if getattr(column, "ndim", 1) > 1 else [column])]
+        arrays = [
+            pyarrow.array(column, self._kind(head), from_pandas=True) for head, column in zip(heads, every, strict=True)
+        ]
+        if before is None:
+            return pyarrow.RecordBatch.from_arrays(arrays, schema=self._schema(heads, ()))
+        return pyarrow.RecordBatch.from_arrays([*before.columns, *arrays], schema=self._schema(heads, before.schema))
+
+    def _kind(self, head: str) -> Any:
+        return pyarrow.string() if head in self.words else pyarrow.float64()
+
+    def _schema(self, heads: Sequence[str], before: Any) -> Any:
+        fields = [*before, *(pyarrow.field(head, self._kind(head)) for head in heads)]
+        return pyarrow.schema(fields, metadata=getattr(before, "metadata", None))
+
+    @contextmanager
+    def sink(self, stream: BinaryIO) -> Iterator[Callable[[Any], None]]:
+        """Return the function that writes batches into a file, in groups of rows of about the same size.
+
+        A thread writes a group while the next one is computed.
+        """
+        with ExitStack() as stack, ThreadPoolExecutor(1) as thread:
+            group: list[Any] = []
+            writing: list[Future[None]] = []
+            files: list[Any] = []
+
+            def write(batch: Any) -> None:
+                if not files:
+                    kinds = [field.name for field in batch.schema if not pyarrow.types.is_floating(field.type)]
+                    file = pyarrow.parquet.ParquetWriter(stream, batch.schema, use_dictionary=kinds)
+                    files.append(stack.enter_context(file))
+                group.append(batch)
+                if sum(each.nbytes for each in group) >= BYTES:
+                    flush()
+
+            def flush() -> None:
+                table = pyarrow.Table.from_batches(group)
+                group.clear()
+                while writing:
+                    writing.pop().result()
+                writing.append(thread.submit(files[0].write_table, table, max(table.num_rows, 1)))
+
+            yield write
+            if group:
+                flush()
+            for last in writing:
+                last.result()
+
+
+def writer_of(wanted: Wanted) -> Batches:
+    """Return the writer of the rows of a list."""
+    return Batches([header(name) for name in wanted.inputs if NOMENCLATURE[name].is_word])
+
+
+# --- A file as blocks -------------------------------------------------------------------------------------------------
+
+
+def source_of(given: Input, form: FileFormat, job: Job) -> Source:  # noqa: ARG001
+    """Return the table in a Parquet file."""
+    if "-" in (given.path, job.settings.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    with closing(Input(path)) as given:
-        given.check_output(target)
-        with _readable(path):
-            table = _File(given, job)
-        with Bar(table.size, quiet=job.settings.quiet) as bar:
-            tally = _write(target, table.schema, table.batches(), bar)
-    return tally._replace(said=said_of(table.table))
+    with _readable(given.path):
+        file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
+        schema, metadata = file.schema_arrow, file.metadata
+        if not schema.names:
+            raise BadTable("the table has no columns")
+        head = Head(tuple(schema.names), _first_rows(file, job.meanings(schema.names)), header=schema)
+    groups = [metadata.row_group(place) for place in range(metadata.num_row_groups)]
+    width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + RESULTS
+    size, position = max(min(BLOCK, int(BYTES / width)), 1), [0]
+
+    def batches() -> Iterator[Any]:
+        with _readable(given.path):
+            for batch in file.iter_batches(size):
+                yield batch
+                position[0] += batch.num_rows
+        given.check_unchanged()
+
+    return Source(Arrow(), head, batches(), metadata.num_rows, lambda: position[0])
 
 
 @contextmanager
@@ -57,137 +132,6 @@ def _readable(path: str) -> Iterator[None]:
     except (OSError, UnicodeDecodeError, pyarrow.ArrowException) as error:
         reason = shown(str(error).strip().partition("\n")[0])
         raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
-
-
-class _File:
-    """A Parquet file whose rows are computed."""
-
-    def __init__(self, given: Input, job: Job) -> None:
-        self.given, self.strict = given, job.settings.strict
-        self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-        names = tuple(file.schema_arrow.names)
-        if not names:
-            raise BadTable("the table has no columns")
-        self.table = table = job.table(names, _first_rows(file, job.meanings(names)))
-        texts = {*table.said, *table.remarks}
-        fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in table.added]
-        self.schema = pyarrow.schema([*file.schema_arrow, *fields], metadata=file.schema_arrow.metadata)
-        groups = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
-        self.size, self.line = file.metadata.num_rows, 0
-        width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + 8 * len(fields)
-        self.together = max(min(BLOCK, int(BYTES / width)), 1)
-
-    def batches(self) -> Iterator[Batch]:
-        """Iterate over the rows with their results. Raises BadTable if the file was changed meanwhile."""
-        with _readable(self.given.path):
-            for batch in self.file.iter_batches(self.together):
-                yield self._with_results(batch)
-                self.line += batch.num_rows
-        self.given.check_unchanged()
-
-    def _with_results(self, batch: Any) -> Batch:
-        size = batch.num_rows
-        places = range(self.line + 1, self.line + size + 1)
-        columns, tally = computed(self.table.wanted, self._block(batch), places, strict=self.strict)
-        arrays = [
-            *batch.columns,
-            *(pyarrow.repeat(text, size) for text in self.table.said.values()),
-            *_results(columns, Format(), self.table.remarks),
-        ]
-        return pyarrow.RecordBatch.from_arrays(arrays, schema=self.schema), tally
-
-    def _block(self, batch: Any) -> Block:
-        """Return the inputs of some rows."""
-        table, places = self.table, self.table.places
-        materials = {}
-        for name, place in table.materials_at:  # a text is looked up once, not in every row
-            encoded = batch.column(place).dictionary_encode()
-            texts = [*map(_text, encoded.dictionary.to_pylist()), ""]
-            rows = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
-            materials[name] = table.lookups[name].indices(texts)[rows.to_numpy()]
-        numbers = {reader.column.name: _numbers(batch, reader) for reader in table.readers}
-        return TableBlock(
-            table,
-            batch.num_rows,
-            numbers,
-            materials,
-            {},
-            lambda row, name: _text(batch.column(places[name])[row].as_py(), name),
-        )
-
-
-def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool) -> None:
-    """Write columns, in a file that gets its name when it is whole."""
-    remarks = remarks_of(wanted, doubt=doubt)
-    texts = {name for name in wanted.inputs if NOMENCLATURE[name].is_word} | {*remarks}
-    kinds = {name: pyarrow.string() if name in texts else pyarrow.float64() for name in (*wanted.inputs, *wanted.keys)}
-    heads = [*names_of_columns(wanted, units), *remarks]
-    schema = pyarrow.schema([*map(pyarrow.field, heads, [*kinds.values(), *[pyarrow.string()] * len(remarks)])])
-
-    def batch(columns: Columns) -> Batch:
-        arrays = [
-            *(pyarrow.array(middles(columns.inputs[name]), kinds[name], from_pandas=True) for name in wanted.inputs),
-            *_results(columns, units, remarks),
-        ]
-        return pyarrow.RecordBatch.from_arrays(arrays, schema=schema), Tally(len(columns))
-
-    with Bar(0, quiet=True) as bar:
-        _write(target, schema, map(batch, blocks), bar)
-
-
-def _results(columns: Columns, units: Format, remarks: Iterable[str]) -> Iterator[Any]:
-    """Iterate over the columns of results and of remarks."""
-    for column in shown_results(columns, units):
-        yield as_column(numpy.asarray(column, dtype=float))
-    of_rows: Mapping[str, Any] = {
-        DOUBT: lambda row: codes(int(columns.doubts[row])) or None,
-        STATUS: columns.status.get,
-    }
-    for name in remarks:
-        yield pyarrow.array(map(of_rows[name], range(len(columns))), "string")
-
-
-def _write(target: str, schema: Any, batches: Iterator[Batch], bar: Bar) -> Tally:
-    """Write a file that gets its name when it is whole, in groups of rows of about the same size."""
-    texts = [field.name for field in schema if not pyarrow.types.is_floating(field.type)]  # numbers seldom repeat
-    tally = Tally()
-    with output_to(target) as stream, pyarrow.parquet.ParquetWriter(stream, schema, use_dictionary=texts) as writer:
-        for group in _ahead(_groups(batches)):
-            table = pyarrow.Table.from_batches([batch for batch, _ in group])
-            writer.write_table(table, table.num_rows)
-            for _, own in group:
-                tally = tally.plus(own)
-            bar.show(tally.rows, tally.rows)
-    return tally
-
-
-def _groups(batches: Iterator[Batch]) -> Iterator[list[Batch]]:
-    """Iterate over rows that are written together."""
-    group: list[Batch] = []
-    size = 0
-    for batch in batches:
-        group.append(batch)
-        size += batch[0].nbytes
-        if size >= BYTES:
-            yield group
-            group, size = [], 0
-    if group:
-        yield group
-
-
-def _ahead(groups: Iterator[list[Batch]]) -> Iterator[list[Batch]]:
-    """Iterate over groups, of which a thread prepares the next one while one is written."""
-    with ThreadPoolExecutor(1) as thread:
-        coming = thread.submit(next, groups, None)
-        while (group := coming.result()) is not None:
-            coming = thread.submit(next, groups, None)
-            yield group
-
-
-def as_column(values: Floats) -> Any:
-    """Return numbers as a column, nan as null."""
-    missing = numpy.isnan(values)
-    return pyarrow.array(values, mask=missing if missing.any() else None)
 
 
 def _first_rows(file: Any, meanings: Mapping[str, Reading]) -> list[list[str]]:
@@ -210,6 +154,44 @@ def _is_cell(kind: Any) -> bool:
     return not (types.is_nested(kind) or types.is_temporal(kind) or isinstance(kind, pyarrow.BaseExtensionType))
 
 
+class Arrow:
+    """The format of batches."""
+
+    def writer(self, head: Head, table: Table) -> Batches:  # noqa: ARG002
+        """Return the writer of a table."""
+        return Batches([*table.said])
+
+    def read(self, batch: Any, head: Head, table: Table) -> Records:  # noqa: ARG002
+        """Return a batch, taken apart."""
+        cells = {name: Cells(batch.column(place), name) for name, place in table.places.items()}
+        numbers = {reader.column.name: _numbers(batch, reader.column) for reader in table.readers}
+        known = {name: column for name, column in numbers.items() if column is not None}
+        texts = {name: column if name in known else column.texts() for name, column in cells.items()}
+        return Records(batch, texts, {}, range(batch.num_rows), batch.num_rows, numbers=known)
+
+
+class Cells(Sequence[bytes]):
+    """A column of a batch as cells of text, each read when it is looked at."""
+
+    def __init__(self, array: Any, name: str) -> None:
+        """`name`: of the input."""
+        self.array, self.name = array, name
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return len(self.array)
+
+    def __getitem__(self, row: Any) -> Any:
+        """Return the cell of a row: an infinite input is a word."""
+        return _text(self.array[row].as_py(), self.name).encode()
+
+    def texts(self) -> list[bytes]:
+        """Return all cells. A text that stands in several rows is read once."""
+        encoded = self.array if pyarrow.types.is_dictionary(self.array.type) else self.array.dictionary_encode()
+        texts = [*Cells(encoded.dictionary, self.name), b""]
+        return [*map(texts.__getitem__, encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1).to_pylist())]
+
+
 def _text(value: object, name: str = "") -> str:
     """Return a value as a cell of text: an infinite input is a word, null an empty cell."""
     if isinstance(value, bytes):
@@ -219,23 +201,19 @@ def _text(value: object, name: str = "") -> str:
     return "" if value is None else str(value)
 
 
-def _numbers(batch: Any, reader: Reader) -> Numbers:
-    """Return the SI values of an input: numbers in its unit, or texts as in CSV."""
-    column = reader.column
-    array, unit = batch.column(column.place), column.unit
-    is_text = not (pyarrow.types.is_floating(array.type) or pyarrow.types.is_integer(array.type))
-    if is_text or column.sides or (unit is None and column.exponent is None):
-        places = column.places.items()
-        return reader.numbers(
-            {name: [_text(cell).encode() for cell in batch.column(at).to_pylist()] for name, at in places}
-        )
+def _numbers(batch: Any, column: Column) -> Numbers | None:
+    """Return the SI values of a column of numbers in its unit; None for texts, and for error bars beside the values."""
+    if column.sides or (column.unit is None and column.exponent is None):
+        return None
+    array = batch.column(column.place)
+    if not (pyarrow.types.is_floating(array.type) or pyarrow.types.is_integer(array.type)):
+        return None
     given = values = array.to_numpy(zero_copy_only=False).astype(float, copy=False)
-    if unit is not None:
+    if column.unit is not None:
         with numpy.errstate(over="ignore"):
-            values = given * float(unit.numerator) / float(unit.denominator)
+            values = given * float(column.unit.numerator) / float(column.unit.denominator)
     is_bad = numpy.isinf(values) & ~numpy.isinf(given)
-    if array.null_count < (count := numpy.count_nonzero(numpy.isnan(given))) and count:
-        is_bad |= numpy.isnan(given) & array.is_valid().to_numpy(
-            zero_copy_only=False
-        )  # a number that is none is no empty cell
+    is_nan = numpy.isnan(given)
+    if numpy.count_nonzero(is_nan) > array.null_count:  # a number that is none is no empty cell
+        is_bad |= is_nan & array.is_valid().to_numpy(zero_copy_only=False)
     return Numbers(values, numpy.flatnonzero(is_bad).tolist())

@@ -1,4 +1,4 @@
-"""The loop of all tables of lines: blocks of records through a converter into the output, in their order.
+"""A table in a file, or from a pipe, into another: blocks of records through a converter into the output, in order.
 
 This process reads the blocks and decides the order in which they are written. Where there are many blocks, others
 convert and write them; the output is the same for any number of them.
@@ -6,61 +6,106 @@ convert and write them; the output is the same for any number of them.
 
 import os
 import sys
-from collections.abc import Callable, Iterator
-from functools import partial
+from collections.abc import Iterable, Iterator
+from contextlib import closing
 from itertools import chain, islice
-from typing import TYPE_CHECKING, BinaryIO, NamedTuple
+from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
-from ..errors import BadRow
+from ..errors import BadRow, missing_extra
+from ..output.writers import WRITERS, columns_of, written
+from ..quantities.formatting import Format
+from ..rows.columns import Columns, Wanted
+from ..rows.reasons import worded
+from ..rows.rows import evaluated
+from ..rows.table import Table
 from ..text import say
-from .files import output_to
-from .job import Settings
-from .lines import Converted, Tally
+from .files import Input, compressed, format_of_name, input_format, lines_of, output_format, output_to, unnamed
+from .job import Job, said_of
+from .lines import Converted, Head, Source, Tally
 from .progress import Bar
 
 if TYPE_CHECKING:
     from .workers import Worker
 
 ALONE = 4  # blocks that this process converts before it starts others
-
-Convert = Callable[[bytes], Converted]
-
-
-class Work(NamedTuple):
-    """A table to convert."""
-
-    header_line: bytes  # what the header becomes
-    lines_of_header: int  # of the header as read
-    blocks: Iterator[bytes]
-    make_convert: Callable[[], Convert]  # called in each process
-    size: int  # bytes of the input, or 0 if that is unknown
-    position: Callable[[], int]  # bytes read so far
+MEANWHILE = 4  # blocks that it converts while they start
 
 
-def run(work: Work, settings: Settings) -> Tally:
+class Converter(NamedTuple):
+    """A function of blocks of records, which processes share."""
+
+    form: Any
+    head: Head
+    table: Table
+    strict: bool  # whether the first row that fails is an error
+    compression: str
+
+    @property
+    def writer(self) -> Any:
+        """The writer of the rows."""
+        return self.form.writer(self.head, self.table)
+
+    @property
+    def header(self) -> Any:
+        """What the header becomes."""
+        return compressed(self.writer.header(self.table.added, [self.head.header]), self.compression)
+
+    def __call__(self, block: Any) -> Converted:
+        """Return the block with the results in each row."""
+        table = self.table
+        records = self.form.read(block, self.head, table)
+        rows = table.block(len(records.before), records.cells, records.odd, records.numbers)
+        columns = evaluated(table.wanted, rows)
+        if self.strict and columns.failed:
+            first = min(columns.failed)
+            raise BadRow(records.starts[first], worded(columns.reasons[first]))
+        said = [[text] * len(columns) for text in table.said.values()]
+        results = columns_of(columns, Format({}), table.remarks)
+        output = self.writer.rows(table.added, [*said, *results], records.before, records.rest)
+        return Converted(compressed(output, self.compression), records.size, Tally.of(columns))
+
+
+def convert_one(path: str, job: Job) -> Tally:
+    """Convert a table; return the counts of all of it."""
+    settings = job.settings
+    form = input_format(path, settings)
+    compression = output_format(settings, form).compression
+    for kind in (form.compression, compression):
+        compressed(b"", kind)  # a missing library is named before anything is opened
+    processes, source_of = settings.processes, lines_of
+    if form.kind == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import source_of
+        processes = 1  # and threads
+    with closing(Input(path)) as given:
+        given.check_output(settings.target)
+        source = source_of(given, form, job)
+        table = job.table(source.head.names, source.head.sample, source.head.preamble)
+        convert = Converter(source.form, source.head, table, settings.strict, compression)
+        with output_to(settings.target) as output, Bar(source.size, quiet=settings.quiet) as bar:
+            tally = _convert(source, convert, output, processes, bar)
+    return tally._replace(said=said_of(table))
+
+
+def _convert(source: Source, convert: Converter, output: BinaryIO, processes: int, bar: Bar) -> Tally:
     """Write a table; return the counts of all of it."""
-    size, lines, tally = len(work.header_line), work.lines_of_header, Tally()
-    with output_to(settings.target) as output, Bar(work.size, quiet=settings.quiet) as bar:
+    header, line, tally = convert.header, source.head.lines, Tally()
+    size = len(header)
+    with convert.writer.sink(output) as write:
         try:
-            _write(output, work.header_line)
-            for block, worker in _converted(work, settings.processes, _path(output)):
-                _write(output, worker.answer_to(size) if worker else block.output)
+            write(header)
+            for block, worker in _converted(convert, source.blocks, processes, _path(output)):
+                write(worker.answer_to(size) if worker else block.output)
                 size += block.size or len(block.output)
-                lines += block.lines
+                line += block.lines
                 tally = tally.plus(block.tally)
-                bar.show(work.position(), tally.rows)
+                bar.show(source.position(), tally.rows)
         except BadRow as error:
-            raise BadRow(lines + 1 + error.line, error.status) from None
+            raise BadRow(line + 1 + error.line, error.status) from None
         except KeyboardInterrupt:
             say(f"jkroll: interrupted after {tally.rows} rows", sys.stderr)
             raise
     return tally
-
-
-def _write(output: BinaryIO, text: bytes) -> None:
-    rest = memoryview(text)
-    while rest:
-        rest = rest[os.write(output.fileno(), rest) :]
 
 
 def _path(output: BinaryIO) -> str:
@@ -68,49 +113,64 @@ def _path(output: BinaryIO) -> str:
     return output.name if isinstance(output.name, str) and os.path.isfile(output.name) else ""
 
 
-def _converted(work: Work, processes: int, path: str) -> "Iterator[tuple[Converted, Worker | None]]":
+def _converted(
+    convert: Converter, blocks: Iterator[Any], processes: int, path: str
+) -> "Iterator[tuple[Converted, Worker | None]]":
     """Iterate over converted blocks in their order, each with the process that holds its output, if another one does.
 
     `path`: of the file into which they go, or an empty text.
     """
-    convert = work.make_convert()
-    for text in islice(work.blocks, ALONE) if processes > 1 else work.blocks:
-        yield convert(text), None
-    first = next(work.blocks, None)
-    if first is None:
+    for block in islice(blocks, ALONE) if processes > 1 else blocks:
+        yield convert(block), None
+    if (block := next(blocks, None)) is None:
         return
     # They come with multiprocessing, which a small table does not pay for.
-    from .workers import answers_in_order, are_ready, started
+    from .workers import answers_in_order, started
 
-    blocks = chain([first], work.blocks)
-    with started(processes, partial(_answering, work.make_convert, path)) as workers:
-        while not are_ready(workers) and (text := next(blocks, b"")):
-            yield convert(text), None
-        for worker, block in answers_in_order(workers, blocks):
-            yield block, worker
+    with started(processes, Answering(convert, path)) as workers:
+        for each in chain([block], islice(blocks, MEANWHILE)):
+            yield convert(each), None
+        yield from answers_in_order(workers, blocks)
 
 
-def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Converted | bytes]:
-    """Return what a process does with a block, and then with the place at which the output begins.
+class Answering:
+    """A function of a block, and then of the place at which its output begins.
 
-    It converts the block; when its turn comes, it writes the output there, or hands it over if there is no file.
-
-    To send a block to another process takes a third as long as to make it.
+    It converts the block. When its turn comes, it writes the output there, or hands it over if there is no file: to send
+    a block to another process takes a third as long as to make it.
     """
-    convert = make_convert()
-    output = b""
 
-    def answer(question: bytes | int) -> Converted | bytes:
-        nonlocal output
+    def __init__(self, convert: Converter, path: str) -> None:
+        self.convert, self.path, self.output = convert, path, b""
+
+    def __call__(self, question: bytes | int) -> Converted | bytes:
+        """Return the converted block without its output, and then the output, if it is not written."""
         if isinstance(question, bytes):
-            converted = convert(question)
-            output = converted.output
-            return converted._replace(output=b"", size=len(output))
-        if not path:
-            return output
-        with open(path, "r+b") as file:
+            converted = self.convert(question)
+            self.output = converted.output
+            return converted._replace(output=b"", size=len(self.output))
+        if not self.path:
+            return self.output
+        with open(self.path, "r+b") as file:
             file.seek(question)
-            file.write(output)
+            file.write(self.output)
         return b""
 
-    return answer
+
+# --- Lists and ranges -------------------------------------------------------------------------------------------------
+
+
+def write_columns(
+    wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool, quiet: bool
+) -> None:
+    """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""
+    form = format_of_name(target) or unnamed(target, "csv", quiet=quiet)
+    if form.kind == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import writer_of
+        writer: Any = writer_of(wanted)
+    else:
+        writer = WRITERS[form.kind]
+    with output_to(target) as stream, writer.sink(stream) as write:
+        for text in written(writer, wanted, blocks, units, doubt=doubt):
+            write(compressed(text, form.compression))

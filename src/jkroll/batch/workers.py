@@ -41,10 +41,10 @@ class LostWorker(JkrollError):
 class Worker:
     """A process that answers questions."""
 
-    def __init__(self, make_answer: Callable[[], Answer]) -> None:
-        """Start it. `make_answer`, called in the process, returns the function that answers."""
+    def __init__(self, answer: Answer) -> None:
+        """Start it. `answer`: the function that it calls."""
         self.connection, end = CONTEXT.Pipe()
-        self.process = CONTEXT.Process(target=_serve, args=(end, make_answer), daemon=True)
+        self.process = CONTEXT.Process(target=_serve, args=(end, answer), daemon=True)
         self.process.start()
         end.close()
 
@@ -56,13 +56,13 @@ class Worker:
     def answer(self) -> Any:
         """Return the answer to the last question, or raise its error; LostWorker if the process was ended."""
         try:
-            found = self.connection.recv()
+            answer = self.connection.recv()
         except (EOFError, ConnectionResetError):
             self.process.join()
             raise LostWorker(self.process.exitcode or 0) from None
-        if isinstance(found, BaseException):
-            raise found
-        return found
+        if isinstance(answer, BaseException):
+            raise answer
+        return answer
 
     def answer_to(self, question: Any) -> Any:
         """Ask a question and return the answer."""
@@ -77,30 +77,24 @@ class Worker:
         self.connection.close()
 
 
-def _serve(questions: "connection.Connection[Any, Any]", make_answer: Callable[[], Answer]) -> None:
+def _serve(questions: "connection.Connection[Any, Any]", answer: Answer) -> None:
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that a file that was begun is removed
     Thread(target=_end_with_parent, daemon=True).start()
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
     try:
-        _answer(questions, make_answer)
+        with suppress(EOFError, BrokenPipeError, ConnectionResetError):
+            while True:
+                questions.send(_outcome(answer, questions.recv()))
     except SystemExit:
         os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables
 
 
-def _answer(questions: "connection.Connection[Any, Any]", make_answer: Callable[[], Answer]) -> None:
-    found: Any = None  # which says that the process is ready
+def _outcome(answer: Answer, question: Any) -> Any:
+    """Return the answer to a question, or the error that it raises."""
     try:
-        answer = make_answer()
+        return answer(question)
     except Exception as error:
-        found = error
-    with suppress(EOFError, BrokenPipeError, ConnectionResetError):
-        while True:
-            questions.send(found)
-            question = questions.recv()
-            try:
-                found = answer(question)
-            except Exception as error:
-                found = error
+        return error
 
 
 def _end_with_parent() -> None:
@@ -124,13 +118,13 @@ def _without_interrupts() -> Iterator[None]:
 
 
 @contextmanager
-def started(count: int, make_answer: Callable[[], Answer]) -> Iterator[list[Worker]]:
+def started(count: int, answer: Answer) -> Iterator[list[Worker]]:
     """Start processes, and end them at the end. They ignore interrupts: the process that started them ends them."""
     workers: list[Worker] = []
     try:
         with _without_interrupts():
             while len(workers) < count:
-                workers.append(Worker(make_answer))
+                workers.append(Worker(answer))
         yield workers
     finally:
         for worker in workers:
@@ -139,19 +133,7 @@ def started(count: int, make_answer: Callable[[], Answer]) -> Iterator[list[Work
             worker.end()
 
 
-def are_ready(workers: list[Worker]) -> bool:
-    """Return whether all processes wait for questions. It is called until they do.
-
-    Raises the error of a process that failed.
-    """
-    if not all(worker.connection.poll() for worker in workers):
-        return False
-    for worker in workers:
-        worker.answer()
-    return True
-
-
-def answers_in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Worker, Any]]:
+def answers_in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Worker]]:
     """Iterate over answers in the order of the questions, each with its process.
 
     A process gets its next question after the step in which its answer was taken.
@@ -159,20 +141,15 @@ def answers_in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterato
     at_work: deque[Worker] = deque()
     for worker, question in zip(cycle(workers), questions, strict=False):
         if len(at_work) == len(workers):
-            yield worker, at_work.popleft().answer()
+            yield at_work.popleft().answer(), worker
         worker.ask(question)
         at_work.append(worker)
     for worker in at_work:
-        yield worker, worker.answer()
+        yield worker.answer(), worker
 
 
 def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-    """Iterate over questions and their answers, each as soon as it is there.
-
-    The processes need not be ready yet.
-    """
-    for worker in workers:
-        worker.answer()
+    """Iterate over questions and their answers, each as soon as it is there."""
     left = iter(questions)
     at_work: dict[Any, tuple[Worker, Any]] = {}  # by the connection
     free = [*workers]

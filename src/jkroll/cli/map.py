@@ -2,12 +2,13 @@
 
 import sys
 from collections.abc import Iterable
-from math import isnan
+
+import numpy
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
 from ..output.files import text_output, whole_file
-from ..output.records import write_records
+from ..output.records import write_columns
 from ..pictures.axes import Axis
 from ..pictures.curves import PANELS, curves_of_contact
 from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map
@@ -169,27 +170,16 @@ def _write_data(drawn: Map | Picture, path: str) -> None:
     with text_output(path) as out:
         if isinstance(drawn, Map):
             heads = (drawn.x.header(), drawn.y.header(), header(drawn.quantity))
-            x, y, values = drawn.x.values().tolist(), drawn.y.values().tolist(), drawn.values.tolist()
-            numbers = (
-                (right, up, _known(cell))
-                for up, row in zip(y, values, strict=True)
-                for right, cell in zip(x, row, strict=True)
-            )
-            write_records(heads, numbers, "csv", out)
+            x, y = drawn.x.values(), drawn.y.values()
+            write_columns(heads, [numpy.tile(x, len(y)), numpy.repeat(y, len(x)), drawn.values.ravel()], "csv", out)
             return
         for number, panel in enumerate(drawn.panels):
             if number > 0:
                 say("", out)
-            rows = (
-                (plain(curve.text), _known(x), _known(y))
-                for curve in panel.curves
-                for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True)
-            )
-            write_records(("curve", panel.x.header(), panel.y.header()), rows, "csv", out)
-
-
-def _known(value: float) -> float | None:
-    return None if isnan(value) else value
+            curves = panel.curves
+            names = [plain(curve.text) for curve in curves for _ in range(len(curve.x))]
+            x, y = (numpy.concatenate(along) for along in zip(*((curve.x, curve.y) for curve in curves), strict=True))
+            write_columns(("curve", panel.x.header(), panel.y.header()), [names, x, y], "csv", out)
 
 
 # --- Map request ------------------------------------------------------------------------------------------------------

@@ -12,7 +12,8 @@ from ..answers.questions import QUESTIONS, Question, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..output import notes as note_lines
 from ..output.files import text_output
-from ..output.records import lines, write_json, write_plain
+from ..output.records import write_json, write_plain
+from ..output.writers import WRITERS, written
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
 from ..rows.sweep import Sweep
@@ -124,7 +125,7 @@ def deliver(call: Call, wanted: Wanted, notes: note_lines.OfRows, blocks: Iterab
     """Write columns to stdout, as a table on a terminal or as lines of text, or to a file; return whether it was a table."""
     every = notes.watch(blocks)
     if call.target is not None:
-        from ..batch.one import write_columns as write_file
+        from ..batch.run import write_columns as write_file
 
         write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
         return False
@@ -137,7 +138,8 @@ def deliver(call: Call, wanted: Wanted, notes: note_lines.OfRows, blocks: Iterab
             sweep_table(first[0], sys.stdout, form._replace(typed=call.typed), notes.assumed)
             return True
         every = chain(first, every)
-    for text in lines("plain" if is_table else call.kind, wanted, every, form, doubt=not call.no_doubt):
+    writer = WRITERS["plain" if is_table else call.kind]
+    for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
         sys.stdout.write(fitting(text.decode(), sys.stdout))
     sys.stdout.flush()
     return False

@@ -6,7 +6,7 @@ No file is opened here: `batch` reads and writes.
 import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
-from functools import partial
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
@@ -112,23 +112,32 @@ class Table:
         """The headers of all columns that are added."""
         return [*self.said, *self.heads, *self.remarks]
 
-    def block(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Block:
-        """Return rows of texts, by the names of the columns. `odd`: records that are no rows, and why."""
-        numbers = {reader.column.name: reader.numbers(cells) for reader in self.readers}
-        materials = {name: self.lookups[name].indices(cells[name]) for name, _ in self.materials_at}
-        text = partial(_cell, cells)
-        return TableBlock(self, size, numbers, materials, odd, text)
+    def block(
+        self,
+        size: int,
+        cells: Mapping[str, Sequence[bytes]],
+        odd: Mapping[int, str] = MappingProxyType({}),
+        numbers: Mapping[str, Numbers] = MappingProxyType({}),
+    ) -> "TableBlock":
+        """Return rows of texts, by the names of the columns.
 
-    def scene_of(self, text_of: Callable[[str], str]) -> Any:
-        """Return the scene of a row. `text_of` gives the cell of a column.
+        `odd`: records that are no rows, and why. `numbers`: columns that are read already.
+        """
+        unread = [reader for reader in self.readers if reader.column.name not in numbers]
+        return TableBlock(
+            self, size, cells, odd, {**numbers, **{reader.column.name: reader.numbers(cells) for reader in unread}}
+        )
+
+    def scene_of(self, cells: Mapping[str, str]) -> Any:
+        """Return the scene of a row, by the cells of the columns that are read.
 
         Raises BadCells, or an error of the scene.
         """
-        if all(text_of(name).strip() == self.texts[place].strip() for name, place in self.places.items()):
+        if all(cells[name].strip() == self.texts[place].strip() for name, place in self.places.items()):
             raise BadRecord("the row repeats the header")
         found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
-        texts = {column.name: column.joined(*map(text_of, column.places)) for column in self.inputs}
-        texts |= {name: text_of(name) for name, _ in self.materials_at}
+        texts = {column.name: column.joined(*(cells[name] for name in column.places)) for column in self.inputs}
+        texts |= {name: cells[name] for name, _ in self.materials_at}
         readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
         readers |= {name: lookup.material for name, lookup in self.lookups.items()}
         problems: list[JkrollError] = []
@@ -150,10 +159,6 @@ class Table:
         return self.fill.scene(found, *spheres)
 
 
-def _cell(cells: Mapping[str, Sequence[bytes]], row: int, name: str) -> str:
-    return cells[name][row].decode("utf-8", "replace")
-
-
 class TableBlock(Block):
     """Some rows of a table. Those whose materials have the same properties are alike."""
 
@@ -161,16 +166,16 @@ class TableBlock(Block):
         self,
         table: Table,
         size: int,
-        numbers: Mapping[str, Numbers],
-        materials: Mapping[str, Indices],
+        cells: Mapping[str, Sequence[bytes]],
         odd: Mapping[int, str],
-        text: Callable[[int, str], str],
+        numbers: Mapping[str, Numbers],
     ) -> None:
-        """`materials`: their indices, by column; `text`: returns the cell of a row in a column."""
-        self.table, self.text = table, text
-        self.indices = {name: materials.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in table.lookups}
-        kinds = [lookup.kinds(self.indices[name]) for name, lookup in table.lookups.items()]
-        super().__init__(size, numbers, kinds, odd)
+        """`cells`: the columns that are read, by name; `numbers`: those of inputs as numbers."""
+        self.table, self.cells = table, cells
+        nothing = numpy.zeros(size, dtype=numpy.int64)
+        lookups = table.lookups.items()
+        self.indices = {name: lookup.indices(cells[name]) if name in cells else nothing for name, lookup in lookups}
+        super().__init__(size, numbers, [lookup.kinds(self.indices[name]) for name, lookup in lookups], odd)
 
     def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the scene of the inputs of rows that are alike."""
@@ -182,7 +187,7 @@ class TableBlock(Block):
 
     def scene_of(self, row: int) -> Any:
         """Return the scene of a row by itself."""
-        return self.table.scene_of(partial(self.text, row))
+        return self.table.scene_of({name: cells[row].decode(errors="replace") for name, cells in self.cells.items()})
 
 
 def table_of(

@@ -1,0 +1,230 @@
+"""Columns as lines of text: a writer a format, for lists, tables, maps and catalogues.
+
+A column is a list of texts, numbers and None, or an array of numbers; an array with two axes is several columns. None
+and nan are gaps.
+"""
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from math import isnan
+from typing import Any, BinaryIO
+
+from ..quantities.formatting import Format, in_words
+from ..quantities.nomenclature import INFINITY, header
+from ..rows.columns import DOUBT, Columns, Wanted, as_list, middle, remarks_of
+from ..scene.limits import codes
+from ..text import spelled
+
+STRIP = 128  # rows written at once: their text stays in the cache
+
+
+class Lines:
+    """Rows as lines of cells with a separator between them."""
+
+    has_words = True  # an infinite input is a word
+
+    def __init__(
+        self,
+        separator: str,
+        gap: str = "",
+        *,
+        end: str = "\n",
+        has_header: bool = True,
+        has_remarks: bool = True,
+        has_quotes: bool = True,
+        has_commas: bool = False,
+    ) -> None:
+        """`has_remarks`: whether doubts and status of rows are written; `has_quotes`: whether cells may stand in quotes.
+
+        `has_commas`: whether decimal marks are commas.
+        """
+        self.separator, self.gap, self.end = separator.encode(), gap.encode(), end.encode()
+        self.has_header, self.has_remarks, self.has_commas = has_header, has_remarks, has_commas
+        self.has_quotes = has_quotes
+
+    def header(self, heads: Sequence[str], before: Sequence[bytes] = ()) -> bytes:
+        """Return the line of the headers. `before`: what stands before them, in the format."""
+        cells = [*before, *(self._text(head) for head in heads)]
+        return self.separator.join(cells) + self.end if self.has_header else b"".join(before)
+
+    def rows(
+        self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = (), rest: bytes = b""
+    ) -> bytes:
+        """Return rows. `before`: the beginning of each, in the format; `rest`: what stands behind the last."""
+        columns = self._divided(columns)
+        size = len(before) or _length(columns[0])
+        leads = self._leads(heads, is_begun=bool(before))
+        strips = []
+        for start in range(0, size, STRIP):
+            rows = slice(start, start + STRIP)
+            cells = [before[rows]] if before else []
+            cells += [self._cells(_of_rows(column, rows), lead) for column, lead in zip(columns, leads, strict=False)]
+            pieces = [self.end] * ((len(cells) + 1) * len(cells[0]))
+            for place, column in enumerate(cells):
+                pieces[place :: len(cells) + 1] = column
+            strips.append(b"".join(pieces))
+        return b"".join([*strips, rest])
+
+    @contextmanager
+    def sink(self, stream: BinaryIO) -> Iterator[Callable[[bytes], None]]:
+        """Return the function that writes rows into a file, at once: other processes may write behind them."""
+        yield partial(_write, stream.fileno())
+
+    def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
+        """Return columns as they are written: several in one array together."""
+        return columns
+
+    def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
+        """Return what stands before the cells of each column. `is_begun`: whether rows have a beginning."""
+        return [self.separator if is_begun or place else b"" for place in range(len(heads))]
+
+    def _cells(self, column: Any, lead: bytes) -> Sequence[bytes]:
+        """Return the cells of a column, or those of several in one, each behind its lead."""
+        if isinstance(column, list):
+            cells = {value: lead + self._cell(value) for value in {*column}}
+            return [cells[value] for value in column]
+        cells_of_rows = numbers_in_lines(column, self.separator, self.gap)
+        if self.has_commas:
+            cells_of_rows = [row.replace(b".", b",") for row in cells_of_rows]
+        return cells_of_rows if lead == self.separator else [lead + row[1:] for row in cells_of_rows]
+
+    def _cell(self, value: str | float | None) -> bytes:
+        if value is None or value == "":
+            return self.gap
+        if not isinstance(value, float):
+            return self._text(str(value))
+        return self.gap if isnan(value) else spelled(value + 0.0).encode()
+
+    def _text(self, text: str) -> bytes:
+        """Return a text, in quotes where it needs them."""
+        return (in_quotes(text, self.separator.decode()) if self.has_quotes else text).encode()
+
+
+class Objects(Lines):
+    """Rows as objects of JSON, a line each."""
+
+    def __init__(self) -> None:
+        super().__init__(",", "null", end="}\n", has_header=False)
+
+    def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
+        return [each for column in columns for each in (column if getattr(column, "ndim", 1) > 1 else [column])]
+
+    def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
+        """Return the names of members. Beginnings of objects end with a comma if they have members."""
+        first, *others = (self._text(head) + b":" for head in heads)
+        return [first if is_begun else b"{" + first, *(b"," + name for name in others)]
+
+    def _text(self, text: str) -> bytes:
+        from json.encoder import encode_basestring
+
+        return encode_basestring(text).encode()
+
+
+WRITERS = {
+    "csv": Lines(","),
+    "tsv": Lines("\t"),
+    "plain": Lines("\t", "-", has_remarks=False, has_quotes=False),
+    "bare": Lines("\t", "-", has_header=False, has_remarks=False, has_quotes=False),
+    "ndjson": Objects(),
+}
+
+
+def in_quotes(cell: str, separator: str) -> str:
+    """Return a cell, in quotes if it needs them."""
+    if any(mark in cell for mark in (separator, '"', "\n", "\r")):
+        return '"' + cell.replace('"', '""') + '"'
+    return cell
+
+
+def _write(descriptor: int, text: bytes) -> None:
+    rest = memoryview(text)
+    while rest:
+        rest = rest[os.write(descriptor, rest) :]
+
+
+def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
+    """Return the numbers of each row as a line without its end, each behind a separator. nan is a gap.
+
+    `columns`: an array of one column or several.
+    """
+    import numpy
+    import orjson
+
+    rows = numpy.atleast_2d(columns).T
+    text = orjson.dumps(numpy.ascontiguousarray(rows) + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
+    if gap != b"null" and b"n" in text:
+        text = text.replace(b"null", gap)
+    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]: one byte is found fast
+    if separator != b",":
+        text = text.replace(b",", separator)
+    return text.split(b"]")[: len(rows)]
+
+
+def _length(column: Any) -> int:
+    """Return the number of rows of a column, or of several in one array."""
+    return len(column) if isinstance(column, list) else int(column.shape[-1])
+
+
+def _of_rows(column: Any, rows: slice) -> Any:
+    """Return some rows of a column, or of several in one array."""
+    return column[rows] if isinstance(column, list) else column[..., rows]
+
+
+# --- Rows of scenes ---------------------------------------------------------------------------------------------------
+
+
+def written(
+    writer: Any, wanted: Wanted, blocks: Iterable[Columns], form: Format, *, doubt: bool = True
+) -> Iterator[Any]:
+    """Iterate over rows as they are written, block by block: first the header, if the format has one.
+
+    `doubt`: whether doubts have a column, if they are judged.
+    """
+    remarks = remarks_of(wanted, doubt=doubt) if writer.has_remarks else ()
+    heads = [*map(header, wanted.inputs), *wanted.heads(form.header), *remarks]
+    yield writer.header(heads)
+    for columns in blocks:
+        inputs = [[*map(middle, column)] if isinstance(column, list) else column for column in columns.inputs.values()]
+        if writer.has_words:
+            inputs = [_in_words(name, column) for name, column in zip(wanted.inputs, inputs, strict=True)]
+        yield writer.rows(heads, [*inputs, *columns_of(columns, form, remarks)])
+
+
+def _in_words(name: str, column: Any) -> Any:
+    """Return the column of an input, in which infinite values are words."""
+    if isinstance(column, list) or (abs(column) == INFINITY).any():
+        return [in_words(name, value) for value in as_list(column)]
+    return column
+
+
+def columns_of(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
+    """Return the columns of results, in their units and with their digits, and of remarks."""
+    of_remarks = [_codes(columns) if name == DOUBT else _status(columns) for name in remarks]
+    if isinstance(columns.numbers, list) or any(map(form.changes, columns.wanted.names)):
+        return [*_formatted(columns, form), *of_remarks]
+    return [columns.numbers, *of_remarks]
+
+
+def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
+    """Iterate over the columns of results, in their units and with their digits."""
+    for name in columns.wanted.names:
+        for key in columns.wanted.keys_of(name):
+            column = columns.column(key)
+            if form.changes(name):
+                column = [value if isnan(value) else form.number(name, value) for value in as_list(column)]
+            yield column
+
+
+def _codes(columns: Columns) -> list[str | None]:
+    """Return the codes of the doubts of rows."""
+    every = as_list(columns.doubts)
+    texts = {bits: codes(bits) or None for bits in {*every}}
+    return [texts[bits] for bits in every]
+
+
+def _status(columns: Columns) -> list[str | None]:
+    if not columns.status:
+        return [None] * len(columns)
+    return [*map(columns.status.get, range(len(columns)))]
