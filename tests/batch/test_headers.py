@@ -171,6 +171,27 @@ def test_a_form_of_a_table_is_refused(run: Run, text: str) -> None:
     assert (ran.code, ran.err.startswith("jkroll: header: ")) == (2, True)
 
 
+@pytest.mark.parametrize("other", ["r2_um", "D2 [um]", "diameter2 (um)", "Diameter 2, um", "size2_um"])
+def test_a_size_of_sphere_2_is_refused_beside_the_radius_of_sphere_1(other: str) -> None:
+    """If it passed through, the spheres would be taken for equal."""
+    with pytest.raises(BadTable, match=_SIZE):
+        understood(["radius_um", other, "gamma_mJ_m2"])
+
+
+@pytest.mark.parametrize("text", ["diameter1 [nm]", "diameter2 [nm]", "Ø [nm]", "modulus1 [GPa]", "size2_um"])
+def test_a_word_with_a_doubt_has_it_with_the_number_of_a_sphere_too(text: str) -> None:
+    with pytest.raises(BadTable, match="--column"):
+        understood([text])
+
+
+@pytest.mark.parametrize("parts", [("radius", "radius_err"), ("radius", "radius_minus", "radius_plus")])
+def test_the_advice_for_values_without_a_unit_reads_their_uncertainty_too(parts: tuple[str, ...]) -> None:
+    with pytest.raises(BadTable, match=r"Write --column 'radius=radius \[UNIT\]' with its unit, or --column 'radius='"):
+        understood(parts, [["100", "5", "6"][: len(parts)]])
+    (column,) = understood(parts, [["100", "5", "6"][: len(parts)]], column_options(["radius=radius [nm]"])).inputs
+    assert len(column.sides) == len(parts) - 1
+
+
 def test_a_row_of_units_is_told_with_all_columns_at_once(run: Run) -> None:
     Path("x.csv").write_text("Radius,Surface energy,Poisson\nnm,mJ/m2,-\n100,25,0.17\n", encoding="utf-8")
     said = run("batch x.csv").err

@@ -13,13 +13,15 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
 from ..quantities.values import unit_of, value_of
 from ..text import closest, first_of, quoted, shown
-from .cells import Column, is_number
-from .readings import Reading, fits, named, read, reading_of, unit_for, with_unit
-from .sides import with_sides
-from .words import MATERIALS, key
+from .cells import Column, Side, is_number
+from .readings import Reading, named, read, reading_of
+from .words import MATERIALS, fits, key, unit_for, with_unit
 
 _MAX_SAID = 60  # columns that pass through and are named
 _OF_DIRECTIONS = re.compile(r"\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
+_MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
+_NO_UNIT, _UNITS = "has no unit", "the first row has units"  # problems
+_NO_MEANINGS: Mapping[str, Reading] = MappingProxyType({})
 
 
 class Header(NamedTuple):
@@ -28,7 +30,7 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[tuple[str, int], ...]  # name and place of the columns that name materials
-    meanings: Mapping[str, Reading] = MappingProxyType({})  # what `--column` says of headers
+    meanings: Mapping[str, Reading] = _NO_MEANINGS  # what `--column` says of headers
     preamble: int = 0  # lines before the header that are passed over
 
     @property
@@ -38,34 +40,30 @@ class Header(NamedTuple):
 
     def reading(self) -> str:
         """Return the sentence that says how the table is read."""
-        materials = [_from(name, "", self.texts[place]) for name, place in self.materials]
-        sentence = f"read: {', '.join([*materials, *map(self._reading_of, self.inputs)]) or 'no input'}"
+        read_columns = [self._from(name, {"": place}) for name, place in self.materials]
+        places = {place for _, place in self.materials}
+        for column in self.inputs:
+            of_parts = {side.part: side.place for side in column.sides}
+            of_parts |= {} if column.is_range else {"": column.place}
+            read_columns.append(self._from(header_of(column.name, column.unit_text), of_parts))
+            places.update(of_parts.values())
+        sentence = f"read: {', '.join(read_columns) or 'no input'}"
         if self.preamble:
             lines = "a line" if self.preamble == 1 else f"{self.preamble} lines"
             sentence += f"; passed over: {lines} before the header"
-        places = {place for _, place in self.materials}
-        places = places.union(*(column.places.values() for column in self.inputs))
         others = [text for place, text in enumerate(self.texts) if place not in places and text.strip()]
-        if not others:
-            return sentence
-        passing = [_easy(text) for text in dict.fromkeys(others)]
-        count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
-        return f"{sentence}; passed through: {count}{first_of(passing, _MAX_SAID)}"
+        if others:
+            count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
+            sentence += f"; passed through: {count}{first_of([*map(_easy, dict.fromkeys(others))], _MAX_SAID)}"
+        return sentence
 
-    def _reading_of(self, column: Column) -> str:
-        """Return the name of an input with the headers that it is read from, if these are others."""
-        heads = {side.part: _easy(self.texts[side.place]) for side in column.sides}
-        if column.is_range:
-            return f"{header_of(column.name, column.unit_text)} from {heads['low']} to {heads['high']}"
-        value = _from(column.name, column.unit_text, self.texts[column.place])
-        marks = {"both": "±", "minus": "−", "plus": "+"}
-        return " ".join([value, *(f"{marks[part]} {head}" for part, head in heads.items())])
-
-
-def _from(name: str, unit_text: str, text: str) -> str:
-    """Return the name of an input with the header that it is read from, if that is another."""
-    head = header_of(name, unit_text)
-    return head if text.strip() in (head, name) else f"{head} from {_easy(text)}"
+    def _from(self, head: str, places: Mapping[str, int]) -> str:
+        """Return the header of an input with those that it is read from, if they are others; `places`: by the part."""
+        texts = {part: self.texts[place] for part, place in places.items()}
+        value = texts.pop("", head)
+        is_same = value.strip() in (head, head.partition(" [")[0])
+        sources = [f"{_MARKS[part]}{_easy(text)}" for part, text in texts.items()]
+        return " ".join([head, *([] if is_same else [f"from {_easy(value)}"]), *sources])
 
 
 def _easy(text: str) -> str:
@@ -77,26 +75,26 @@ def _easy(text: str) -> str:
 
 
 def stated_meanings(names: Iterable[str], texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
-    """Return the meaning of columns that options say: of those that `--column` names and their uncertainties, and of those of a measured quantity."""
+    """Return the meaning of the columns that options name, and of those of their uncertainties."""
     chosen = column_options(texts, measured)
     more = {key(word): measured for word in (measured, NOMENCLATURE[measured].symbol)} if measured else {}
     for head, reading in chosen.items():
         if reading.name and not reading.part:
             more[named(head, reading.name)[0]] = reading.name
-    found = {}
-    for head in map(str.strip, names) if more else ():
-        reading = read(head, more)
-        if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
-            found[head] = reading
-    return found | chosen
+    meanings = {head.strip(): read(head, more) for head in names} if more else {}
+    return {
+        head: reading
+        for head, reading in meanings.items()
+        if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input))
+    } | chosen
 
 
 def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
-    """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input. Raises BadRequest.
+    """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input.
 
-    `measured`: a quantity that columns have besides inputs.
+    `measured`: a quantity that columns have besides inputs. Raises BadRequest.
     """
-    found: dict[str, Reading] = {}
+    meanings: dict[str, Reading] = {}
     for text in texts:
         head, is_pair, meaning = text.rpartition("=")
         head = head.strip()
@@ -107,12 +105,12 @@ def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Readin
             meant = reading.meant[0] if reading.meant else "a name with its unit, as in radius [nm]"
             problem = f": {reading.problem}" if reading.problem else ""
             raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; did you mean {meant}?")
-        if head in found:
+        if head in meanings:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
         if reading.name and reading.name not in MATERIALS and reading.unit_text is None:
             reading = reading._replace(unit_text=named(head, reading.name)[1])
-        found[head] = reading
-    return found
+        meanings[head] = reading
+    return meanings
 
 
 # --- What a table says ------------------------------------------------------------------------------------------------
@@ -121,7 +119,7 @@ def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Readin
 def understood(
     texts: Sequence[str],
     rows: Sequence[Sequence[str]] = (),
-    meanings: Mapping[str, Reading] = MappingProxyType({}),
+    meanings: Mapping[str, Reading] = _NO_MEANINGS,
     given: Collection[str] = (),
 ) -> Header:
     """Return the columns of a header, given the cells of its first rows and what some are said to mean. Raises BadTable.
@@ -132,28 +130,35 @@ def understood(
         guess = closest(text, texts)
         meant = f"; did you mean {quoted(guess)}?" if guess else ""
         raise BadTable(f"--column: the table has no column {quoted(text)}{meant}")
-    columns = [[row[place].strip() for row in rows] for place in range(len(texts))]
-    readings = [_meaning(text, cells, meanings) for text, cells in zip(texts, columns, strict=True)]
-    readings = [_beside(place, readings, texts, meanings, given) for place in range(len(texts))]
-    _check_twice(texts, readings)
-    names = {reading.name for reading in readings if reading.is_input and reading.part in ("", "low")}
-    refused = {place: each for place, each in enumerate(readings) if each.problem and each.name not in names}
+    cells = [_first([row[place] for row in rows]) for place in range(len(texts))]
+    readings = [_meaning(text, [row[place] for row in rows], meanings) for place, text in enumerate(texts)]
+    readings = [
+        reading if text.strip() in meanings else _among(place, readings, texts, given)
+        for place, (text, reading) in enumerate(zip(texts, readings, strict=True))
+    ]
+    parts: dict[
+        str, dict[str, int]
+    ] = {}  # by the input the parts of its uncertainty, "" for its values, with their places
+    for place, (text, reading) in enumerate(zip(texts, readings, strict=True)):
+        name, part = (reading.name, reading.part) if reading.is_input else ("", text)
+        other = parts.setdefault(name, {}).setdefault(part, place)
+        if other != place and text.strip():
+            both = f"the columns {quoted(texts[other])} and {quoted(text)}"
+            both = f"two columns {quoted(text)}" if texts[other] == text else both
+            raise BadTable(f"header: {both}, of which one must go")
+    parts.pop("", None)
+    known = {name for name, places in parts.items() if not {"", "low"}.isdisjoint(places)}
+    refused = {place: each for place, each in enumerate(readings) if each.problem and each.name not in known}
+    for places in parts.values():
+        for place in [places[part] for part in ([""] if "" in places else ["low", "high"]) if part in places]:
+            if problem := _lack_of_unit(readings[place], cells[place]):
+                refused[place] = problem
     if refused:
-        raise _refusal(refused, texts, [*map(_first, columns)])
-    inputs = {}
-    materials: list[tuple[str, int]] = []
-    parts: dict[str, dict[str, Column]] = {}  # the columns of the uncertainty of an input
-    for place, reading in enumerate(readings):
-        if reading.is_input and reading.name in MATERIALS:
-            materials.append((reading.name, place))
-        elif reading.is_input and reading.part:
-            parts.setdefault(reading.name, {})[reading.part] = _column(place, reading)
-        elif reading.is_input:
-            inputs[reading.name] = _column(place, reading)
-    for name, columns_of_parts in parts.items():
-        if column := with_sides(inputs.get(name), columns_of_parts, dict(enumerate(texts)), meanings.keys()):
-            inputs[name] = column
-    return Header(tuple(texts), tuple(inputs.values()), tuple(materials), meanings)
+        raise _refusal(refused, texts, cells)
+    materials = tuple((name, parts.pop(name)[""]) for name in [*parts] if name in MATERIALS)
+    columns = [{part: _column(place, readings[place]) for part, place in places.items()} for places in parts.values()]
+    inputs = filter(None, (_with_sides(of_parts, texts, meanings.keys()) for of_parts in columns))
+    return Header(tuple(texts), tuple(inputs), materials, meanings)
 
 
 def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -> Reading:
@@ -169,66 +174,37 @@ def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -
     return Reading() if is_unread and cell[:1].isalpha() else reading
 
 
-def _beside(
-    place: int,
-    readings: Sequence[Reading],
-    texts: Sequence[str],
-    meanings: Mapping[str, Reading],
-    given: Collection[str],
-) -> Reading:
+def _have_units(cells: Sequence[str], name: str) -> bool:
+    """Return whether some cell is a value of an input with its unit, or the first is its unit."""
+    for cell in dict.fromkeys(map(str.strip, cells)):
+        with suppress(QuantityError):
+            if cell and not is_number(cell) and value_of(cell, name) is not None:
+                return True
+    return fits(_first(cells).strip("[]() "), name)
+
+
+def _first(cells: Sequence[str]) -> str:
+    """Return the first cell that is not empty, or an empty text if there is none."""
+    return next(filter(None, map(str.strip, cells)), "")
+
+
+def _among(place: int, readings: Sequence[Reading], texts: Sequence[str], given: Collection[str]) -> Reading:
     """Return the meaning of a column in the light of the others. ± alone is of the column at its left."""
     reading = readings[place]
-    if texts[place].strip() in meanings:
-        return reading
     if reading.part and not reading.name:
         left = readings[place - 1] if place else Reading()
         is_value = left.is_input and not left.part and left.name not in MATERIALS
         is_of_left = is_value and (reading.unit_text in (None, "%") or fits(reading.unit_text, left.name))
         return reading._replace(name=left.name) if is_of_left else Reading()
-    if reading.name in ("youngs_modulus", "youngs_modulus2"):
-        other = next(filter(_OF_DIRECTIONS.match, texts), "")
+    if reading.name in ("youngs_modulus", "youngs_modulus2") and any(map(_OF_DIRECTIONS.match, texts)):
+        other = next(filter(_OF_DIRECTIONS.match, texts))
         problem = f"{quoted(other)} beside it says that it is the modulus along a direction"
-        return reading._replace(problem=problem, meant=()) if other else reading
+        return reading._replace(problem=problem, meant=())
     is_of_spheres = "radius2" in given or any(each.is_input and each.name == "radius2" for each in readings)
     if reading.is_input and reading.meant and not reading.part and not is_of_spheres:
-        return reading._replace(
-            problem="R is the radius of a sphere or the reduced radius, half of it for equal spheres"
-        )
+        problem = "R is the radius of a sphere or the reduced radius, half of it for equal spheres"
+        return reading._replace(problem=problem)
     return reading
-
-
-def _check_twice(texts: Sequence[str], readings: Sequence[Reading]) -> None:
-    """Raise BadTable for the second column of one meaning, if it has a name."""
-    seen: dict[tuple[str, str], str] = {}
-    for text, reading in zip(texts, readings, strict=True):
-        meaning = (reading.name, reading.part) if reading.is_input else (text, "passes")
-        if meaning in seen and text.strip():
-            other = seen[meaning]
-            both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
-            raise BadTable(f"header: {both}, of which one must go")
-        seen[meaning] = text
-
-
-def _refusal(refused: Mapping[int, Reading], texts: Sequence[str], cells: Sequence[str]) -> BadTable:
-    """Return the error of columns that may be inputs and cannot be read."""
-    problems, remedies = [], []
-    for place, reading in refused.items():
-        cell = f" (first cell {quoted(cells[place])})" if cells[place] else ""
-        problems.append(f"{quoted(texts[place])}{cell}: {reading.problem}")
-        remedies.append(" or ".join(_option(texts[place], each) for each in reading.meant or ("",)))
-    if len(refused) == 1 and not reading.meant:
-        remedies = [f"a column {with_unit(reading.name)} in its place"]
-    passing = f", or {_option(texts[place], '')} to pass it through" if len(refused) == 1 else ""
-    return BadTable(f"header: {'; '.join(problems)}. Write {' '.join(remedies)}{passing}")
-
-
-def _option(text: str, meaning: str) -> str:
-    """Return the option that says what a column means, in the quotes of a shell."""
-    value = shown(f"{text.strip()}={meaning}")
-    return f'--column "{value}"' if "'" in value else f"--column '{value}'"
-
-
-# --- Units and error bars ---------------------------------------------------------------------------------------------
 
 
 def _column(place: int, reading: Reading) -> Column:
@@ -241,35 +217,84 @@ def _column(place: int, reading: Reading) -> Column:
     return Column(place, name, unit_text, unit_of(unit_text, name))
 
 
-def check_units(header: Header, rows: Sequence[Sequence[str]]) -> None:
-    """Raise BadTable for columns that have a unit neither in their header nor in their first cell; `rows`: the first ones."""
-    problems, remedies = [], []
-    is_row_of_units = False
-    for column in header.inputs:
-        first = _first([row[column.place] for row in rows])
-        if not first or column.exponent is not None or column.unit is not None or _is_value(first, column.name):
-            continue
-        unit_text = unit_for(first.strip("[]() "), column.name)
-        is_row_of_units |= bool(unit_text)
-        parts = {column.place: "", **{side.place: f"_{side.part}" for side in column.sides}}
-        for place, part in parts.items():
-            text = header.texts[place]
-            problems.append(f"{quoted(text)} has no unit, and neither has its first cell {quoted(first)}")
-            remedies.append(_option(text, f"{column.name}{part} [{unit_text or 'UNIT'}]"))
-    if is_row_of_units:
-        raise BadTable(f"header: the first row has units. Delete it, and write {' '.join(remedies)}")
-    if problems:
-        passing = f", or {_option(text, '')} to pass it through" if len(problems) == 1 else ""
-        raise BadTable(f"header: {'; '.join(problems)}. Write {' '.join(remedies)} with its unit{passing}")
+def _with_sides(parts: Mapping[str, Column], texts: Sequence[str], stated: Collection[str]) -> Column | None:
+    """Return the column of an input with those of its uncertainty; None if they make none and pass through.
+
+    `parts`: its columns, by the part of the uncertainty, "" for the values; `stated`: the headers that options name.
+
+    Raises BadTable.
+    """
+    base = parts.get("")
+    kinds = [("both",), ("minus", "plus")] if base else [("low", "high")]
+    kinds = [kind for kind in kinds if parts.keys() >= {*kind}]
+    used = [part for kind in kinds for part in kind]
+    left = [texts[column.place] for part, column in parts.items() if part not in ("", *used)]
+    name = next(iter(parts.values())).name
+    if len(kinds) > 1:
+        first, second = (quoted(texts[parts[part].place]) for part in used[:2])
+        raise BadTable(f"header: {first} and {second} are both uncertainties of {name}; one must go")
+    if left and (any(text.strip() in stated for text in left) or (not base and parts.keys() & {"low", "high"})):
+        raise BadTable(
+            f"header: {quoted(left[0])} alone is no uncertainty of {name}: values have a column of ± beside them, or "
+            "two, of minus and plus; a range has low and high alone"
+        )
+    if not base:
+        if not kinds:
+            return None
+        base = parts["low" if parts["low"].unit_text else "high"]._replace(place=parts["low"].place)
+    sides = []
+    for part in used:
+        place, unit_text = parts[part].place, parts[part].unit_text
+        if part != "both" and unit_text not in ("", base.unit_text):
+            other = f", {base.unit_text}" if base.unit_text else "; that has none"
+            raise BadTable(f"header: {quoted(texts[place])}: its unit must be that of the other column{other}")
+        sides.append(Side(part, place, "" if unit_text == base.unit_text else unit_text))
+    return base._replace(sides=tuple(sides))
 
 
-def _is_value(cell: str, name: str) -> bool:
-    """Return whether a cell says its unit, or is no value at all, which makes a bad row and no bad header."""
+# --- What is refused --------------------------------------------------------------------------------------------------
+
+
+def _lack_of_unit(reading: Reading, cell: str) -> Reading | None:
+    """Return the refusal of a column whose header and first cell lack the unit that it needs, if they do."""
+    name, part = reading.name, reading.part
+    if not cell or reading.unit_text or name in MATERIALS or NOMENCLATURE[name].unit == "1":
+        return None
+    unit_text = unit_for(cell.strip("[]() "), name)
+    meant = (f"{name}{'_' if part else ''}{part} [{unit_text or 'UNIT'}]",)
     try:
         value_of(cell, name)
     except QuantityError as error:
-        return not error.is_bare and not unit_for(cell.strip("[]() "), name)
-    return True
+        if error.is_bare or unit_text:  # else it makes a bad row, and no bad header
+            return reading._replace(problem=_NO_UNIT if error.is_bare else _UNITS, meant=meant)
+    return None
+
+
+def _refusal(refused: Mapping[int, Reading], texts: Sequence[str], cells: Sequence[str]) -> BadTable:
+    """Return the error of columns that may be inputs and cannot be read."""
+    problems, remedies, tail = [], [], ""
+    for place, reading in refused.items():
+        cell = f" (first cell {quoted(cells[place])})" if cells[place] else ""
+        if reading.problem == _NO_UNIT:
+            problems.append(
+                f"{quoted(texts[place])} has no unit, and neither has its first cell {quoted(cells[place])}"
+            )
+            tail = " with its unit"
+        else:
+            problems.append(f"{quoted(texts[place])}{cell}: {reading.problem}")
+        remedies.append(" or ".join(_option(texts[place], each) for each in reading.meant or ("",)))
+    if any(reading.problem == _UNITS for reading in refused.values()):
+        return BadTable(f"header: the first row has units. Delete it, and write {' '.join(remedies)}")
+    if len(refused) == 1 and not reading.meant:
+        remedies = [f"a column {with_unit(reading.name)} in its place"]
+    passing = f", or {_option(texts[place], '')} to pass it through" if len(refused) == 1 else ""
+    return BadTable(f"header: {'; '.join(problems)}. Write {' '.join(remedies)}{tail}{passing}")
+
+
+def _option(text: str, meaning: str) -> str:
+    """Return the option that says what a column means, in the quotes of a shell."""
+    value = shown(f"{text.strip()}={meaning}")
+    return f'--column "{value}"' if "'" in value else f"--column '{value}'"
 
 
 def check_inputs(header: Header, measured: str = "") -> None:
@@ -284,15 +309,13 @@ def check_inputs(header: Header, measured: str = "") -> None:
             f"Write {_option('HEADER', 'INPUT [UNIT]')}"
         )
     synonyms = {key(word): name for word, name in QUANTITY_SYNONYMS.items() if name == measured}
-    likely = {text: reading for text in header.texts if (reading := read(text, synonyms)).name == measured}
-    text, meaning = next(
-        ((text, header_of(measured, reading.unit_text)) for text, reading in likely.items()),
-        ("HEADER", f"{measured} [UNIT]"),
-    )
-    raise BadTable(f"header: no column has the measured {measured}; name it by {_option(text, meaning)}")
+    likely = [(text, reading.unit_text) for text in header.texts if (reading := read(text, synonyms)).name == measured]
+    text, unit_text = likely[0] if likely else ("HEADER", "UNIT")
+    option = _option(text, header_of(measured, unit_text))
+    raise BadTable(f"header: no column has the measured {measured}; name it by {option}")
 
 
-def is_input(text: str, meanings: Mapping[str, Reading] = MappingProxyType({})) -> bool:
+def is_input(text: str, meanings: Mapping[str, Reading] = _NO_MEANINGS) -> bool:
     """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
     reading = meanings.get(text.strip()) or reading_of(text)
     return reading.is_input or bool(reading.part)
@@ -301,17 +324,3 @@ def is_input(text: str, meanings: Mapping[str, Reading] = MappingProxyType({})) 
 def holds_input(text: str, cell: str, meanings: Mapping[str, Reading]) -> bool:
     """Return whether a header and its cell are those of an input, or may be."""
     return bool(_meaning(text, [cell.strip()], meanings).name)
-
-
-def _have_units(cells: Sequence[str], name: str) -> bool:
-    """Return whether some cell is a value of an input with its unit, or the first is its unit."""
-    for cell in dict.fromkeys(cells):
-        with suppress(QuantityError):
-            if cell and not is_number(cell) and value_of(cell, name) is not None:
-                return True
-    return fits(_first(cells).strip("[]() "), name)
-
-
-def _first(cells: Sequence[str]) -> str:
-    """Return the first cell that is not empty, or an empty text if there is none."""
-    return next(filter(None, map(str.strip, cells)), "")

@@ -25,7 +25,7 @@ from ..text import quoted, say, say_wrapped
 from .block import Block
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
-from .header import Header, check_inputs, check_units
+from .header import Header, check_inputs
 from .infer import Unknowns
 from .rows import groups
 from .words import MATERIALS
@@ -225,7 +225,6 @@ def table_of(
         if text.strip() in taken:
             remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
             raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
-    check_units(columns, rows)
     return table
 
 

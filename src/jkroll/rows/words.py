@@ -6,7 +6,7 @@ from functools import cache
 from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
-from ..quantities.units import SUPERSCRIPTS, dimension_of
+from ..quantities.units import SUPERSCRIPTS, BadUnit, dimension_of, is_in_table, parse_unit
 from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
@@ -29,20 +29,28 @@ RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols ha
 
 
 class Doubt(NamedTuple):
-    """The input that a word or a symbol may mean, and why it is not read."""
+    """The input that a word or a symbol may mean, why it is not read, and the names that it may stand for."""
 
-    name: str
-    problem: str
+    name: str = ""
+    problem: str = ""
+    meant: tuple[str, ...] = ()
 
 
 SIZE = "a radius is half of a diameter or a size, and r may be a distance"
-_SYMBOLS_OF_SIZES = ("r", "r1", "r2", "d", "d1", "d2", "D", "D1", "D2", "Ø")
-_WORDS_OF_SIZES = ("diam", "dia", "diameter", "diameters", "durchmesser", "size")
-DOUBTFUL = {
-    **dict.fromkeys((*_SYMBOLS_OF_SIZES, *_WORDS_OF_SIZES), Doubt("radius", SIZE)),
-    "surfacetension": Doubt("surface_energy", "it may be the tension of a liquid"),
-    **dict.fromkeys(("modulus", "effectivemodulus"), Doubt("youngs_modulus", "it may be another modulus")),
+_DOUBTS = {
+    **dict.fromkeys("r d D diam dia diameter diameters durchmesser size".split(), Doubt("radius", SIZE)),
+    "surfacetension": Doubt("surface_energy", "it may be the tension of a liquid", ("surface_energy",)),
+    **dict.fromkeys(
+        ("modulus", "effectivemodulus"), Doubt("youngs_modulus", "it may be another modulus", ("youngs_modulus",))
+    ),
 }
+DOUBTFUL = {
+    word + sphere: doubt._replace(
+        name=doubt.name + sphere.strip("1"), meant=tuple(name + sphere.strip("1") for name in doubt.meant)
+    )
+    for word, doubt in _DOUBTS.items()
+    for sphere in ("", "1", "2")
+} | {"R": Doubt("radius", "", ("radius", "reduced_radius"))}  # which of them, sphere 2 says
 
 # Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
 SHARED = (
@@ -62,9 +70,6 @@ PARTS = {
     **dict.fromkeys("min low lower".split(), "low"),
     **dict.fromkeys("max high upper".split(), "high"),
 }
-COMMON_UNITS = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2 mJ/m2 erg/cm2 N/m mN/m dyn/cm kg/m3
-    g/cm3 g/cc m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
-TWO_IN_SMALL = ("mn", "mj")  # milli or mega?
 
 _WORD = re.compile(r"[^\W\d_][\w\s.'-]*")
 
@@ -90,12 +95,13 @@ def meanings() -> dict[str, str]:
     """Return what words mean, by their keys: an input, with 1 or 2 for the sphere, or "" for a quantity that is none."""
     of_inputs = {**{name: name for name in (*INPUTS, *MATERIALS)}, **OPTION_WORDS}
     of_inputs |= {word: name for name, others in SYNONYMS.items() for word in others}
-    found = {key(word): name for word, name in of_inputs.items() if name in INPUTS or name in MATERIALS}
-    found |= {word: doubt.name for word, doubt in DOUBTFUL.items() if word not in _SYMBOLS_OF_SIZES}
-    for word, name in [*found.items()]:
-        if f"{name}2" in NOMENCLATURE:
-            found |= {f"{word}1": name, f"{word}2": f"{name}2"}
-    return {key(name): "" for name in NOMENCLATURE} | found
+    known = {key(name): "" for name in NOMENCLATURE}
+    for word, name in of_inputs.items():
+        if name in INPUTS or name in MATERIALS:
+            known[key(word)] = name
+            if f"{name}2" in NOMENCLATURE:
+                known |= {f"{key(word)}1": name, f"{key(word)}2": f"{name}2"}
+    return known | {word: doubt.name for word, doubt in DOUBTFUL.items() if len(word) > 2}
 
 
 @cache
@@ -103,18 +109,17 @@ def symbols() -> dict[str, list[str]]:
     """Return the inputs by their symbols, with Greek letters spelt out, and with the index of sphere 1 or without it."""
     found: dict[str, list[str]] = {}
     for name in INPUTS:
-        symbol = symbol_of(NOMENCLATURE[name].symbol)
-        for spelt in dict.fromkeys((symbol, symbol.removesuffix("1"))):
-            found.setdefault(spelt, []).append(name)
+        if name in RATIOS or any(dimension_of(NOMENCLATURE[name].unit)):
+            symbol = symbol_of(NOMENCLATURE[name].symbol)
+            for spelt in {symbol, symbol.removesuffix("1")}:
+                found.setdefault(spelt, []).append(name)
     for spelt, name in SYMBOLS_TOO.items():
         found.setdefault(spelt, []).append(name)
-    for spelt, names in found.items():
-        found[spelt] = [name for name in names if name in RATIOS or any(dimension_of(NOMENCLATURE[name].unit))]
-    return found | {spelt: [DOUBTFUL[spelt].name] for spelt in _SYMBOLS_OF_SIZES}
+    return found | {spelt: [doubt.name] for spelt, doubt in DOUBTFUL.items() if len(spelt) <= 2}
 
 
 @cache
-def near() -> dict[str, str]:
+def slips() -> dict[str, str]:
     """Return the words of inputs by all spellings that lack one letter, or none.
 
     Two words differ by a slip of the pen, a letter or the order of two, if they have such a spelling in common.
@@ -133,16 +138,20 @@ def lacking_a_letter(word: str) -> list[str]:
     return [word, *(word[:place] + word[place + 1 :] for place in range(len(word)))]
 
 
-@cache
-def common_units() -> dict[str, str]:
-    """Return common units by their letters and digits."""
-    return {squeezed(unit): unit for unit in COMMON_UNITS} | {"Gpa": "GPa", "Mpa": "MPa", "Kpa": "kPa"}
+# --- Units ------------------------------------------------------------------------------------------------------------
+
+_COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2 mJ/m2 erg/cm2 N/m mN/m dyn/cm kg/m3
+    g/cm3 g/cc m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
 
 
 @cache
-def small_units() -> dict[str, str]:
-    """Return common units by their letters and digits in small letters, or "" where these may be those of two."""
-    return {letters.casefold(): unit for letters, unit in common_units().items()} | dict.fromkeys(TWO_IN_SMALL, "")
+def units_by_letters() -> dict[str, list[str]]:
+    """Return common units by their letters and digits, as they are and in small letters."""
+    found = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"]}
+    for unit in _COMMON:
+        for letters in dict.fromkeys((squeezed(unit), squeezed(unit).casefold())):
+            found.setdefault(letters, []).append(unit)
+    return found | {"mn": [], "mj": []}  # milli or mega?
 
 
 def squeezed(text: str) -> str:
@@ -153,3 +162,35 @@ def squeezed(text: str) -> str:
     """
     plain = text.translate(SUPERSCRIPTS).replace("µ", "u").replace("μ", "u")
     return re.sub(r"[\W_]+|(?<![^\W_])per(?![^\W_])", "", plain)
+
+
+def fits(unit_text: str, name: str) -> bool:
+    """Return whether a text is a unit of a quantity; - and 1 are those of a ratio."""
+    unit = NOMENCLATURE[name].unit
+    if unit == "1" and unit_text in ("1", "-"):
+        return True
+    try:
+        return bool(unit and unit_text) and parse_unit(unit_text).dimension == dimension_of(unit)
+    except BadUnit:
+        return False
+
+
+def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
+    """Return the unit of a quantity that a text means, as it is or as programs write a common one; else "".
+
+    What is in no brackets is looked for in the shipped table alone: to load pint takes as long as many rows. Programs
+    change capitals there, so that MN may be mN.
+    """
+    letters, by_letters, is_known = squeezed(text), units_by_letters(), is_in_table(text)
+    small = letters.casefold()
+    is_clear = is_known and (letters in by_letters or small not in by_letters)
+    units = [text] if is_explicit or is_clear or text in ("1", "-") else []
+    if not (is_explicit and is_known):
+        units += by_letters.get(letters, [])
+        units += by_letters.get(small, []) if text.islower() or text.isupper() else []
+    return next((unit for unit in units if fits(unit, name)), "")
+
+
+def with_unit(name: str, unit_text: str = "UNIT") -> str:
+    """Return the header of an input, with its unit, or the place of it, if it needs one."""
+    return f"{name} [{unit_text}]" if name not in MATERIALS and any(dimension_of(NOMENCLATURE[name].unit)) else name
