@@ -28,6 +28,9 @@ def write_map(drawn: Map, out: TextIO) -> None:
 
     It has as many columns as fit the terminal.
     """
+    import numpy
+
+    drawn = drawn._replace(values=numpy.array(extent(drawn.values)))  # which all cells ask for
     y = drawn.y.at_round_values(ROWS)
     for columns in range(COLUMNS, 0, -1):
         x = drawn.x.at_round_values(columns)
