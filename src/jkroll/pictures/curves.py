@@ -16,11 +16,10 @@ from ..quantities.markup import symbol
 from ..scene.failures import BEYOND_PULL_OFF, Failure, NotInLaw
 from ..scene.scene import Scene
 from .axes import Axis
-from .maps import Curve, Mark, Panel, Picture, axis_around, clipped, has_values, solved
+from .maps import SAME, Curve, Mark, Panel, Picture, axis_around, clipped, has_values, solved
 from .request import fixed_inputs, inputs_as_texts, notes_on
 
 POINTS = 401
-_SAME = 1e-9  # relative difference of curves that coincide
 AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
 _OF_MOMENT = Question(("yield_moment",), ("yield_moment",))
@@ -202,7 +201,7 @@ def once(curves: Iterable[Curve]) -> list[Curve]:
     found: list[Curve] = []
     for curve in curves:
         for place, other in enumerate(found):
-            if numpy.allclose(curve.y, other.y, rtol=_SAME, atol=0):
+            if numpy.allclose(curve.y, other.y, rtol=SAME, atol=0):
                 found[place] = other._replace(text=f"{other.text}; {curve.text}")
                 break
         else:

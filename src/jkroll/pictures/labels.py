@@ -6,7 +6,6 @@ The places of everything else must be final: what is free is measured in pixels.
 from collections.abc import Sequence
 from typing import Any
 
-from matplotlib.patheffects import withStroke  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-ignore]
 
 from ..quantities.markup import typeset
@@ -17,11 +16,12 @@ _EDGE = 4.0  # points of the page inside the frame that its ticks take
 _ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
 _DIRECTIONS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
 _REACH = (4.0, 8.0, 14.0, 20.0, 30.0, 42.0)  # from a point to its text, in points of the page
+_PATCH = {"boxstyle": "square,pad=0", "linewidth": 0}  # of paper, behind a text on lines
 _NEAR = 8.0  # a text that is farther has a line to its point
 
 
 def label_points(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
-    """Draw marked points with their texts, where these cover least; return the boxes of all."""
+    """Draw marked points with their texts, where these cover least; return boxes that keep other texts off."""
     import numpy
 
     scale, lines = axes.figure.dpi / 72, _points_of_lines(axes)
@@ -59,13 +59,13 @@ def label_points(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
             )
 
         best = min([(reach * right, reach * up) for reach in _REACH for right, up in _DIRECTIONS], key=faults)
-        if any(faults(best)):  # no free place: lines are kept off by a rim
-            text.set_path_effects([withStroke(linewidth=2, foreground=style.paper)])
+        if any(faults(best)):  # no free place
+            text.set_bbox({**_PATCH, "facecolor": style.paper})
         taken += [text.get_window_extent(), *leader(best)]
         if leader(best):
             arrow = {"arrowstyle": "-", "linewidth": 0.4, "color": style.ink, "shrinkA": 2, "shrinkB": 2}
             axes.annotate("", place, xytext=text.get_position(), textcoords="offset points", arrowprops=arrow)
-    return taken
+    return [box.padded(3 * scale) for box in taken]
 
 
 def _move(text: Any, way: tuple[float, float], frame: Any) -> None:
@@ -88,10 +88,10 @@ def label_contours(
     import numpy
 
     frame, centre, lines = axes.get_window_extent(), axes.transAxes.transform(middle), _points_of_lines(axes)
-    patch = {"boxstyle": "square,pad=0", "facecolor": style.paper, "linewidth": 0}
     paths = [axes.transData.transform(path.vertices) for path in contours.get_paths()]
     for number, (label, path) in enumerate(zip(texts, paths, strict=True)):
-        text = axes.text(0.5, 0.5, f" {typeset(label)} ", ha="center", va="center", zorder=3, bbox=patch)
+        text = axes.text(0.5, 0.5, f" {typeset(label)} ", ha="center", va="center", zorder=3)
+        text.set_bbox({**_PATCH, "facecolor": style.paper})
         half = text.get_window_extent().size / 2
         inside = numpy.clip(path, frame.min + half, frame.max - half)
         is_on_line = (abs(path - inside) < half).all(axis=1)

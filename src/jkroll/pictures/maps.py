@@ -24,7 +24,7 @@ from .styles import BORDER
 MAX_CONTOURS = 12
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 _FARTHEST = log(1e3)  # excess of a limit that has a place on a map
-_FLAT = 1e-9  # relative difference of values that are the same but for rounding
+SAME = 1e-9  # relative difference of values that are the same but for rounding
 
 
 class Region(NamedTuple):
@@ -129,7 +129,7 @@ def has_values(values: Any) -> bool:
 def is_flat(values: Any) -> bool:
     """Return True if all finite values are the same but for rounding."""
     low, high = extent(values)
-    return high - low <= _FLAT * max(abs(low), abs(high))
+    return high - low <= SAME * max(abs(low), abs(high))
 
 
 def is_wide(values: Any) -> bool:

@@ -18,6 +18,7 @@ from ..scene.scene import Scene
 from ..text import capitalized, quoted
 from .axes import Axis
 from .maps import (
+    SAME,
     Curve,
     Map,
     Mark,
@@ -38,7 +39,6 @@ from .maps import (
 
 MAX_POINTS = 4_000_000  # of a map
 MAX_ALONG = 1_000_000  # points of all curves together
-_ALIKE = 1e-9  # relative difference of two values that are the same but for rounding
 _EVERYWHERE = "everywhere"  # the part of a curve that is all of it
 
 
@@ -99,7 +99,7 @@ def _own_values(request: PlotRequest, marks: Iterable[Mark]) -> Iterator[str]:
             continue
         drawn = scene.replace(**request.x.inputs(mark.x), **request.y.inputs(mark.y)).numbers(quantity)
         own = _scene_at(mark.text, request.materials, scene).numbers(quantity)
-        if quantity in own and not isclose(own[quantity], drawn.get(quantity, nan), rel_tol=_ALIKE):
+        if quantity in own and not isclose(own[quantity], drawn.get(quantity, nan), rel_tol=SAME):
             value = f"{symbol(quantity)} is {amount(quantity, own[quantity])}"
             yield f"{mark.text} has other inputs than are fixed here: its {value}."
 

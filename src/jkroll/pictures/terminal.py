@@ -28,9 +28,6 @@ def write_map(drawn: Map, out: TextIO) -> None:
 
     It has as many columns as fit the terminal.
     """
-    import numpy
-
-    drawn = drawn._replace(values=numpy.array(extent(drawn.values)))  # which all cells ask for
     y = drawn.y.at_round_values(ROWS)
     for columns in range(COLUMNS, 0, -1):
         x = drawn.x.at_round_values(columns)
@@ -51,6 +48,7 @@ def _map_table(drawn: Map, x: Axis, y: Axis, out: TextIO) -> tuple[Table, str, s
     """Return the table of a map at values of x and y, the unit of its numbers, and the signs in it."""
     import numpy
 
+    drawn = drawn._replace(values=numpy.array(extent(drawn.values)))  # which every cell asks for
     here, values = over(drawn.scene, x, y), evaluate(drawn.scene, drawn.quantity, x, y)
     known = numpy.isfinite(values)
     texts, signs = numpy.full((2, *values.shape), "", dtype=object)
