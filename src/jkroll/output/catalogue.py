@@ -64,9 +64,15 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     known = [_known(material, "surface_energy") for material in chosen]
     head, *energies = column("surface_energy", known, AS_USUAL, "γ")
     rows: dict[str, list[tuple[str, str, str]]] = {}
+    without: dict[str, list[str]] = {}
     for material, energy in zip(chosen, energies, strict=True):
         of_set = rows.setdefault(material.title, [(material.title, "", "")])
-        of_set.append((f"  {material.name}", energy, _how(material)))
+        if "surface_energy" in material.properties:
+            of_set.append((f"  {material.name}", energy, _how(material)))
+        else:
+            without.setdefault(material.title, []).append(material.name)
+    for title, names in without.items():
+        rows[title].append(("  with --gamma", "–", ", ".join(names)))
     heads = ("material", head, "method or reference")
     print_table(heads, [row for of_set in rows.values() for row in of_set], out, is_last_wrapped=True, anyway=True)
     say(f"\n{_OF_ONE}; find some: jkroll materials WORD", out)
@@ -82,8 +88,6 @@ def _known(material: Material, name: str) -> float | Uncertain | None:
 
 def _how(material: Material) -> str:
     """Return the first words of the method by which a surface energy was found; without a method, the references."""
-    if "surface_energy" not in material.properties:
-        return "give --gamma"
     if "surface_energy" in material.origins:
         return re.split("[:;,]", material.origins["surface_energy"].method)[0]
     return _keys(material)
@@ -160,7 +164,8 @@ def _write_material(material: Material, out: TextIO) -> None:
         facts.append(("note", f"{about}: {note}"))
     for entry in material.references:
         label = f"{entry['key']}: " if material.origins else ""
-        facts.append(("reference", label + ", ".join(entry[field] for field in _REFERENCE if entry.get(field))))
+        words = ", ".join(entry[field] for field in _REFERENCE if entry.get(field))
+        facts.append(("reference", label + re.sub("[{}]", "", words)))  # without the braces of BibTeX
     _write_sheet(f"material {material.name}{aliases}", [*facts, ("source", material.title)], out)
 
 
