@@ -1,4 +1,4 @@
-"""The headers of tables as people write them: each is read rightly, refused with a remedy, or named as passing through."""
+"""The headers of tables as people write them: each is read rightly, refused with a remedy, or passes and is named."""
 
 import csv
 from math import pi
@@ -22,60 +22,206 @@ from relative import approx
 
 # The cell below is a plain number, as files have it.
 READ = {
-    "radius [nm]": ("radius", 1e-9), "Radius [nm]": ("radius", 1e-9), "RADIUS (um)": ("radius", 1e-6),
-    "R1 (nm)": ("radius", 1e-9), "R1 (um)": ("radius", 1e-6), "R_1 [nm]": ("radius", 1e-9), "radius1 [nm]": ("radius", 1e-9),
-    "R1_nm": ("radius", 1e-9), "radius_um": ("radius", 1e-6), "radius in nm": ("radius", 1e-9), "radius, nm": ("radius", 1e-9),
-    "radius/nm": ("radius", 1e-9), "R1 / µm": ("radius", 1e-6), "R2 (nm)": ("radius2", 1e-9), "radius_2 [nm]": ("radius2", 1e-9),
-    "R_2/um": ("radius2", 1e-6), "γ [mJ/m2]": ("surface_energy", 1e-3), "γ1 (mJ/m²)": ("surface_energy", 1e-3),
-    "gamma1 [mJ/m2]": ("surface_energy", 1e-3), "Gamma [mJ/m2]": ("surface_energy", 1e-3), "gamma_mJ_m2": ("surface_energy", 1e-3),
-    "surface_energy_mJ_m2": ("surface_energy", 1e-3), "surface energy (J/m^2)": ("surface_energy", 1.0),
-    "surface_energy_mJ_per_m2": ("surface_energy", 1e-3), "γ2 [mJ/m2]": ("surface_energy2", 1e-3), "gamma_2 [J/m2]": ("surface_energy2", 1.0),
-    "E [GPa]": ("youngs_modulus", 1e9), "E (MPa)": ("youngs_modulus", 1e6), "E_GPa": ("youngs_modulus", 1e9), "E1_GPa": ("youngs_modulus", 1e9),
-    "E_1 [GPa]": ("youngs_modulus", 1e9), "E2 [Pa]": ("youngs_modulus2", 1.0), "Young's modulus (GPa)": ("youngs_modulus", 1e9),
-    "Young's Modulus [MPa]": ("youngs_modulus", 1e6), "youngs modulus, GPa": ("youngs_modulus", 1e9),
-    "Young modulus in GPa": ("youngs_modulus", 1e9), "young_GPa": ("youngs_modulus", 1e9), "E [J]": ("energy", 1.0), "E (eV)": ("energy", 1.602176634e-19),
-    "nu": ("poisson_ratio", 1.0), "ν": ("poisson_ratio", 1.0), "Nu1": ("poisson_ratio", 1.0), "ν2": ("poisson_ratio2", 1.0),
-    "Poisson's ratio": ("poisson_ratio", 1.0), "Poisson ratio": ("poisson_ratio", 1.0), "poisson_ratio (-)": ("poisson_ratio", 1.0),
-    "v [m/s]": ("speed", 1.0), "v_cm_s": ("speed", 1e-2), "Speed (m/s)": ("speed", 1.0), "rho [kg/m3]": ("density", 1.0),
-    "ρ (kg/m³)": ("density", 1.0), "Rho (g/cm3)": ("density", 1e3), "density_kg_m3": ("density", 1.0), "density_g_cm3": ("density", 1e3),
-    "Density (kg/m^3)": ("density", 1.0), "xi [nm]": ("yield_displacement", 1e-9), "ξ (Å)": ("yield_displacement", 1e-10),
-    "w [mJ/m2]": ("work_of_adhesion", 1e-3), "Work of adhesion (mJ/m2)": ("work_of_adhesion", 1e-3), "P (nN)": ("load", 1e-9),
-    "P_nN": ("load", 1e-9), "Load/nN": ("load", 1e-9), "load (µN)": ("load", 1e-6), "A (zJ)": ("hamaker", 1e-21),
-    "hamaker_zJ": ("hamaker", 1e-21), "g [m/s2]": ("gravity", 1.0), "z0 (nm)": ("atomic_spacing", 1e-9), "δ [nm]": ("approach_at_load", 1e-9),
-    "R₂ [nm]": ("radius2", 1e-9), "radius₂ [nm]": ("radius2", 1e-9), "γ₂ (mJ/m²)": ("surface_energy2", 1e-3), "E₁ (GPa)": ("youngs_modulus", 1e9),
-    "γ / (mJ/m²)": ("surface_energy", 1e-3), "radius / (nm)": ("radius", 1e-9),
+    "radius [nm]": ("radius", 1e-9),
+    "Radius [nm]": ("radius", 1e-9),
+    "RADIUS (um)": ("radius", 1e-6),
+    "R1 (nm)": ("radius", 1e-9),
+    "R1 (um)": ("radius", 1e-6),
+    "R_1 [nm]": ("radius", 1e-9),
+    "radius1 [nm]": ("radius", 1e-9),
+    "R1_nm": ("radius", 1e-9),
+    "radius_um": ("radius", 1e-6),
+    "radius in nm": ("radius", 1e-9),
+    "radius, nm": ("radius", 1e-9),
+    "radius/nm": ("radius", 1e-9),
+    "R1 / µm": ("radius", 1e-6),
+    "R2 (nm)": ("radius2", 1e-9),
+    "radius_2 [nm]": ("radius2", 1e-9),
+    "R_2/um": ("radius2", 1e-6),
+    "γ [mJ/m2]": ("surface_energy", 1e-3),
+    "γ1 (mJ/m²)": ("surface_energy", 1e-3),
+    "gamma1 [mJ/m2]": ("surface_energy", 1e-3),
+    "Gamma [mJ/m2]": ("surface_energy", 1e-3),
+    "gamma_mJ_m2": ("surface_energy", 1e-3),
+    "surface_energy_mJ_m2": ("surface_energy", 1e-3),
+    "surface energy (J/m^2)": ("surface_energy", 1.0),
+    "surface_energy_mJ_per_m2": ("surface_energy", 1e-3),
+    "γ2 [mJ/m2]": ("surface_energy2", 1e-3),
+    "gamma_2 [J/m2]": ("surface_energy2", 1.0),
+    "E [GPa]": ("youngs_modulus", 1e9),
+    "E (MPa)": ("youngs_modulus", 1e6),
+    "E_GPa": ("youngs_modulus", 1e9),
+    "E1_GPa": ("youngs_modulus", 1e9),
+    "E_1 [GPa]": ("youngs_modulus", 1e9),
+    "E2 [Pa]": ("youngs_modulus2", 1.0),
+    "Young's modulus (GPa)": ("youngs_modulus", 1e9),
+    "Young's Modulus [MPa]": ("youngs_modulus", 1e6),
+    "youngs modulus, GPa": ("youngs_modulus", 1e9),
+    "Young modulus in GPa": ("youngs_modulus", 1e9),
+    "young_GPa": ("youngs_modulus", 1e9),
+    "E [J]": ("energy", 1.0),
+    "E (eV)": ("energy", 1.602176634e-19),
+    "nu": ("poisson_ratio", 1.0),
+    "ν": ("poisson_ratio", 1.0),
+    "Nu1": ("poisson_ratio", 1.0),
+    "ν2": ("poisson_ratio2", 1.0),
+    "Poisson's ratio": ("poisson_ratio", 1.0),
+    "Poisson ratio": ("poisson_ratio", 1.0),
+    "poisson_ratio (-)": ("poisson_ratio", 1.0),
+    "v [m/s]": ("speed", 1.0),
+    "v_cm_s": ("speed", 1e-2),
+    "Speed (m/s)": ("speed", 1.0),
+    "rho [kg/m3]": ("density", 1.0),
+    "ρ (kg/m³)": ("density", 1.0),
+    "Rho (g/cm3)": ("density", 1e3),
+    "density_kg_m3": ("density", 1.0),
+    "density_g_cm3": ("density", 1e3),
+    "Density (kg/m^3)": ("density", 1.0),
+    "xi [nm]": ("yield_displacement", 1e-9),
+    "ξ (Å)": ("yield_displacement", 1e-10),
+    "w [mJ/m2]": ("work_of_adhesion", 1e-3),
+    "Work of adhesion (mJ/m2)": ("work_of_adhesion", 1e-3),
+    "P (nN)": ("load", 1e-9),
+    "P_nN": ("load", 1e-9),
+    "Load/nN": ("load", 1e-9),
+    "load (µN)": ("load", 1e-6),
+    "A (zJ)": ("hamaker", 1e-21),
+    "hamaker_zJ": ("hamaker", 1e-21),
+    "g [m/s2]": ("gravity", 1.0),
+    "z0 (nm)": ("atomic_spacing", 1e-9),
+    "δ [nm]": ("approach_at_load", 1e-9),
+    "R₂ [nm]": ("radius2", 1e-9),
+    "radius₂ [nm]": ("radius2", 1e-9),
+    "γ₂ (mJ/m²)": ("surface_energy2", 1e-3),
+    "E₁ (GPa)": ("youngs_modulus", 1e9),
+    "γ / (mJ/m²)": ("surface_energy", 1e-3),
+    "radius / (nm)": ("radius", 1e-9),
     # R beside R2 or a plane
-    "R (nm)": ("radius", 1e-9), "R_nm": ("radius", 1e-9), "R / µm": ("radius", 1e-6),
+    "R (nm)": ("radius", 1e-9),
+    "R_nm": ("radius", 1e-9),
+    "R / µm": ("radius", 1e-6),
     # as programs and spreadsheets write them
-    "γ (mJ.m-2)": ("surface_energy", 1e-3), "gamma, mJ.m-2": ("surface_energy", 1e-3), "load <nN>": ("load", 1e-9), ' "gamma [mJ/m2]"': ("surface_energy", 1e-3),
-    "gamma..mJ.m2.": ("surface_energy", 1e-3), "gamma_mJ_m2_": ("surface_energy", 1e-3), "elastic_modulus_gpa": ("youngs_modulus", 1e9),
-    "velocity (m/s)": ("speed", 1.0), "young GPa": ("youngs_modulus", 1e9), "E_GPA": ("youngs_modulus", 1e9), "E [Gpa]": ("youngs_modulus", 1e9),
-    "Hamaker constant (zJ)": ("hamaker", 1e-21), "density_gcm3": ("density", 1e3), "rho_kgm3": ("density", 1.0), "youngsModulus (GPa)": ("youngs_modulus", 1e9),
-    "E* [GPa]": ("contact_modulus", 1e9), "E_r (GPa)": ("contact_modulus", 1e9), "reduced modulus (GPa)": ("contact_modulus", 1e9),
-    "Effective Young's modulus [GPa]": ("contact_modulus", 1e9), "reduced_radius [nm]": ("reduced_radius", 1e-9), "RADIUS [UM]": ("radius", 1e-6),
-}  # fmt: skip
+    "γ (mJ.m-2)": ("surface_energy", 1e-3),
+    "gamma, mJ.m-2": ("surface_energy", 1e-3),
+    "load <nN>": ("load", 1e-9),
+    ' "gamma [mJ/m2]"': ("surface_energy", 1e-3),
+    "gamma..mJ.m2.": ("surface_energy", 1e-3),
+    "gamma_mJ_m2_": ("surface_energy", 1e-3),
+    "elastic_modulus_gpa": ("youngs_modulus", 1e9),
+    "velocity (m/s)": ("speed", 1.0),
+    "young GPa": ("youngs_modulus", 1e9),
+    "E_GPA": ("youngs_modulus", 1e9),
+    "E [Gpa]": ("youngs_modulus", 1e9),
+    "Hamaker constant (zJ)": ("hamaker", 1e-21),
+    "density_gcm3": ("density", 1e3),
+    "rho_kgm3": ("density", 1.0),
+    "youngsModulus (GPa)": ("youngs_modulus", 1e9),
+    "E* [GPa]": ("contact_modulus", 1e9),
+    "E_r (GPa)": ("contact_modulus", 1e9),
+    "reduced modulus (GPa)": ("contact_modulus", 1e9),
+    "Effective Young's modulus [GPa]": ("contact_modulus", 1e9),
+    "reduced_radius [nm]": ("reduced_radius", 1e-9),
+    "RADIUS [UM]": ("radius", 1e-6),
+}
 _SIZE = "a radius is half of a diameter or a size, and r may be a distance"
 _LACKING = "has no unit, and neither has its first cell '100'. Write --column"
 _FACTOR = "a sign or a factor stands beside the word"
 REFUSED = {
-    **dict.fromkeys(("r [nm]", "r", "d", "D [nm]", "diameter (nm)", "diameter_um", "Diameter", "d_um", "size", "particle size [um]", "r1 [nm]", "r2_um"), _SIZE),
-    "R [nm]": "--column 'R [nm]=radius [nm]' or --column 'R [nm]=reduced_radius [nm]'", "R_um": "=reduced_radius [um]'",
-    **{word: f"{word}' {_LACKING} '{word}={name} [UNIT]' with its unit" for word, name in {"radius": "radius", "density": "density", "Radius": "radius"}.items()},
-    "radius [kg]": "what stands behind radius is not its unit", "Energy (old)": "what stands behind energy is not its unit", "radiuss [nm]": "=radius [nm]'",
-    "radius [nm] (mean)": "what stands behind radius is not its unit", "surface energy (polar) [mJ/m2]": "what stands behind surface_energy is not its unit",
-    "gama [mJ/m2]": "=surface_energy [mJ/m2]'", "laod_nN": "=load [nN]'", "gama": "=surface_energy [UNIT]'", "yong (GPa)": "=youngs_modulus [GPa]'",
-    "spead in m/s": "=speed [m/s]'", "load_uncertanty [nN]": "=load [UNIT]'", "surface_energy in GPa": "what stands behind surface_energy is not its unit",
-    "load_micro_N": "=load [UNIT]'", "work_of_adhesion_mJ": "what stands behind work_of_adhesion is not its unit", "modulus (GPa)": "it may be another modulus",
-    "applied tip load [nN]": "=load [nN]'", "mean gamma (mJ/m2)": "=surface_energy [mJ/m2]'", "grain_density_g_cm3": "=density [g/cm3]'", "Particle radius (µm)": "=radius [",
-    "tip radius [nm]": "=radius [nm]'", "radius_um_old": "what stands behind radius is not its unit", "density¹ [kg/m³]": _FACTOR, "radius_max [nm]": "alone is no uncertainty of radius",
-    "-load [nN]": _FACTOR, "2gamma [mJ/m2]": _FACTOR, "2R [nm]": _FACTOR, "-load": _FACTOR, "radius/2 [nm]": _FACTOR,
-}  # fmt: skip
+    **dict.fromkeys(
+        (
+            "r [nm]",
+            "r",
+            "d",
+            "D [nm]",
+            "diameter (nm)",
+            "diameter_um",
+            "Diameter",
+            "d_um",
+            "size",
+            "particle size [um]",
+            "r1 [nm]",
+            "r2_um",
+        ),
+        _SIZE,
+    ),
+    "R [nm]": "--column 'R [nm]=radius [nm]' or --column 'R [nm]=reduced_radius [nm]'",
+    "R_um": "=reduced_radius [um]'",
+    **{
+        word: f"{word}' {_LACKING} '{word}={name} [UNIT]' with its unit"
+        for word, name in {"radius": "radius", "density": "density", "Radius": "radius"}.items()
+    },
+    "radius [kg]": "what stands behind radius is not its unit",
+    "Energy (old)": "what stands behind energy is not its unit",
+    "radiuss [nm]": "=radius [nm]'",
+    "radius [nm] (mean)": "what stands behind radius is not its unit",
+    "surface energy (polar) [mJ/m2]": "what stands behind surface_energy is not its unit",
+    "gama [mJ/m2]": "=surface_energy [mJ/m2]'",
+    "laod_nN": "=load [nN]'",
+    "gama": "=surface_energy [UNIT]'",
+    "yong (GPa)": "=youngs_modulus [GPa]'",
+    "spead in m/s": "=speed [m/s]'",
+    "load_uncertanty [nN]": "=load [UNIT]'",
+    "surface_energy in GPa": "what stands behind surface_energy is not its unit",
+    "load_micro_N": "=load [UNIT]'",
+    "work_of_adhesion_mJ": "what stands behind work_of_adhesion is not its unit",
+    "modulus (GPa)": "it may be another modulus",
+    "applied tip load [nN]": "=load [nN]'",
+    "mean gamma (mJ/m2)": "=surface_energy [mJ/m2]'",
+    "grain_density_g_cm3": "=density [g/cm3]'",
+    "Particle radius (µm)": "=radius [",
+    "tip radius [nm]": "=radius [nm]'",
+    "radius_um_old": "what stands behind radius is not its unit",
+    "density¹ [kg/m³]": _FACTOR,
+    "radius_max [nm]": "alone is no uncertainty of radius",
+    "-load [nN]": _FACTOR,
+    "2gamma [mJ/m2]": _FACTOR,
+    "2R [nm]": _FACTOR,
+    "-load": _FACTOR,
+    "radius/2 [nm]": _FACTOR,
+}
 PASSING = (
-    "E", "v", "rho", "g", "N", "phi", "R [kOhm]", "E_bar", "R_m", "R_min", "v_c", "w", "radius_in", "load_case", "tip radius (nm)", "T [K]",
-    "gamma_err [mJ/m2]", "F (nN)", "P [MPa]", "pull_off_force [N]", "material_name", "material_id", "density_type", "d [s]", "equivalent diameter [um]", "v_m",
-    "hysteresis_ratio", "spread [m/s]", "sigma_xx [Pa]", "u [m/s]", "u(x) [nm]", "sigma [Pa]", "kinetic_energy [J]", "head [nN]", "grain area [nm^2]",
-    "speed of sound (m/s)", "contact angle (deg)", "energy_per_atom_eV", "R", "n_c", "Size (mm)",
-)  # fmt: skip
+    "E",
+    "v",
+    "rho",
+    "g",
+    "N",
+    "phi",
+    "R [kOhm]",
+    "E_bar",
+    "R_m",
+    "R_min",
+    "v_c",
+    "w",
+    "radius_in",
+    "load_case",
+    "tip radius (nm)",
+    "T [K]",
+    "gamma_err [mJ/m2]",
+    "F (nN)",
+    "P [MPa]",
+    "pull_off_force [N]",
+    "material_name",
+    "material_id",
+    "density_type",
+    "d [s]",
+    "equivalent diameter [um]",
+    "v_m",
+    "hysteresis_ratio",
+    "spread [m/s]",
+    "sigma_xx [Pa]",
+    "u [m/s]",
+    "u(x) [nm]",
+    "sigma [Pa]",
+    "kinetic_energy [J]",
+    "head [nN]",
+    "grain area [nm^2]",
+    "speed of sound (m/s)",
+    "contact angle (deg)",
+    "energy_per_atom_eV",
+    "R",
+    "n_c",
+    "Size (mm)",
+)
 
 
 def test_there_are_enough_spellings() -> None:
@@ -123,15 +269,32 @@ TABLES = {
     "name,R1 (nm),F (nN)\na,50,3\n": {"radius": 5e-8},
     "Sample,Tip radius (nm),R1 (nm),Young's modulus (GPa)\na,20,50,2.5\n": {"radius": 5e-8, "youngs_modulus": 2.5e9},
     "Index,Load/nN,R1/um,T/K\n1,5,2,300\n": {"load": 5e-9, "radius": 2e-6},
-    "P (nN),R1 (um),E (GPa),nu\n1,2,70,0.2\n": {"load": 1e-9, "radius": 2e-6, "youngs_modulus": 7e10, "poisson_ratio": 0.2},
+    "P (nN),R1 (um),E (GPa),nu\n1,2,70,0.2\n": {
+        "load": 1e-9,
+        "radius": 2e-6,
+        "youngs_modulus": 7e10,
+        "poisson_ratio": 0.2,
+    },
     "point,load_nN,radius_nm\n1,5,100\n": {"load": 5e-9, "radius": 1e-7},
     "id,R1 [um],R2 [um],w [mJ/m2]\n1,1,2,50\n": {"radius": 1e-6, "radius2": 2e-6, "work_of_adhesion": 0.05},
     "id,radius_um,gamma_mJ_m2,comment\n1,3,25,x\n": {"radius": 3e-6, "surface_energy": 0.025},
     "Probe,R1 [µm],γ [mJ/m²]\nA,2,30\n": {"radius": 2e-6, "surface_energy": 0.03},
     "id,radius in um,speed in m/s\n1,1,0.5\n": {"radius": 1e-6, "speed": 0.5},
-    "name,density_kg_m3,E_GPa,nu\nAISI 1020 Steel,7870,200,0.29\n": {"density": 7870.0, "youngs_modulus": 2e11, "poisson_ratio": 0.29},
-    "Name,Density (g/cm3),Young's Modulus (GPa),Poisson's Ratio\nAl,2.7,69,0.33\n": {"density": 2700.0, "youngs_modulus": 6.9e10, "poisson_ratio": 0.33},
-    "grade,rho [kg/m3],E [MPa],ν [-]\nPA6,1140,2800,0.39\n": {"density": 1140.0, "youngs_modulus": 2.8e9, "poisson_ratio": 0.39},
+    "name,density_kg_m3,E_GPa,nu\nAISI 1020 Steel,7870,200,0.29\n": {
+        "density": 7870.0,
+        "youngs_modulus": 2e11,
+        "poisson_ratio": 0.29,
+    },
+    "Name,Density (g/cm3),Young's Modulus (GPa),Poisson's Ratio\nAl,2.7,69,0.33\n": {
+        "density": 2700.0,
+        "youngs_modulus": 6.9e10,
+        "poisson_ratio": 0.33,
+    },
+    "grade,rho [kg/m3],E [MPa],ν [-]\nPA6,1140,2800,0.39\n": {
+        "density": 1140.0,
+        "youngs_modulus": 2.8e9,
+        "poisson_ratio": 0.39,
+    },
     "name,surface energy (mJ/m2),density (kg/m^3)\nPS,33,1050\n": {"surface_energy": 0.033, "density": 1050.0},
     "mineral,gamma [J/m2],E [Pa]\nquartz,0.3,1e11\n": {"surface_energy": 0.3, "youngs_modulus": 1e11},
     "polymer,surface_energy_mJ_per_m2\nPE,31\n": {"surface_energy": 0.031},
@@ -140,7 +303,12 @@ TABLES = {
     "run,v_m_s,radius_um,gamma_J_m2\n1,0.1,1,0.02\n": {"speed": 0.1, "radius": 1e-6, "surface_energy": 0.02},
     "id,type,radius [m],density [kg/m3],vx,vy,vz\n1,1,1e-6,2500,0,0,1\n": {"radius": 1e-6, "density": 2500.0},
     "id,R1 [mm],rho [g/cm3],E [J]\n1,0.5,2,1e-15\n": {"radius": 5e-4, "density": 2000.0, "energy": 1e-15},
-    "E_1 [GPa],E_2 [GPa],nu_1,nu_2\n70,200,0.2,0.3\n": {"youngs_modulus": 7e10, "youngs_modulus2": 2e11, "poisson_ratio": 0.2, "poisson_ratio2": 0.3},
+    "E_1 [GPa],E_2 [GPa],nu_1,nu_2\n70,200,0.2,0.3\n": {
+        "youngs_modulus": 7e10,
+        "youngs_modulus2": 2e11,
+        "poisson_ratio": 0.2,
+        "poisson_ratio2": 0.3,
+    },
     "gamma1 [mJ/m2],gamma2 [mJ/m2]\n25,30\n": {"surface_energy": 0.025, "surface_energy2": 0.03},
     "x,y,R,R2\n0,0,3 um,5um\n": {"radius": 3e-6, "radius2": 5e-6},
     "site,R1_nm,E_GPa,xi_nm\nA,100,54,0.2\n": {"radius": 1e-7, "youngs_modulus": 5.4e10, "yield_displacement": 2e-10},
@@ -150,7 +318,7 @@ TABLES = {
     "sieve,diameter (um),density (kg/m3)\n1,63,2650\n": {},
     "case,E* (GPa),R (um)\n1,50,2\n": {},  # which R?
     "sensor,radius,R [kOhm]\n1,100,3\n": {},
-}  # fmt: skip
+}
 
 
 def read(text: str, chosen: tuple[str, ...] = ()) -> tuple[Header, list[str]]:
@@ -218,13 +386,14 @@ def test_thirty_forms() -> None:
     assert len(TABLES) >= 30
 
 
-# --- Columns that are chosen ----------------------------------------------------------------------------------------------
+# --- Columns that are chosen ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
 def test_a_chosen_column_outranks_what_its_header_says(run: Run, end: str) -> None:
     row = {"tip (µm)": 2.0, "R1 (nm)": 100.0, "E": 70.0, "radius [nm]": 3.0}
-    columns = ["--column", "tip (µm)=radius2 [um]", "--column=R1 (nm)=radius [nm]", "--column", "radius [nm]=", "--column=E=young [GPa]"]  # fmt: skip
+    chosen = ("tip (µm)=radius2 [um]", "R1 (nm)=radius [nm]", "radius [nm]=", "E=young [GPa]")
+    columns = [word for choice in chosen for word in ("--column", choice)]
     if end == "csv":
         Path("x.csv").write_text(f"{','.join(row)}\n{','.join(map(str, row.values()))}\n", encoding="utf-8")
     elif end == "ndjson":
@@ -235,7 +404,8 @@ def test_a_chosen_column_outranks_what_its_header_says(run: Run, end: str) -> No
     options = ["--material", "quartz", "--quantities", "contact_radius", "-o", f"out.{end}"]
     ran = run("batch", f"x.{end}", *columns, *options)
     assert ran.err.splitlines()[0] == (
-        'read: radius2 [um] from "tip (µm)", radius [nm] from "R1 (nm)", youngs_modulus [GPa] from E; passed through: radius [nm]'
+        'read: radius2 [um] from "tip (µm)", radius [nm] from "R1 (nm)", youngs_modulus [GPa] from E; '
+        "passed through: radius [nm]"
     )
     wanted = run("contact quartz 100nm --radius2 2um --young 70GPa --quantities contact_radius --bare --quiet").out
     written = pytest.importorskip("pyarrow.parquet").read_table("out.parquet").to_pylist() if end == "parquet" else []
@@ -304,7 +474,10 @@ def test_a_line_of_blanks_is_no_row(run: Run, end: str) -> None:
 
 
 def test_plain_headers_need_no_unit_of_pint() -> None:
-    """Neither as they are nor taken for others while their separator is looked for: to load pint takes as long as many rows."""
+    """Neither as they are nor taken for others while their separator is looked for.
+
+    To load pint takes as long as many rows.
+    """
     with patch("jkroll.quantities.units.registry", side_effect=AssertionError):
         reading_of.cache_clear()
         understood(["id", "radius [m]", "surface_energy [J/m^2]", "sample_id", "poisson_ratio"])
@@ -339,7 +512,7 @@ PARTS = {
     ("gamma_lower (mJ/m2)=20", "gamma_upper (mJ/m2)=30"): "20 to 30 mJ/m2",
     ("gamma_mJ_m2_low=20", "gamma_mJ_m2_high=30"): "20 to 30 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]="): "25 mJ/m2",
-}  # fmt: skip
+}
 
 
 def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
