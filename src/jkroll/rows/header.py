@@ -38,19 +38,23 @@ class Header(NamedTuple):
         """The names of the inputs that have columns."""
         return frozenset({column.name for column in self.inputs} | {name for name, _ in self.materials})
 
+    @property
+    def places(self) -> dict[str, int]:
+        """The places of the columns that are read."""
+        return {name: place for column in self.inputs for name, place in column.places.items()} | dict(self.materials)
+
     def reading(self) -> str:
         """Return the sentence that says how the table is read."""
         read_columns = [self._from(name, {"": place}) for name, place in self.materials]
-        places = {place for _, place in self.materials}
         for column in self.inputs:
             of_parts = {side.part: side.place for side in column.sides}
             of_parts |= {} if column.is_range else {"": column.place}
             read_columns.append(self._from(header_of(column.name, column.unit_text), of_parts))
-            places.update(of_parts.values())
         sentence = f"read: {', '.join(read_columns) or 'no input'}"
         if self.preamble:
             lines = "a line" if self.preamble == 1 else f"{self.preamble} lines"
             sentence += f"; passed over: {lines} before the header"
+        places = {*self.places.values()}
         others = [text for place, text in enumerate(self.texts) if place not in places and text.strip()]
         if others:
             count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Source, Sources
 
 _RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
+_NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row yet
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
 
 
@@ -77,40 +78,29 @@ class Fill(NamedTuple):
 class Table:
     """The input columns of a table, and the columns that are added to it."""
 
-    def __init__(
-        self,
-        columns: Header,
-        fill: Fill,
-        wanted: Wanted,
-        *,
-        labels: Mapping[str, str],
-        assumed: Sequence[str],
-        left_out: "Sequence[Source]" = (),
-    ) -> None:
-        """`labels`: names in the first rows that are, or may be, no material's, with their messages.
+    assumed: Sequence[str] = ()  # inputs that nothing gives
+    left_out: "Sequence[Source]" = ()  # sources of uncertainty in the first rows that enter no error bar
 
-        `assumed`: inputs that nothing gives.
-
-        `left_out`: sources of uncertainty in the first rows that enter no error bar.
-        """
-        self.labels, self.assumed, self.left_out = labels, assumed, left_out
-        self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
+    def __init__(self, columns: Header, fill: Fill, wanted: Wanted, labels: Mapping[str, str]) -> None:
+        """`labels`: names in the first rows that are, or may be, no material's, with their messages."""
+        self.inputs, self.fill, self.wanted, self.labels = columns.inputs, fill, wanted, labels
         self.meanings, self.reading, self.texts = columns.meanings, columns.reading(), columns.texts
-        self.places = dict(self.materials_at)  # of the columns that are read
-        for column in self.inputs:
-            self.places |= column.places
-        self.heads = wanted.heads(header)
+        self.places = columns.places
         self.said = {"model": fill.model} if fill.model is not None else {}  # columns of text, the same in all rows
-        self.remarks = remarks_of(wanted, doubt=True)
         self.readers = [Reader(column) for column in self.inputs]
         self.lookups = {
             name: Lookup(fill.known, material) for name, material in zip(MATERIALS, fill.spheres, strict=True)
         }
 
     @property
+    def remarks(self) -> tuple[str, ...]:
+        """The headers of the columns of remarks."""
+        return remarks_of(self.wanted, doubt=True)
+
+    @property
     def added(self) -> list[str]:
         """The headers of all columns that are added."""
-        return [*self.said, *self.heads, *self.remarks]
+        return [*self.said, *self.wanted.heads(header), *self.remarks]
 
     def block(
         self,
@@ -137,7 +127,7 @@ class Table:
             raise BadRecord("the row repeats the header")
         found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
         texts = {column.name: column.joined(*(cells[name] for name in column.places)) for column in self.inputs}
-        texts |= {name: cells[name] for name, _ in self.materials_at}
+        texts |= {name: cells[name] for name in MATERIALS if name in cells}
         readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
         readers |= {name: lookup.material for name, lookup in self.lookups.items()}
         problems: list[JkrollError] = []
@@ -207,20 +197,30 @@ def table_of(
     """
     check_inputs(columns, fill.inverse.quantity if fill.inverse is not None else "")
     labels, aliases = _names_of_materials(columns, rows, fill.known)
-    scenes, without_labels = _typical(columns, rows, fill, labels)
-    wanted = wanted_of(scenes, columns, fill, asked, doubts=doubt, labels=labels if without_labels else {})
+    scenes, labels_left_out = _kinds(columns, rows, fill, labels)
+    wanted = wanted_of(scenes, columns, fill, asked, doubts=doubt, labels=labels_left_out)
     if alternatives:
         wanted = wanted.with_alternatives(scenes, wanted.names)
-    assumed = _assumed(scenes, wanted, columns, rows, fill)
-    labels = labels and {**labels, **aliases}
-    table = Table(columns, fill, wanted, labels=labels, assumed=assumed)
-    sources = _sources_of(table, rows)
-    sides = {*SIDES} if uncertainty else {side for one in sources for side in one.sides}
+    table = Table(columns, fill, wanted, labels and {**labels, **aliases})
+    first = table.block(
+        len(rows), {name: [row[place].encode() for row in rows] for name, place in table.places.items()}
+    )
+    sources = _sources_of(wanted, first)
+    sides = {*SIDES} if uncertainty else {side for each in sources for side in each.sides}
     sides |= {side for value in fill.fixed.values() if is_uncertain(value) for side in value.sides}
     if sides:
-        left_out = [source for one in sources for source in one.left_out]
-        table = Table(columns, fill, wanted.with_sides(sides), labels=labels, assumed=assumed, left_out=left_out)
-    taken = set(table.added)
+        table.wanted = wanted.with_sides(sides)
+        table.left_out = [source for each in sources for source in each.left_out]
+    solids = [solid for lookup in table.lookups.values() for solid in lookup.known if solid is not None]
+    given = {*columns.names, *fill.fixed}
+    given |= {XI} if any(solid.displacement is not None for solid in solids) else set()
+    used = {
+        name
+        for scene in scenes
+        for name in (scene.used() if fill.inverse else scene.inputs_of(*scene.possible(wanted.names)))
+    }
+    table.assumed = [name for name in DEFAULTS if name in used - given]
+    taken = {*table.added}
     for text in columns.texts:
         if text.strip() in taken:
             remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
@@ -286,20 +286,25 @@ def wanted_of(
             if texts:
                 raise BadTable("; ".join([texts[0], str(outcomes[0])]))
             raise next(filter(None, outcomes))
-    has_own_2 = any(NOMENCLATURE[name].sphere == 2 for name in columns.names)
+    names_of_2 = {name for name in (*columns.names, *fill.fixed) if NOMENCLATURE[name].sphere == 2}
+    is_of_two = bool(names_of_2) or fill.spheres[1] not in (None, fill.spheres[0])
     missing = [scene.missing(offered) for scene in scenes]
     possible = [
         name
         for name in offered
         if name not in columns.names
-        and not (NOMENCLATURE[name].of_identical and has_own_2)
-        and any(scene.shows(name) and name not in lacks for scene, lacks in zip(scenes, missing, strict=True))
+        and not (NOMENCLATURE[name].of_identical and is_of_two)
+        and any(
+            scene.shows_to_identical(name) and name not in lacks for scene, lacks in zip(scenes, missing, strict=True)
+        )
     ]
     names = tuple(dict.fromkeys((*explicit, *possible)))
     if not names:
         scenes[0].plan(offered[0])
         raise BadRequest("--quantities: these are known of identical spheres only, and the table describes sphere 2")
-    return Wanted(names, named=[*explicit, *filter(_is_of_cells, possible)], sides={}, doubts=doubts)
+    # Where some cells are the reason why a quantity has a column, all rows have it.
+    of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
+    return Wanted(names, named=[*explicit, *of_cells], sides={}, doubts=doubts)
 
 
 def _lack_of(name: str, scene: Any) -> MissingInput | None:
@@ -311,46 +316,36 @@ def _lack_of(name: str, scene: Any) -> MissingInput | None:
     return None
 
 
-def _is_of_cells(name: str) -> bool:
-    """Return whether some cells are the reason why a quantity has a column: then all rows have it."""
-    quantity = NOMENCLATURE[name]
-    return bool(quantity.shown_with) and not quantity.of_identical
-
-
-def _typical(
+def _kinds(
     columns: Header, rows: Sequence[Sequence[str]], fill: Fill, unknown: Mapping[str, str]
-) -> tuple[list[Any], bool]:
-    """Return scenes that have what the columns and options give, and whether they leave out materials.
+) -> tuple[list[Any], Mapping[str, str]]:
+    """Return scenes of no rows that together have all inputs of the columns and options, and the labels that they lack.
 
-    They leave out those of columns that have no known name in the first rows, unless they were meant as materials:
-    without them, there is no work of adhesion, or it is not known whether there is.
-
-    `unknown`: names that are no material's.
+    Of columns that exclude each other, a scene has one. What an input is matters, and not its values, but for one that
+    is infinite in all of the first rows: from it follows more. `unknown`: names that are no material's. A column of such
+    names has labels, unless they were meant as materials: without them, there is no work of adhesion, or it is not
+    known whether there is.
     """
-    cells = {name: {row[place].strip() for row in rows} - {""} for name, place in columns.materials}
-    labels = [name for name, texts in cells.items() if texts and texts <= unknown.keys()]
+    of_names = {name: {row[place].strip() for row in rows} - {""} for name, place in columns.materials}
+    labels = [name for name, texts in of_names.items() if texts and texts <= unknown.keys()]
     infinite = {column.name for column in columns.inputs if _is_infinite(column, rows)}
-    scenes = _as_known(columns, fill, labels, infinite)
-    may_lack = fill.inverse is not None or scenes[0].missing(["work_of_adhesion"])
-    if labels and may_lack:  # their rows will say that they are unknown
-        return _as_known(columns, fill, [], infinite), False
-    return scenes, bool(labels)
+    spheres = dict(zip(MATERIALS, fill.spheres, strict=True))
+    if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
+        spheres = {name: solid and solid._replace(displacement=None) for name, solid in spheres.items()}
+    some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
+    measured = fill.inverse.quantity if fill.inverse is not None else ""  # which is no input of the scene
+    names = [column.name for column in columns.inputs]
+    cases = dict.fromkeys(_without_exclusive(first, names, measured) for first in names or [""])
 
+    def kinds(labels: Collection[str]) -> list[Any]:
+        of_columns = {name: LABEL if name in labels else some for name in of_names}
+        inputs = ({name: INFINITY if name in infinite else _NO_ROWS for name in case} for case in cases)
+        return [fill.scene(given, *{**spheres, **of_columns}.values()) for given in inputs]
 
-def _assumed(
-    scenes: Sequence[Any], wanted: Wanted, columns: Header, rows: Sequence[Sequence[str]], fill: Fill
-) -> list[str]:
-    """Return the inputs of results that nothing gives, so that their defaults hold in all rows."""
-    used: set[str] = set()
-    for scene in scenes:
-        used |= {*scene.used()} if fill.inverse else {*scene.inputs_of(*scene.possible(wanted.names))}
-    materials = [*filter(None, fill.spheres)]
-    for text in {row[place] for row in rows for _, place in columns.materials}:
-        with suppress(JkrollError):  # of a label
-            materials.append(fill.known[text])
-    given = {*columns.names, *fill.fixed}
-    given |= {XI} if any(material.displacement is not None for material in materials) else set()
-    return [name for name in DEFAULTS if name in used - given]
+    scenes = kinds(labels)
+    if labels and (fill.inverse is not None or scenes[0].missing(["work_of_adhesion"])):
+        return kinds([]), {}  # their rows will say that they are unknown
+    return scenes, unknown if labels else {}
 
 
 def idle_of(table: Table) -> list[str]:
@@ -375,25 +370,6 @@ def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
     return False
 
 
-def _as_known(columns: Header, fill: Fill, labels: Collection[str], infinite: Collection[str]) -> list[Any]:
-    """Return scenes that together have a value for each column, but for those of labels.
-
-    Of columns that exclude each other, a scene has one. `infinite`: inputs that are infinite in all of the first rows.
-    """
-    some = LABEL._replace(properties={name: _example(name) for name in PROPERTIES})
-    spheres = dict(zip(MATERIALS, fill.spheres, strict=True))
-    if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
-        spheres = {name: sphere and sphere._replace(displacement=None) for name, sphere in spheres.items()}
-    spheres |= {name: LABEL if name in labels else some for name, _ in columns.materials}
-    measured = fill.inverse.quantity if fill.inverse is not None else ""  # which is no input of the scene
-    names = [column.name for column in columns.inputs]
-    cases = dict.fromkeys(_without_exclusive(first, names, measured) for first in names or [""])
-    return [
-        fill.scene({name: INFINITY if name in infinite else _example(name) for name in case}, *spheres.values())
-        for case in cases
-    ]
-
-
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
     """Return names, the first one among them, without those that it or an earlier one excludes."""
     chosen: set[str] = set()
@@ -404,20 +380,11 @@ def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple
     return tuple(name for name in names if name in chosen)
 
 
-def _example(name: str) -> float:
-    """Return a value that an input can have."""
-    example = NOMENCLATURE[name].example
-    value = value_of(example, name) if example else 1.0
-    return value if isinstance(value, float) else value.value
-
-
-def _sources_of(table: Table, rows: Sequence[Sequence[str]]) -> "list[Sources]":
+def _sources_of(wanted: Wanted, block: TableBlock) -> "list[Sources]":
     """Return the sources of uncertainty of results of some rows."""
     found: list[Sources] = []
-    cells = {name: [row[place].encode() for row in rows] for name, place in table.places.items()}
-    block = table.block(len(rows), cells, {})
     for places, given in groups(block):
         with suppress(JkrollError):  # bad rows, which their status will explain
-            sources = table.wanted.sources_in(block.scene(given, places))
+            sources = wanted.sources_in(block.scene(given, places))
             found += [] if sources is None else [sources]
     return found
