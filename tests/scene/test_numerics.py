@@ -9,7 +9,7 @@ import pytest
 
 from jkroll.errors import NoResult
 from jkroll.output.sources import logarithmic_slope
-from jkroll.scene.scans import Points, highest
+from jkroll.scene.scans import Points
 from relative import approx
 
 PLACES = [0.5 * step for step in range(-20, 21)]
@@ -61,14 +61,6 @@ def test_rows_side_by_side_have_what_each_has_by_itself() -> None:
     found = all_places(sin, levels)
     assert found == [all_places(sin, [level])[0] for level in levels]
     assert found[6] == []
-
-
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_the_highest_or_lowest_point_is_known_to_half_of_the_digits(sign: float) -> None:
-    peaks = numpy.array([-1.0, -0.3, 0.0, 0.7, 2.0])
-    ends = numpy.full(5, -1.0), numpy.full(5, 2.0)
-    found = highest(*ends, sign, lambda x: sign * numpy.exp(-((x - peaks) ** 2)))
-    assert found.tolist() == approx(peaks.tolist(), abs=3e-8)
 
 
 @pytest.mark.parametrize("exponent", [-2.0, 1 / 3, 0.0, 5.0])

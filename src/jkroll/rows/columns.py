@@ -117,7 +117,7 @@ class Wanted:
         """Return the same quantities with other columns beside them."""
         sides = self.sides if self.uncertainties else None
         same = {"inputs": self.inputs, "sides": sides, "doubts": self.doubts, "alternatives": self.alternatives}
-        return Wanted(self.names, named=self.named, **{**same, **changed})
+        return type(self)(self.names, named=self.named, **{**same, **changed})
 
     def with_sides(self, sides: Collection[str]) -> "Wanted":
         """Return the same quantities with columns for some sides of their uncertainties."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from math import nan, prod
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, overload
 
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material, Materials
@@ -17,13 +17,13 @@ from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.wiring import in_order
 from .columns import Columns, LeftOut, NotShown, Row, Wanted, fill_sides, left_out, put_row, repeated
-from .reasons import ROW, UNCERTAINTY
+from .reasons import ROW, UNCERTAINTY, Reasons
 from .sweep import Pair, Sweep
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Sources
 
-_COMPUTED = 200  # times that a quantity is computed to infer an unknown
+_WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
 _ONE = "is not one quantity and its value", '"pull_off_force": "300 nN"'
 _TWO = "is not two quantities and their values", '"pull_off_force": "300 nN", "stiffness": "1 kN/m"'
 
@@ -31,24 +31,9 @@ _TWO = "is not two quantities and their values", '"pull_off_force": "300 nN", "s
 class Unknowns(Wanted):
     """Unknowns of rows, each of which is a problem."""
 
-    def __init__(
-        self,
-        names: Sequence[str],
-        quantities: Sequence[str],
-        *,
-        inputs: Iterable[str] = (),
-        sides: Collection[str] | None = None,
-        doubts: bool = True,
-    ) -> None:
-        """`quantities`: that were measured; `sides`: of the uncertainties, those that have columns; None where they are not wanted."""
-        of_names = None if sides is None else dict.fromkeys(names, sides)
-        super().__init__(names, named=names, inputs=inputs, sides=of_names, doubts=doubts)
-        self.quantities = tuple(quantities)
-
     @classmethod
-    def of(cls, names: Sequence[str], quantities: Sequence[str], kinds: Iterable[Problem]) -> Self:
+    def of(cls, names: Sequence[str], kinds: Iterable[Problem]) -> Self:
         """Return what is wanted of rows of some kinds. Raises the error of the inputs, or MissingInput if no kind allows to infer them."""
-        plain = cls(names, quantities)
         inputs: set[str] = set()
         sides: set[str] = set()
         errors: list[MissingInput | None] = []
@@ -56,7 +41,7 @@ class Unknowns(Wanted):
             errors.append(None)
             try:
                 problem.check()
-                sources = plain.sources_in(problem)
+                sources = cls(names).sources_in(problem)
                 sides |= set() if sources is None else sources.sides
             except MissingInput as error:
                 errors[-1] = error
@@ -65,13 +50,9 @@ class Unknowns(Wanted):
             inputs |= problem.echo().keys()
         if errors[0] is not None and all(errors):
             raise errors[0]
-        return cls(names, quantities, inputs=in_order(inputs), sides=sides)
+        return cls(names, named=names, inputs=in_order(inputs), sides=dict.fromkeys(names, sides))
 
-    def with_sides(self, sides: Collection[str]) -> Self:
-        """Return the same unknowns with columns for some sides of their uncertainties."""
-        return type(self)(self.names, self.quantities, inputs=self.inputs, sides=sides, doubts=self.doubts)
-
-    def with_alternatives(self, scenes: Sequence[Any], names: Collection[str], *, data: bool = False) -> Self:  # noqa: ARG002
+    def with_alternatives(self, scenes: Sequence[Any], names: Collection[str], *, data: bool = False) -> "Wanted":  # noqa: ARG002
         """Return the same unknowns: each value is one of its own law."""
         return self
 
@@ -83,41 +64,67 @@ class Unknowns(Wanted):
 
         return sources_of_problem(scene)
 
-    def lacks(self, scene: Problem) -> bool:
-        """Return whether a scene lacks an input without which the quantities have no value."""
-        return bool(scene.filled().missing(self.quantities))
-
-    def work(self, scene: Problem) -> int:
+    def work(self, scene: Problem) -> int:  # noqa: ARG002
         """Return the cost of a row that is computed by itself, counted in formulas."""
-        filled = scene.filled()
-        return _COMPUTED * (1 + len(filled.plan(*filled.possible(self.quantities)).steps))
+        return _WORK
 
     def row(self, scene: Problem) -> Row:
         """Return the row of measured numbers."""
         from ..scene.unknowns import solution
 
-        gaps = [nan] * len(self.keys)
+        sources = self.sources_in(scene) if self.known_sides else None
+        inputs = scene.echo() | ({} if sources is None else sources.given)
         try:
             solved = solution(scene)
-        except MissingInput as error:
-            return Row(scene.echo(), gaps, 0, dict.fromkeys(self.names, error))
-        except NoResult as error:
-            return Row(scene.echo() | self._uncertain(scene), gaps, 0, self._reasons(error))
+        except (MissingInput, NoResult) as error:
+            return Row(inputs, [nan] * len(self.keys), 0, self._reasons(error))
         numbers = dict(solved.values)
         reasons: dict[str, JkrollError] = {}
         if (remark := self._left_out(scene)) is not None:
-            reasons = {UNCERTAINTY: remark}
-        elif self.known_sides and scene.is_uncertain:
+            reasons[UNCERTAINTY] = remark
+        elif sources is not None:
             from ..scene.uncertainty import uncertainties_of_unknowns
 
             fill_sides(self, uncertainties_of_unknowns(solved)[0], numbers, reasons)
-        bits = bits_of(doubts(solved.scene, self.quantities)) if self.doubts else 0
-        inputs = scene.echo(solved.values) | self._uncertain(scene)
+        bits = bits_of(doubts(solved.scene, [*scene.measured])) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
-    def _reasons(self, error: JkrollError) -> dict[str, JkrollError]:
-        """Return the reason of a row without a solution: of the unknown, or of both together."""
-        return {self.names[0] if len(self.names) == 1 else ROW: error}
+    def columns(self, scene: Problem, size: int, scene_of: Callable[[int], Any]) -> Columns:
+        """Return the columns of arrays of measured values; `scene_of` returns a row by itself."""
+        import numpy
+
+        from ..scene.unknowns import solutions
+
+        if self._may_be_of_both(scene):
+            raise NotShown  # each row by itself says of which spheres an unknown is
+        remark = self._left_out(scene)
+        solved, inputs = solutions(scene, size), scene.echo()
+        of_rows = {name: repeated(inputs.get(name), size) for name in self.inputs}
+        numbers = numpy.full((len(self.keys), size), nan)
+        columns = Columns(self, of_rows, numbers, numpy.zeros(size, dtype=numpy.int64))
+        for name, values in solved.values.items():
+            columns.column(name)[...] = values
+        for row, error in solved.failures.items():
+            columns.tell([row], self._reasons(error), is_empty=True)
+        if self.doubts and len(solved.failures) < size:
+            some = {
+                name: numpy.where(numpy.isnan(values), SIZES[name][1], values) for name, values in solved.values.items()
+            }
+            columns.doubts[...] = bits_of(doubts(scene.with_values(some), [*scene.measured]))
+            columns.doubts[[*solved.failures]] = 0
+        if remark is not None:
+            columns.add_remark(remark)
+        elif self.known_sides and scene.is_uncertain:
+            from ..scene.uncertainty import uncertainties_of_unknowns
+
+            for row in numpy.flatnonzero(columns.put_sides(uncertainties_of_unknowns(solved)[0])).tolist():
+                put_row(columns, row, partial(scene_of, row))
+        return columns
+
+    def _reasons(self, error: JkrollError) -> Reasons:
+        """Return the reason of a row without a solution: of each unknown, or of both together."""
+        is_of_both = len(self.names) > 1 and isinstance(error, NoResult)
+        return dict.fromkeys([ROW] if is_of_both else self.names, error)
 
     def _left_out(self, scene: Problem) -> LeftOut | None:
         """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one."""
@@ -126,51 +133,14 @@ class Unknowns(Wanted):
         stated = [name for name, value in scene.measured.items() if is_uncertain(value)]
         return left_out(self, scene.scene, sources, stated=stated)
 
-    def _uncertain(self, scene: Problem) -> dict[str, Any]:
-        """Return the inputs, and the measured values, from which the uncertainty comes."""
-        sources = self.sources_in(scene) if self.known_sides else None
-        return {} if sources is None else sources.given
-
-    def columns(self, scene: Problem, size: int, scene_of: Callable[[int], Any]) -> Columns:
-        """Return the columns of arrays of measured values; `scene_of` returns a row by itself."""
-        import numpy
-
-        from ..scene.unknowns import solutions
-
-        if self._left_out(scene) is not None or self._may_be_of_both(scene):
-            raise NotShown  # each row by itself says what it leaves out, and of which spheres an unknown is
-        solved = solutions(scene, size)
-        failed = numpy.zeros(size, dtype=bool)
-        failed[[*solved.failures]] = True
-        some = {name: numpy.where(failed, SIZES[name][1], values) for name, values in solved.values.items()}
-        inputs = scene.echo(some) | self._uncertain(scene)
-        bits = numpy.zeros(size, dtype=numpy.int64)
-        if self.doubts:
-            bits[...] = bits_of(doubts(scene.with_values(some), self.quantities))
-            bits[failed] = 0
-        columns = Columns(
-            self,
-            {name: repeated(inputs.get(name), size) for name in self.inputs},
-            numpy.full((len(self.keys), size), nan),
-            bits,
-        )
-        for row, error in solved.failures.items():
-            columns.tell([row], self._reasons(error), is_empty=True)
-        for name, values in solved.values.items():
-            columns.column(name)[...] = values
-        if self.known_sides and scene.is_uncertain:
-            from ..scene.uncertainty import uncertainties_of_unknowns
-
-            bars, _ = uncertainties_of_unknowns(solved, size)
-            for row in numpy.flatnonzero(columns.put_sides(bars)).tolist():
-                put_row(columns, row, partial(scene_of, row))
-        return columns
-
     def _may_be_of_both(self, scene: Problem) -> bool:
         """Return whether an unknown is that of both spheres in some rows: the materials of many rows together have no name."""
-        both = (scene.scene.material, scene.scene.material2)
-        is_property = any(name in PROPERTIES for name in self.names)
-        return is_property and None not in both and not all(solid.name for solid in both if solid is not None)
+        solids = [solid for solid in (scene.scene.material, scene.scene.material2) if solid is not None]
+        return (
+            len(solids) > 1
+            and any(name in PROPERTIES for name in self.names)
+            and not all(solid.name for solid in solids)
+        )
 
 
 class Problems(Sweep):
@@ -197,11 +167,11 @@ class Problems(Sweep):
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
         """Return the columns of the unknowns, as `Unknowns.of` does."""
-        return Unknowns.of(self.names, self.quantities, self.kinds)
+        return Unknowns.of(self.names, self.kinds)
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:  # noqa: ARG002
         """Return the columns of the unknowns alone."""
-        return Unknowns(self.names, self.quantities, doubts=doubts)
+        return Unknowns(self.names, named=self.names, doubts=doubts)
 
     def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
         """Return a scene of each kind of rows, with the measured quantities."""
@@ -219,6 +189,10 @@ class InferredValues(dict[str, Any]):
         self.condition = condition
 
 
+@overload
+def infer(wanted: str, /, *, measured: Mapping[str, Any], **scene: Any) -> Any: ...
+@overload
+def infer(wanted: Sequence[str], /, *, measured: Mapping[str, Any], **scene: Any) -> InferredValues: ...
 def infer(
     wanted: str | Sequence[str],
     /,
@@ -276,17 +250,24 @@ def infer(
         check_range(each, value.value if is_uncertain(value) else value)
     spheres = materials_of(material, material2, materials)
     inputs = {**described, **known}
-
-    def problem_of(row: Mapping[str, Any]) -> Problem:
-        return Problem.of(names, [*known], {**inputs, **row}, *spheres, model=model)
-
     arrays = {each: value for each, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
-    if any(map(is_uncertain, inputs.values())):
+    if has_bars := any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
-    if arrays:
-        values, condition = _of_arrays(problem_of, arrays, names)
-    else:
-        values, condition = _of_numbers(problem_of({}))
+    import numpy
+
+    from ..scene.uncertainty import uncertainties_of_unknowns
+    from ..scene.unknowns import solution, solutions
+
+    shape = broadcast(arrays)
+    flat = {each: numpy.broadcast_to(value, shape).ravel() for each, value in arrays.items()}
+    whole = Problem.of(names, [*known], {**inputs, **flat}, *spheres, model=model)
+    solved = solutions(whole, prod(shape)) if arrays else solution(whole)
+    values, condition = dict(solved.values), solved.condition
+    if has_bars:
+        bars, _ = uncertainties_of_unknowns(solved)
+        values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in values.items()}
+    elif arrays:
+        values, condition = {name: value.reshape(shape) for name, value in values.items()}, condition.reshape(shape)
     return InferredValues(values, condition) if len(names) > 1 else values[names[0]]
 
 
@@ -298,52 +279,3 @@ def _names(wanted: str | Sequence[str]) -> list[str]:
         remedy = 'write "gamma" or ["gamma", "young"]'
         raise QuantityError("wanted", str(wanted), "cannot be inferred: one input can, or two", remedy)
     return names
-
-
-def _of_numbers(problem: Problem) -> tuple[Mapping[str, Any], float]:
-    """Return the values of the unknowns, with their uncertainties, and the condition."""
-    from ..scene.unknowns import solution
-
-    solved = solution(problem)
-    if not (any(map(is_uncertain, problem.measured.values())) or problem.scene.uncertain):
-        return solved.values, solved.condition
-    from ..scene.uncertainty import uncertainties_of_unknowns
-
-    bars, _ = uncertainties_of_unknowns(solved)
-    values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in solved.values.items()}
-    return values, solved.condition
-
-
-def _of_arrays(
-    problem: Callable[[Mapping[str, Any]], Problem], arrays: Mapping[str, Any], names: Sequence[str]
-) -> tuple[Mapping[str, Any], Any]:
-    """Return the values of the unknowns and the condition for arrays, nan where there is no solution. `problem`: of some inputs."""
-    import numpy
-
-    from ..scene.unknowns import solutions
-    from .block import Block
-    from .cells import Numbers
-    from .rows import groups
-
-    class Elements(Block):
-        """Rows of the elements of arrays."""
-
-        def scene(self, given: Mapping[str, Any], rows: Any) -> Problem:  # noqa: ARG002
-            """Return the problem of rows that are alike."""
-            return problem(given)
-
-        def scene_of(self, row: int) -> Problem:
-            """Return the problem of a row by itself."""
-            return problem({name: float(numbers.values[row]) for name, numbers in columns.items()})
-
-    shape = broadcast(arrays)
-    columns = {name: Numbers(numpy.broadcast_to(value, shape).ravel()) for name, value in arrays.items()}
-    found = numpy.full((len(names) + 1, prod(shape)), numpy.nan)
-    for rows, given in groups(Elements(prod(shape), columns)):
-        solved = solutions(problem(given), len(rows))
-        for error in solved.failures.values():
-            if not isinstance(error, NoResult):
-                raise error
-        found[:, rows] = *solved.values.values(), solved.condition
-    *values, condition = (column.reshape(shape) for column in found)
-    return dict(zip(names, values, strict=True)), condition

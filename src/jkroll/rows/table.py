@@ -275,7 +275,7 @@ def wanted_of(
     """
     if fill.inverse is not None:
         scenes[0].check()
-        return Unknowns([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
+        return Unknowns([fill.inverse.name], named=[fill.inverse.name], sides={}, doubts=doubts)
     explicit, offered = asked
     for name in explicit:
         if name in columns.names or name in fill.fixed:

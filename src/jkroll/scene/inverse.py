@@ -1,26 +1,24 @@
 """The inverse problem: values of one input or two, the unknowns, at which quantities have their measured values.
 
-Here stands what it is: the inputs that can be unknown, the problem, its solution, and why it may have none. `scans`
-solves it for one unknown, `pairs` for two, and `unknowns` calls them.
+Here stand the inputs that can be unknown, the problem, its solution, and why it may have none; `unknowns` solves it.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
 from math import inf
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material
 from ..quantities.errors import nearest
-from ..quantities.formatting import amount
+from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
 from ..quantities.values import is_uncertain
 from ..text import listed, quoted
-from .failures import Contradiction, MissingInput
+from .failures import MAX_DIGITS, Contradiction, MissingInput
 from .scene import EXCLUSIVE, Scene
 
-Values = Mapping[str, float]  # by name
+Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
 
 # The inputs that can be unknown, with the sizes among which they are looked for first. A load may have either sign.
 SIZES = {
@@ -35,50 +33,28 @@ SIZES = {
     "radius": (1e-12, 1e3),
     "load": (1e-15, 1e3),
 }
-WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among those
 PER_DECADE = 8  # values of a scan
-MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
+AS_SHOWN = 1e-3  # relative difference of a quantity at a solution, or at the digits of one, from its measured value
 
 
 # --- Errors -----------------------------------------------------------------------------------------------------------
 
 
 class CannotInfer(JkrollError):
-    """Error raised for a word that does not stand for an input that can be inferred."""
+    """Error raised for a word that does not stand for an input that can be inferred, or where no formula gives what was measured."""
 
 
 class AlreadyGiven(JkrollError):
     """Error raised where an unknown, or the measured quantity, is given as an input, too."""
 
 
-class OnlyGiven(JkrollError):
-    """Error raised where what was measured is an input that no formula gives."""
-
-
-def no_unknown(word: str) -> CannotInfer:
-    """Return the error of a word that does not stand for an input that can be inferred."""
-    guess = None if word in NOMENCLATURE else nearest(word, SIZES)
-    meant = f"did you mean {guess}? " if guess else ""
-    return CannotInfer(f"{quoted(word)} cannot be inferred; {meant}{', '.join(SIZES)} can")
-
-
-def already_given(name: str, stated: str) -> AlreadyGiven:
-    """Return the error of a name that is asked for, where it, or an input from which it follows, is stated."""
-    if name == stated:
-        return AlreadyGiven(f"{name} is given and asked for; leave one of the two out")
-    return AlreadyGiven(f"{name} is asked for, and {stated} is given: one follows from the other")
-
-
 class Unsolved(NoResult):
     """Error raised where no one value of the unknowns gives the measured values. The kinds of it say why."""
 
-    def __init__(
-        self, unknowns: Iterable[str], text: str, values: Sequence[Values] = (), span: tuple[float, float] = (inf, -inf)
-    ) -> None:
-        """`values`: all that give the measured ones; `span`: of the measured quantity, or of the unknown."""
-        self.name = ",".join(unknowns)
-        super().__init__([self.name], text, values, span)
-        self.text, self.values, self.span = text, tuple(values), span
+    def __init__(self, problem: "Problem", text: str = "", span: tuple[float, float] = (inf, -inf)) -> None:
+        """`span`: of the measured quantity, or of the unknown."""
+        super().__init__(problem, text, span)
+        self.problem, self.text, self.span, self.name = problem, text, span, ",".join(problem.unknowns)
 
     def reason(self) -> str:
         """Return why there is no one value."""
@@ -89,6 +65,10 @@ class NoDependence(Unsolved):
     """Error raised where the measured quantity does not depend on the unknown."""
 
     phrase = "no dependence"
+
+    def reason(self) -> str:
+        """Return that it does not."""
+        return f"{listed(self.problem.measured)} does not depend on it here"
 
 
 class Undetermined(Unsolved):
@@ -108,35 +88,56 @@ class SeveralSolutions(Unsolved):
 
     phrase = "several values give it"
 
+    def __init__(self, problem: "Problem", values: Sequence[Mapping[str, float]]) -> None:
+        """`values`: all that give the measured ones."""
+        super().__init__(problem)
+        self.values = tuple(values)
+
+    def reason(self) -> str:
+        """Return all values, with as many digits as typing them back takes: next to pull-off that is more."""
+        every = range(DIGITS, MAX_DIGITS)
+        form = Format(digits=next((digits for digits in every if self._may_be_typed(digits)), MAX_DIGITS))
+        texts = [", ".join(amount(name, value, form) for name, value in one.items()) for one in self.values]
+        if len(self.problem.unknowns) > 1:
+            texts = [f"the pairs ({texts[0]})", *(f"({text})" for text in texts[1:])]
+        return f"{listed(texts)} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
+
+    def _may_be_typed(self, digits: int) -> bool:
+        """Return whether the values with so many digits give the measured ones."""
+        typed = [{name: float(f"{value:.{digits}g}") for name, value in one.items()} for one in self.values]
+        return all(
+            abs(forward.get(name, inf) - level) <= AS_SHOWN * abs(level)
+            for forward in (self.problem.with_values(one).numbers(*self.problem.measured) for one in typed)
+            for name, level in self.problem.levels.items()
+        )
+
 
 class Unseparated(Unsolved):
     """Error raised where two quantities do not separate two unknowns."""
 
     phrase = "not separated"
 
-
-def independent(unknown: str, quantity: str) -> NoDependence:
-    """Return the error of a quantity that does not depend on the unknown."""
-    return NoDependence([unknown], f"{quantity} does not depend on it here")
-
-
-def unseparated(problem: "Problem", remark: str, condition: float = inf) -> Unseparated:
-    """Return the error of two quantities with a condition number that is too large; `remark` says what is left open."""
-    size = f"κ = {condition:.2g} is above 1e8" if condition < inf else "κ is above 1e8"
-    remedy = "measure another quantity, or give one of the two"
-    return Unseparated(problem.unknowns, f"{listed(problem.measured)} cannot give both: {remark} ({size}); {remedy}")
+    def __init__(self, problem: "Problem", remark: str, condition: float = inf) -> None:
+        """`remark`: what is left open; `condition`: the number that is too large, if it is one."""
+        size = f"κ = {condition:.2g} is above 1e8" if condition < inf else "κ is above 1e8"
+        remedy = "measure another quantity, or give one of the two"
+        super().__init__(problem, f"{listed(problem.measured)} cannot give both: {remark} ({size}); {remedy}")
 
 
-def unsolved(
-    problem: "Problem", quantity: str, span: tuple[float, float], held: Values = MappingProxyType({})
-) -> NoSolution:
-    """Return the error of a measured value that no values give; `span`: of the quantity, where others are held."""
-    what = "value" if len(problem.unknowns) == 1 else "pair of values"
-    low, high = (amount(quantity, value) for value in span)
-    lies = f"where {equal(held)}, {quantity} lies" if held else "it lies"
-    given = equal({name: float(level) for name, level in problem.levels.items() if name == quantity or name in held})
-    text = f"no {what} gives {given}; {lies} between {low} and {high} for {sizes_in_words(problem.unknowns)}"
-    return NoSolution(problem.unknowns, text, span=span)
+def input_named(word: str) -> str:
+    """Return the input that a word stands for; raise CannotInfer if it cannot be inferred."""
+    if (name := named(word)) in SIZES:
+        return name
+    guess = None if word in NOMENCLATURE else nearest(word, SIZES)
+    meant = f"did you mean {guess}? " if guess else ""
+    raise CannotInfer(f"{quoted(word)} cannot be inferred; {meant}{', '.join(SIZES)} can")
+
+
+def already_given(name: str, stated: str) -> AlreadyGiven:
+    """Return the error of a name that is asked for, where it, or an input from which it follows, is stated."""
+    if name == stated:
+        return AlreadyGiven(f"{name} is given and asked for; leave one of the two out")
+    return AlreadyGiven(f"{name} is asked for, and {stated} is given: one follows from the other")
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
@@ -149,9 +150,9 @@ def sizes_in_words(unknowns: Iterable[str]) -> str:
     return listed(spans)
 
 
-def equal(values: Values) -> str:
+def equal(values: Mapping[str, float]) -> str:
     """Return what quantities are equal to, in words."""
-    return listed(f"{name} = {amount(name, value)}" for name, value in values.items())
+    return listed(f"{name} = {amount(name, float(value))}" for name, value in values.items())
 
 
 # --- Problems and solutions -------------------------------------------------------------------------------------------
@@ -190,19 +191,6 @@ class Problem(NamedTuple):
         """True if a measured value, or something in the scene, has an uncertainty."""
         return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
 
-    @property
-    def of_arrays(self) -> bool:
-        """True if the scene has arrays, whatever the measured values are."""
-        return bool(self.scene.arrays)
-
-    def with_values(self, values: Mapping[str, Any]) -> Scene:
-        """Return the scene with values of unknowns, or arrays of them."""
-        return self.scene.replace(**{each: value for name, value in values.items() for each in self.names_of(name)})
-
-    def filled(self) -> Scene:
-        """Return the scene with placeholders for the unknowns, the largest values."""
-        return self.with_values({name: SIZES[name][1] for name in self.unknowns})
-
     def names_of(self, unknown: str) -> tuple[str, ...]:
         """Return the names of an unknown in the scene: those of both spheres if one material was named for both."""
         one, two = self.scene.material, self.scene.material2
@@ -210,7 +198,15 @@ class Problem(NamedTuple):
         twin = of_sphere(2, unknown)
         return (unknown, twin) if is_shared and twin not in self.scene.stated else (unknown,)
 
-    def replace(self, changed: Mapping[str, Any]) -> "Problem":
+    def with_values(self, values: Values) -> Scene:
+        """Return the scene with values of unknowns, or arrays of them."""
+        return self.scene.replace(**{each: value for name, value in values.items() for each in self.names_of(name)})
+
+    def filled(self) -> Scene:
+        """Return the scene with placeholders for the unknowns, the largest values."""
+        return self.with_values({name: SIZES[name][1] for name in self.unknowns})
+
+    def replace(self, changed: Values) -> "Problem":
         """Return the problem with other values of some inputs and measured quantities, without uncertainties."""
         middles = {name: given.value for name, given in self.scene.uncertain.items()}
         others = {name: value for name, value in changed.items() if name not in self.measured}
@@ -223,22 +219,23 @@ class Problem(NamedTuple):
         arrays = {name: value[rows] for name, value in self.scene.arrays.items()}
         return self._replace(measured=levels, scene=self.scene.replace(**arrays) if arrays else self.scene)
 
-    def used(self, values: Mapping[str, Any] | None = None) -> list[str]:
-        """Return the other inputs on which the measured quantities depend. `values`: of the unknowns, if they are known."""
-        scene = self.filled() if values is None else self.with_values(values)
-        own = {each for name in self.unknowns for each in self.names_of(name)}
-        return [name for name in scene.inputs_used([*self.measured], [*self.measured]) if name not in own]
+    def missing(self, names: Sequence[str]) -> Iterable[str]:
+        """Return the unknowns if the scene lacks an input without which the measured quantities have no value."""
+        return names if self.filled().missing([*self.measured]) else ()
 
-    def echo(self, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    def used(self) -> list[str]:
+        """Return the other inputs on which the measured quantities depend."""
+        own = {each for name in self.unknowns for each in self.names_of(name)}
+        return [name for name in self.filled().inputs_used([*self.measured], [*self.measured]) if name not in own]
+
+    def echo(self) -> dict[str, Any]:
         """Return these inputs as they were understood, and the measured values."""
-        scene = self.filled() if values is None else self.with_values(values)
-        return {**scene.echo(self.used(values)), **self.levels}
+        return {**self.filled().echo(self.used()), **self.levels}
 
     def check(self) -> None:
         """Raise the error of a problem that has no solution whatever the measured values are."""
         for name in self.unknowns:
-            if name not in SIZES:
-                raise no_unknown(name)
+            input_named(name)
         if len(self.unknowns) > 1 and any({*self.unknowns} <= {*names} for names in EXCLUSIVE):
             raise Contradiction(self.unknowns)
         for name, quantity in product(self.unknowns, self.measured):
@@ -246,16 +243,15 @@ class Problem(NamedTuple):
         scene = self.filled()
         depends = {quantity: {*self.unknowns}.intersection(scene.inputs_of(quantity)) for quantity in self.measured}
         if len(self.unknowns) == 1:
-            ((name,), (quantity,)) = self.unknowns, self.measured
-            if name == quantity or not depends[quantity]:
-                raise independent(name, quantity)
+            if not all(depends.values()) or self.unknowns[0] in self.measured:
+                raise NoDependence(self)
             return
         for quantity, names in depends.items():
             if not names:
-                raise unseparated(self, f"{quantity} depends on neither")
+                raise Unseparated(self, f"{quantity} depends on neither")
         for name in self.unknowns:
             if not any(name in names for names in depends.values()):
-                raise unseparated(self, f"they leave {NOMENCLATURE[name].symbol} open")
+                raise Unseparated(self, f"they leave {NOMENCLATURE[name].symbol} open")
 
     def _check_given(self, unknown: str, quantity: str) -> None:
         """Raise AlreadyGiven if the scene has the unknown, the measured quantity, or what these follow from."""
@@ -269,24 +265,22 @@ class Problem(NamedTuple):
             if quantity in error.missing:
                 option = NOMENCLATURE[quantity].option or quantity
                 remedy = f"give it as {option}, and ask for {unknown} without infer"
-                raise OnlyGiven(f"{quantity} is an input, and no formula gives it; {remedy}") from error
+                raise CannotInfer(f"{quantity} is an input, and no formula gives it; {remedy}") from error
 
     def failure(self) -> JkrollError:
         """Return the reason why a measured quantity has no value for any values of the unknowns."""
-        for outcome in self.filled().evaluate([*self.measured]).values():
-            if isinstance(outcome, JkrollError):
-                return outcome
-        return independent(self.unknowns[0], next(iter(self.measured)))
+        outcomes = self.filled().evaluate([*self.measured]).values()
+        return next((outcome for outcome in outcomes if isinstance(outcome, JkrollError)), NoDependence(self))
 
 
 class Solution(NamedTuple):
     """The values of the unknowns of a problem: numbers, or arrays with nan in the rows that have none for a reason."""
 
     problem: Problem
-    values: Mapping[str, Any]  # by unknown
+    values: Values  # by unknown
     condition: Any  # of the logarithms of the measured values as functions of those of the unknowns
-    growths: Mapping[str, Any]  # by unknown, the largest factor by which relative errors of measured values enter it
-    failures: Mapping[int, JkrollError] = MappingProxyType({})  # by row
+    growths: Values  # by unknown, the largest factor by which relative errors of measured values enter it
+    failures: dict[int, JkrollError]  # by row
 
     @property
     def scene(self) -> Scene:
@@ -298,9 +292,13 @@ class Solution(NamedTuple):
         """The measured quantities in this scene."""
         return self.scene.numbers(*self.problem.measured)
 
-
-def input_named(word: str) -> str:
-    """Return the input that a word stands for; raise CannotInfer if it cannot be inferred."""
-    if (name := named(word)) not in SIZES:
-        raise no_unknown(word)
-    return name
+    def put(self, rows: Sequence[int], part: "Solution") -> None:
+        """Take the solution of some rows."""
+        for columns, own in ((self.values, part.values), (self.growths, part.growths)):
+            for name, column in columns.items():
+                column[rows] = own[name]
+        self.condition[rows] = part.condition
+        for place, row in enumerate(rows):
+            self.failures.pop(row, None)
+            if place in part.failures:
+                self.failures[row] = part.failures[place]

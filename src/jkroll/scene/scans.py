@@ -4,55 +4,46 @@ The last values beside gaps and the extremes divide a scan into pieces on which 
 piece that crosses the measured value is bisected down to neighbouring doubles.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import DIGITS, Format, amount
-from ..text import listed
-from .failures import MAX_DIGITS
+from ..quantities.formatting import amount
 from .inverse import (
+    AS_SHOWN,
     PER_DECADE,
-    SIZES,
-    WIDEST,
+    NoDependence,
     NoSolution,
     Problem,
     SeveralSolutions,
     Solution,
     Undetermined,
+    Values,
     equal,
-    independent,
-    unsolved,
+    sizes_in_words,
 )
 from .scene import LEAST, MOST
 
 _HALVINGS = 120  # more than lead from a value of a scan to neighbouring doubles, or to 0
 _GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
 _SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
-NEAR_END = (
-    0.0,
-    1e-6,
-    1e-4,
-    1e-2,
-    0.1,
-    0.3,
-)  # of the way from an end to the next value, between which a quantity may turn
-ROUNDING = 1e-12  # of a quantity: a spread as small as this comes from rounding, and not from the unknown
+# Of the way from an end to the next value: places between which a quantity may turn.
+_NEAR_END = (0.0, 1e-6, 1e-4, 1e-2, 0.1, 0.3)
+_ROUNDING = 1e-12  # of a quantity: a spread as small as this comes from rounding, and not from the unknown
 _JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a crossing and no jump
 _DIGITS = 1e-14  # of a value: a difference as small as this comes from rounding, and is no jump
 STEP = 1e-6  # relative, of the differences that give a slope
-_AS_SHOWN = 1e-3  # relative difference of a quantity at a value as it is shown
 
 Rows = Any  # an array of the numbers of rows
 Function = Callable[[Rows, Any], Any]  # of a value of the unknown in each row
 
 
-def grid(name: str, sizes: tuple[float, float] | None = None) -> Any:
-    """Return the values of an input that are scanned, in rising order; between the sizes of the first scan by default."""
-    least, most = sizes or SIZES[name]
+def grid(name: str, sizes: tuple[float, float]) -> Any:
+    """Return the values of an input that are scanned, in rising order."""
+    least, most = sizes
     values = numpy.geomspace(least, most, round(numpy.log10(most / least) * PER_DECADE) + 1)
     return numpy.concatenate([-values[::-1], [0.0], values]) if name == "load" else values
 
@@ -64,18 +55,17 @@ def taken(name: str, values: Any) -> Any:
     return numpy.clip(values, LEAST, MOST)
 
 
-def outcomes(problem: Problem, rows: Rows, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the measured quantities at values of the unknowns in some rows, nan where the physics has no result."""
-    of_rows = problem.rows(rows) if problem.of_arrays else problem
+def outcomes(problem: Problem, rows: Rows, values: Values) -> Any:
+    """Return the measured quantities, a row for each, at values of the unknowns; nan where the physics has no result."""
+    of_rows = problem.rows(rows) if problem.scene.arrays else problem
     scene = of_rows.with_values({name: taken(name, x) for name, x in values.items()})
-    found = scene.evaluate((*problem.measured,))
-    for outcome in found.values():
-        if isinstance(outcome, JkrollError) and not isinstance(outcome, NoResult):
+    quantities = numpy.full((len(problem.measured), len(rows)), numpy.nan)
+    for quantity, outcome in zip(quantities, scene.evaluate([*problem.measured]).values(), strict=True):
+        if not isinstance(outcome, JkrollError):
+            quantity[:] = outcome
+        elif not isinstance(outcome, NoResult):
             raise outcome
-    return {
-        name: numpy.broadcast_to(numpy.nan if isinstance(outcome, NoResult) else outcome, numpy.shape(rows))
-        for name, outcome in found.items()
-    }
+    return quantities
 
 
 def bisected(inside: Any, outside: Any, is_inside: Callable[[Any], Any]) -> tuple[Any, Any]:
@@ -89,24 +79,12 @@ def bisected(inside: Any, outside: Any, is_inside: Callable[[Any], Any]) -> tupl
     return inside, outside
 
 
-def highest(left: Any, right: Any, sign: Any, function: Callable[[Any], Any]) -> Any:
-    """Return where functions with one maximum between two values have it, by golden-section search; `sign` −1: a minimum."""
-    for _ in range(_SEARCHES):
-        low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
-        falls = sign * function(low) > sign * function(high)
-        left, right = numpy.where(falls, left, low), numpy.where(falls, high, right)
-    return (left + right) / 2
-
-
 def slopes(x: Any, y: Any) -> Any:
     """Return slopes from three points each; from two where y is nan at an end, and nan where it is at both."""
     has_low, has_high = numpy.isfinite(y[0]), numpy.isfinite(y[2])
     run = numpy.where(has_high, x[2], x[1]) - numpy.where(has_low, x[0], x[1])
     with numpy.errstate(divide="ignore", invalid="ignore"):
         return (numpy.where(has_high, y[2], y[1]) - numpy.where(has_low, y[0], y[1])) / run
-
-
-# --- Scans ------------------------------------------------------------------------------------------------------------
 
 
 class Points(NamedTuple):
@@ -126,34 +104,31 @@ class Points(NamedTuple):
         """Return these and others, computed now."""
         joined = [numpy.concatenate(both) for both in ((self.rows, rows), (self.x, x), (self.y, function(rows, x)))]
         order = numpy.lexsort(joined[1::-1])
-        rows, x, y = (column[order] for column in joined)
-        is_new = numpy.append(True, (numpy.diff(rows) != 0) | (numpy.diff(x) != 0))
-        return Points(rows[is_new], x[is_new], y[is_new])
+        return Points(*(column[order] for column in joined))
 
     def _with_ends(self, function: Function) -> "Points":
         """Return these with the last values beside each gap, and some near them."""
         known = numpy.isfinite(self.y)
         left = numpy.flatnonzero((self.rows[:-1] == self.rows[1:]) & (known[:-1] != known[1:]))
-        if not left.size:
-            return self
-        rows, first = self.rows[left], known[left]
-        inside, outside = (numpy.where(choice, self.x[left], self.x[left + 1]) for choice in (first, ~first))
+        rows, is_left = self.rows[left], known[left]
+        inside, outside = (numpy.where(choice, self.x[left], self.x[left + 1]) for choice in (is_left, ~is_left))
         end, _ = bisected(inside, outside, lambda x: numpy.isfinite(function(rows, x)))
-        places = [end + part * (inside - end) for part in NEAR_END]
+        places = [end + share * (inside - end) for share in _NEAR_END]
         return self._with(numpy.tile(rows, len(places)), numpy.concatenate(places), function)
 
     def _with_extremes(self, function: Function) -> "Points":
-        """Return these with the maxima and minima between them, but for those of rounding."""
+        """Return these with the maxima and minima between them, by golden-section search, but for those of rounding."""
         rows, x, y = self
         before, after = y[1:-1] - y[:-2], y[2:] - y[1:-1]
         change = numpy.fmax(abs(before), abs(after))
-        turns = (rows[:-2] == rows[2:]) & (before * numpy.sign(after) < 0) & (change > ROUNDING * abs(y[1:-1]))
-        left = numpy.flatnonzero(turns)
-        if not left.size:
-            return self
-        sign = numpy.where(before[left] > 0, 1.0, -1.0)
-        turn = highest(x[left], x[left + 2], sign, lambda x: function(rows[left], x))
-        return self._with(rows[left], turn, function)
+        turns = (rows[:-2] == rows[2:]) & (before * numpy.sign(after) < 0) & (change > _ROUNDING * abs(y[1:-1]))
+        start = numpy.flatnonzero(turns)
+        own, left, right, sign = rows[start], x[start], x[start + 2], numpy.sign(before[start])
+        for _ in range(_SEARCHES if start.size else 0):
+            low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
+            falls = sign * function(own, low) > sign * function(own, high)
+            left, right = numpy.where(falls, left, low), numpy.where(falls, high, right)
+        return self._with(own, (left + right) / 2, function)
 
     def repeated(self, count: int) -> "Points":
         """Return the points of a single row for so many rows."""
@@ -161,16 +136,19 @@ class Points(NamedTuple):
         return Points(rows, numpy.tile(self.x, count), numpy.tile(self.y, count))
 
     def crossings(self, levels: Any, function: Function) -> tuple[Rows, Any]:
-        """Return the rows and values at which functions have the level of their row."""
+        """Return the rows and values at which functions have the level of their row, but for jumps over it.
+
+        The quantity at such a value is the level as it is shown. Next to pull-off doubles may have none.
+        """
         rows, x, y = self
         side = numpy.sign(y - levels[rows])
         left = numpy.flatnonzero((rows[:-1] == rows[1:]) & (side[:-1] * side[1:] < 0))
         own, level, first, second = rows[left], levels[rows[left]], y[left], y[left + 1]
         both = bisected(x[left], x[left + 1], lambda x: (function(own, x) < level) == (first < level))
-        off = [abs(function(own, root) - level) for root in both]
+        off = numpy.array([abs(function(own, root) - level) for root in both])
         root = numpy.where(off[0] < off[1], *both)
-        leaves = numpy.maximum(_JUMP * numpy.maximum(abs(first - level), abs(second - level)), _DIGITS * abs(level))
-        is_root = numpy.minimum(*off) <= leaves
+        jump = numpy.maximum(_JUMP * numpy.maximum(abs(first - level), abs(second - level)), _DIGITS * abs(level))
+        is_root = (off.min(axis=0) <= jump) & ((off.min(axis=0) <= AS_SHOWN * abs(level)) | (level == 0))
         exact = side == 0
         every = numpy.array([numpy.append(rows[exact], own[is_root]), numpy.append(x[exact], root[is_root])])
         own, root = numpy.unique(every, axis=1)
@@ -178,89 +156,75 @@ class Points(NamedTuple):
 
 
 class Scan:
-    """A scan of the unknown in some rows, and what comes of it."""
+    """A scan of the unknown in some rows between two sizes, and what comes of it."""
 
-    def __init__(self, problem: Problem, size: int, sizes: tuple[float, float] | None = None) -> None:
-        """`sizes`: between which the unknown is scanned; where there are none, it is scanned more widely if need be."""
-        self.problem, self.size, self.sizes = problem, size, sizes
+    def __init__(self, problem: Problem, size: int, sizes: tuple[float, float]) -> None:
+        self.problem, self.size = problem, size
         ((self.unknown,), ((self.quantity, levels),)) = problem.unknowns, problem.levels.items()
         self.levels = numpy.broadcast_to(numpy.asarray(levels, dtype=float), size)
-        self.failures: dict[int, JkrollError] = {}
+        count = size if problem.scene.arrays else 1
+        points = Points.of(grid(self.unknown, sizes), count, self.function)
+        self.points = points if problem.scene.arrays else points.repeated(size)
 
     def function(self, rows: Rows, x: Any) -> Any:
         """Return the measured quantity."""
-        return outcomes(self.problem, rows, {self.unknown: x})[self.quantity]
-
-    def row(self, row: int) -> Problem:
-        """Return the problem of a row."""
-        return self.problem._replace(measured={self.quantity: self.levels}).rows(row)
+        return outcomes(self.problem, rows, {self.unknown: x})[0]
 
     def solution(self) -> Solution:
         """Return the one solution in each row, and the reasons why others have none."""
-        count = self.size if self.problem.of_arrays else 1
-        points = Points.of(grid(self.unknown, self.sizes), count, self.function)
-        if not self.problem.of_arrays:
-            points = points.repeated(self.size)
-        starts = numpy.searchsorted(points.rows, numpy.arange(self.size))
-        low, high = (each.reduceat(points.y, starts) for each in (numpy.fmin, numpy.fmax))
-        depends = high - low > ROUNDING * numpy.fmax(abs(low), abs(high))
-        for row in numpy.flatnonzero(~depends).tolist():
-            has_values = not numpy.isnan(low[row])
-            self.failures[row] = independent(self.unknown, self.quantity) if has_values else self.row(row).failure()
-        self._find_stretches(points)
-        rows, roots = points.crossings(self.levels, self.function)
-        counts = numpy.bincount(rows, minlength=self.size)
-        counts[[*self.failures]] = -1
-        self._name_several(rows[counts[rows] > 1], roots[counts[rows] > 1])
-        for row in numpy.flatnonzero(counts == 0).tolist():
-            self.failures[row] = unsolved(self.row(row), self.quantity, (float(low[row]), float(high[row])))
+        every = numpy.arange(self.size)
+        starts = numpy.searchsorted(self.points.rows, every)
+        low, high = (each.reduceat(self.points.y, starts) for each in (numpy.fmin, numpy.fmax))
+        depends = high - low > _ROUNDING * numpy.fmax(abs(low), abs(high))
+        failures = self._stretches(depends)
+        rows, roots = self.points.crossings(self.levels, self.function)
+        first, last = numpy.searchsorted(rows, [every, every + 1])
+        is_one = depends & (last - first == 1)
+        is_one[[*failures]] = False
         values = numpy.full(self.size, numpy.nan)
-        is_one = counts[rows] == 1
-        values[rows[is_one]] = taken(self.unknown, roots[is_one])
+        values[is_one] = taken(self.unknown, roots[first[is_one]])
+        for row in numpy.flatnonzero(~is_one).tolist():
+            if row not in failures:
+                of_row = roots[first[row] : last[row]].tolist() if depends[row] else None
+                failures[row] = self._unsolved(row, of_row, (float(low[row]), float(high[row])))
         condition = self._condition(values)
-        if self.sizes is None:
-            self._look_wider(values, condition)
-        return Solution(self.problem, {self.unknown: values}, condition, {self.unknown: condition}, self.failures)
+        return Solution(self.problem, {self.unknown: values}, condition, {self.unknown: condition}, failures)
 
-    def _find_stretches(self, points: Points) -> None:
-        """Note the rows in which a stretch of a decade or more has the measured value, with its ends."""
-        alike = self._have_level(points.rows, points.y)
-        counts = numpy.bincount(points.rows[alike], minlength=self.size)
-        for row in numpy.flatnonzero(counts > PER_DECADE).tolist():
-            x = points.x[points.rows == row]
-            places = numpy.flatnonzero(alike[points.rows == row])
-            if row in self.failures or x[places[0]] <= 0 or x[places[-1]] < 10 * x[places[0]]:
+    def _unsolved(self, row: int, roots: list[float] | None, span: tuple[float, float]) -> JkrollError:
+        """Return why a row has no one solution. `roots`: None where the quantity does not depend on the unknown."""
+        problem = self.problem.rows(row)
+        if roots is None:
+            return problem.failure() if numpy.isnan(span[0]) else NoDependence(problem)
+        if roots:
+            return SeveralSolutions(problem, [{self.unknown: root} for root in roots])
+        low, high = (amount(self.quantity, end) for end in span)
+        lies = f"it lies between {low} and {high} for {sizes_in_words([self.unknown])}"
+        return NoSolution(problem, f"no value gives {equal(problem.levels)}; {lies}", span)
+
+    def _stretches(self, depends: Any) -> dict[int, JkrollError]:
+        """Return the rows in which a stretch of a decade or more has the measured value, with its ends."""
+        rows, x, y = self.points
+        alike = self._have_level(rows, y)
+        counts = numpy.bincount(rows[alike], minlength=self.size)
+        failures: dict[int, JkrollError] = {}
+        for row in numpy.flatnonzero(depends & (counts > PER_DECADE)).tolist():
+            start, stop = numpy.searchsorted(rows, [row, row + 1])
+            first, last = start + numpy.flatnonzero(alike[start:stop])[[0, -1]]
+            if x[first] <= 0 or x[last] < 10 * x[first]:
                 continue
-            beside = [max(places[0] - 1, 0), min(places[-1] + 1, len(x) - 1)]
-            ends, _ = bisected(x[places[[0, -1]]], x[beside], partial(self._is_on_stretch, numpy.full(2, row)))
-            low, high = ends.tolist()
-            text = (
-                f"every value from {amount(self.unknown, low)} to {amount(self.unknown, high)} gives {self._equal(row)}"
-            )
-            self.failures[row] = Undetermined([self.unknown], text, span=(low, high))
+            outside = x[[max(first - 1, start), min(last + 1, stop - 1)]]
+            ends, _ = bisected(x[[first, last]], outside, partial(self._is_on_stretch, numpy.full(2, row)))
+            low, high = (amount(self.unknown, end) for end in ends.tolist())
+            problem = self.problem.rows(row)
+            text = f"every value from {low} to {high} gives {equal(problem.levels)}"
+            failures[row] = Undetermined(problem, text, tuple(ends.tolist()))
+        return failures
 
     def _have_level(self, rows: Rows, y: Any) -> Any:
-        return abs(y - self.levels[rows]) <= ROUNDING * abs(self.levels[rows])
+        return abs(y - self.levels[rows]) <= _ROUNDING * abs(self.levels[rows])
 
     def _is_on_stretch(self, rows: Rows, x: Any) -> Any:
         return self._have_level(rows, self.function(rows, x))
-
-    def _name_several(self, rows: Rows, roots: Any) -> None:
-        """Note the rows with several solutions, which have as many digits as typing them takes: next to pull-off that is more."""
-        needed = numpy.full(len(rows), MAX_DIGITS)
-        for digits in range(MAX_DIGITS - 1, DIGITS - 1, -1):
-            typed = numpy.array([float(f"{root:.{digits}g}") for root in roots.tolist()])
-            off = abs(self.function(rows, typed) - self.levels[rows])
-            needed[off <= _AS_SHOWN * abs(self.levels[rows])] = digits
-        for row in numpy.unique(rows).tolist():
-            form = Format(digits=int(needed[rows == row].max()))
-            values = roots[rows == row].tolist()
-            texts = listed([amount(self.unknown, value, form) for value in values])
-            text = f"{texts} {'all' if len(values) > 2 else 'both'} give {self._equal(row)}"
-            self.failures[row] = SeveralSolutions([self.unknown], text, [{self.unknown: value} for value in values])
-
-    def _equal(self, row: int) -> str:
-        return equal({self.quantity: float(self.levels[row])})
 
     def _condition(self, values: Any) -> Any:
         """Return |d ln unknown / d ln quantity| by central differences, or one-sided ones where the quantity ends."""
@@ -271,18 +235,3 @@ class Scan:
         with numpy.errstate(divide="ignore", invalid="ignore"):
             condition[rows] = abs(y[1] / slopes(numpy.log(factors), y))
         return condition
-
-    def _look_wider(self, values: Any, condition: Any) -> None:
-        """Look for values where there is none among the usual sizes, among all that a scene takes."""
-        rows = numpy.array([row for row, error in self.failures.items() if isinstance(error, NoSolution)], dtype=int)
-        if not rows.size:
-            return
-        problem = self.problem._replace(measured={self.quantity: self.levels}).rows(rows)
-        wider = Scan(problem, rows.size, WIDEST).solution()
-        values[rows], condition[rows] = wider.values[self.unknown], wider.condition
-        for place, row in enumerate(rows.tolist()):
-            error = wider.failures.get(place)
-            if error is None:
-                del self.failures[row]
-            elif isinstance(error, SeveralSolutions | Undetermined):
-                self.failures[row] = error

@@ -194,41 +194,27 @@ def _evaluation(
     """Return what computes quantities of a scene at places, one after the other, or many places of numbers as arrays."""
     middles = {name: given.value for name, given in scene.uncertain.items()}
 
-    def at(place: Place) -> Mapping[str, Any]:
+    def outcomes(place: Place) -> Mapping[str, Any]:
         changed = scene.replace(**{**middles, **moved(sources, place)})
         return (changed if alternative is None else alternative(changed)).evaluate(names)
 
     def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
-        if len(places) > FEW and not scene.shape:
-            return _as_arrays(at, places)
-        rows = [at(place) for place in places]
-        return {name: [row[name] for row in rows] for name in names}
+        if len(places) <= FEW or scene.shape:
+            rows = [outcomes(place) for place in places]
+            return {name: [row[name] for row in rows] for name in names}
+        import numpy
+
+        columns: dict[str, list[Any]] = {}
+        for name, outcome in outcomes([*numpy.transpose(places)]).items():
+            is_error = isinstance(outcome, JkrollError)
+            columns[name] = [outcome] if is_error else numpy.broadcast_to(outcome, len(places)).tolist()
+            for number, value in enumerate(columns[name]):
+                if not is_error and isnan(value):  # the place by itself has the reason
+                    columns[name][number] = outcomes(places[number])[name]
+                    is_error = isinstance(columns[name][number], JkrollError)
+        return columns
 
     return evaluate
-
-
-def as_columns(places: Sequence[Place]) -> list[Any]:
-    """Return the values of each source at all places, as an array."""
-    import numpy
-
-    return [*numpy.transpose(places)]
-
-
-def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]) -> Mapping[str, list[Any]]:
-    """Return quantities at many places. A place without a value has the outcome that it has by itself."""
-    import numpy
-
-    columns: dict[str, list[Any]] = {}
-    for name, outcome in at(as_columns(places)).items():
-        if isinstance(outcome, JkrollError):
-            columns[name] = [outcome]
-            continue
-        columns[name] = column = numpy.broadcast_to(outcome, len(places)).tolist()
-        for number in [number for number, value in enumerate(column) if isnan(value)]:
-            column[number] = at(places[number])[name]
-            if isinstance(column[number], JkrollError):
-                break  # which is the reason
-    return columns
 
 
 def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
@@ -325,23 +311,26 @@ def sources_of_problem(problem: Problem) -> Sources:
     return sources_of(problem.scene, problem.used(), of_measured)
 
 
-def uncertainties_of_unknowns(solution: Solution, size: int | None = None) -> tuple[Bars, Sources]:
-    """Return the uncertainties of the unknowns that solve a problem, and their sources.
+def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
+    """Return the uncertainties of the unknowns that solve a problem of numbers, or of arrays, and their sources."""
+    import numpy
 
-    `size`: the number of rows, of a problem of arrays.
-    """
     from .unknowns import solutions
 
     problem, sources = solution.problem, sources_of_problem(solution.problem)
+    size = numpy.size(solution.condition)
 
     def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
-        if size is not None:
-            changed = [problem.replace(moved(sources.entering, place)) for place in places]
-            ends = [solutions(other, size, near=solution.values).values for other in changed]
-            return {name: [values[name] for values in ends] for name in problem.unknowns}
-        every = problem.replace(moved(sources.entering, as_columns(places)))
-        rows = solutions(every, len(places), near=solution.values)
-        failures = [*rows.failures.values()]
-        return {name: failures or column.tolist() for name, column in rows.values.items()}
+        rows = numpy.tile(numpy.arange(size), len(places))
+        columns = [
+            numpy.concatenate([numpy.broadcast_to(value, size) for value in column])
+            for column in zip(*places, strict=True)
+        ]
+        near = {name: numpy.resize(values, len(rows)) for name, values in solution.values.items()}
+        ends = solutions(problem.rows(rows).replace(moved(sources.entering, columns)), len(rows), near)
+        if numpy.ndim(solution.condition) == 0:
+            failures = [*ends.failures.values()]
+            return {name: failures or values.tolist() for name, values in ends.values.items()}
+        return {name: [*values.reshape(len(places), size)] for name, values in ends.values.items()}
 
     return propagated(evaluate, solution.values, sources.entering), sources
