@@ -232,6 +232,13 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
             "where pull_off_force = 300 nN, stiffness lies between 93.7726 µN/m and 937.726 kN/m for γ1 = 1 µJ/m² to 1 kJ/m² and E1 = 1 Pa to 1 PPa",
         ),
         (
+            ("youngs_modulus", "radius"),
+            {"contact_radius_at_load": 1.28e-6, "contact_radius": 3.25e-6},
+            {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "load": -1e-7},
+            NoSolution,
+            "where contact_radius_at_load = 1.28 µm, contact_radius lies between",
+        ),
+        (
             NAMES,
             {"stiffness": 1e3, "pull_off_force": 3.0},
             PLANE,
