@@ -1,6 +1,6 @@
 """The answers of `infer`: the value of an input that a measured quantity implies, or of two by two, with what they rest on."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from functools import cached_property
@@ -12,7 +12,7 @@ from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, Values, sizes_in_words
+from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..text import listed
@@ -40,6 +40,7 @@ class Inferred(Answer):
     """
 
     solution: Solution | None = None  # None where `failure` says why
+    failure: MissingInput | NoResult | None = None
 
     def __init__(self, problem: Problem) -> None:
         """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
@@ -47,13 +48,16 @@ class Inferred(Answer):
 
         self.problem = problem
         self.question = Question(problem.unknowns, problem.unknowns)
-        self.failure: MissingInput | NoResult | None = None
         try:
             self.solution = solution(problem)
+            self.scene = self.solution.scene
         except (NoResult, MissingInput) as error:
             self.failure = error
-        self.scene = self.solution.scene if self.solution is not None else problem.filled()
-        measured = (*problem.measured,)
+            self.scene = problem.filled()
+        if self.solution is not None and len(problem.unknowns) > 1:
+            self.condition = self.solution.condition
+        self.laws = {}  # what is found under each law stands beside the results
+        measured = (*problem.measured,) if self.solution is not None else ()
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
 
     @cached_property
@@ -87,11 +91,6 @@ class Inferred(Answer):
             for name, value in self.solution.values.items()
         )
 
-    @property
-    def condition(self) -> float | None:  # type: ignore[override]
-        """The condition number of two unknowns together."""
-        return self.solution.condition if self.solution is not None and len(self.problem.unknowns) > 1 else None
-
     @cached_property
     def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
         if self.solution is None or not self.problem.is_uncertain:
@@ -115,14 +114,9 @@ class Inferred(Answer):
         return solutions
 
     @cached_property
-    def laws(self) -> Mapping[str, Mapping[str, float | None]]:
-        """None: what is found under each law stands beside the results."""
-        return {}
-
-    @cached_property
     def displacement(self) -> Mapping[str, Any] | None:
         """The worth of the assumed displacement for what was measured."""
-        return self.forward.displacement if self.solution is not None else None
+        return self.forward.displacement
 
     @cached_property
     def alternatives(self) -> list[Alternative]:
@@ -132,7 +126,7 @@ class Inferred(Answer):
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:
         """The limits of the model for what was measured."""
-        return self.forward.validity if self.solution is not None else ()
+        return self.forward.validity
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for what was measured; of a law that is not exact, the values by Maugis' law."""
@@ -151,61 +145,41 @@ class Inferred(Answer):
             return ()
         found, sources = self._uncertainties
         notes = (
-            *self._proofs(),
+            *self._proofs(self.solution),
             *(note for note in self.forward.notes if note.kind != "roughness"),
             *about_missing([*self.results], {}),
             *(about_uncertainties(found, sources) if sources is not None else ()),
         )
         return tuple(dict.fromkeys(notes))  # both ways leave out the same
 
-    def _proofs(self) -> list[Note]:
-        """Return what of the materials is not used, what is unusual, and the proof of the values."""
-        assert self.solution is not None
-        names = self.problem.unknowns
-        unused = [note for name in names for note in _unused(name, [*self.problem.measured], self.scene)]
-        bounds = [_bound(name) for name in names if not _LOSING.isdisjoint(self.problem.measured) and name in _RAISING]
-        return [
-            *_unusual(self.solution.values),
-            *bounds,
-            *unused,
-            *(Note("model", text) for text in _proof(self.solution)),
-        ]
+    def _proofs(self, solution: Solution) -> Iterator[Note]:
+        """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""
+        names, forward = [*solution.values], solution.forward
+        symbols = {name: NOMENCLATURE[name].symbol for name in (*names, *forward)}
+        for name, value in solution.values.items():
+            if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
+                yield Note("caveat", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
+        for name in names:
+            if name in _RAISING and not _LOSING.isdisjoint(forward):
+                text = f"{symbols[name]} is an upper limit: other losses of the collision are taken for it"
+                yield Note("result", text)
+        for name in names:
+            yield from _unused(name, [*forward], solution.scene)
+        if names[1:]:
+            proof = f"{_equal(solution.values)} give {_equal(forward)}; κ = {solution.condition:.3g}"
+            yield Note("model", proof)
+            yield Note("model", f"scanned: {sizes_in_words(names)}, {PER_DECADE} values a decade")
+            return
+        proof = f"{_equal(solution.values)} gives {_equal(forward)}{_of_both(names[0], solution.scene)}"
+        slope = "/".join(f"d ln {symbol}" for symbol in symbols.values())
+        yield Note("model", f"{proof}; κ = |{slope}| = {solution.condition:.3g}")
 
     @cached_property
     def explained(self) -> Answer:
         """The answer with the measured quantities, computed from the inferred inputs, beside these, as `--explain` derives both."""
-        if self.solution is None:
-            return self
         explained = copy(self)
         explained.results = (*self.results, *self.forward.results)
         return explained
-
-
-def _bound(name: str) -> Note:
-    """Return the note on an input that stands for all that a collision loses."""
-    return Note(
-        "result", f"{NOMENCLATURE[name].symbol} is an upper limit: other losses of the collision are taken for it"
-    )
-
-
-def _unusual(values: Values) -> list[Note]:
-    """Return a note on each value that lies beyond the sizes that are looked for first: a unit may be wrong."""
-    names = [name for name, value in values.items() if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]]
-    return [
-        Note("caveat", f"{_equal({name: values[name]})} is beyond usual values, {sizes_in_words([name])}")
-        for name in names
-    ]
-
-
-def _proof(solution: Solution) -> list[str]:
-    """Return the proof of the values, how errors grow, and where two values were looked for."""
-    names, quantities = [*solution.values], [*solution.forward]
-    if names[1:]:
-        proof = f"{_equal(solution.values)} give {_equal(solution.forward)}; κ = {solution.condition:.3g}"
-        return [proof, f"scanned: {sizes_in_words(names)}, {PER_DECADE} values a decade"]
-    symbol, of_measured = NOMENCLATURE[names[0]].symbol, NOMENCLATURE[quantities[0]].symbol
-    proof = f"{_equal(solution.values)} gives {_equal(solution.forward)}{_of_both(names[0], solution.scene)}"
-    return [f"{proof}; κ = |d ln {symbol}/d ln {of_measured}| = {solution.condition:.3g}"]
 
 
 def _of_both(name: str, found: Scene) -> str:

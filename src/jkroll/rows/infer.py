@@ -3,7 +3,7 @@
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from math import nan, prod
-from typing import TYPE_CHECKING, Any, Self, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material, Materials
@@ -30,27 +30,6 @@ _TWO = "is not two quantities and their values", '"pull_off_force": "300 nN", "s
 
 class Unknowns(Wanted):
     """Unknowns of rows, each of which is a problem."""
-
-    @classmethod
-    def of(cls, names: Sequence[str], kinds: Iterable[Problem]) -> Self:
-        """Return what is wanted of rows of some kinds. Raises the error of the inputs, or MissingInput if no kind allows to infer them."""
-        inputs: set[str] = set()
-        sides: set[str] = set()
-        errors: list[MissingInput | None] = []
-        for problem in kinds:
-            errors.append(None)
-            try:
-                problem.check()
-                sources = cls(names).sources_in(problem)
-                sides |= set() if sources is None else sources.sides
-            except MissingInput as error:
-                errors[-1] = error
-            except NoResult:
-                pass
-            inputs |= problem.echo().keys()
-        if errors[0] is not None and all(errors):
-            raise errors[0]
-        return cls(names, named=names, inputs=in_order(inputs), sides=dict.fromkeys(names, sides))
 
     def with_alternatives(self, scenes: Sequence[Any], names: Collection[str], *, data: bool = False) -> "Wanted":  # noqa: ARG002
         """Return the same unknowns: each value is one of its own law."""
@@ -166,8 +145,21 @@ class Problems(Sweep):
         return Problem.of(self.names, self.quantities, given, *spheres, model=model)
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
-        """Return the columns of the unknowns, as `Unknowns.of` does."""
-        return Unknowns.of(self.names, self.kinds)
+        """Return the columns of the unknowns. Raises the error of the inputs, or MissingInput if no kind of rows allows to infer them."""
+        columns, lacking = self.headline((), (), doubts=True), []
+        for problem in self.kinds:
+            try:
+                problem.check()
+            except MissingInput as error:
+                lacking.append(error)
+            except NoResult:
+                pass
+        if len(lacking) == len(self.kinds):
+            raise lacking[0]
+        sources = [*filter(None, map(columns.sources_in, self.kinds))]
+        sides = {side for one in sources for side in one.sides}
+        inputs = {name for problem in self.kinds for name in problem.echo()}
+        return Unknowns(self.names, named=self.names, inputs=in_order(inputs), sides=dict.fromkeys(self.names, sides))
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:  # noqa: ARG002
         """Return the columns of the unknowns alone."""

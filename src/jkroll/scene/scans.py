@@ -28,13 +28,10 @@ from .inverse import (
 from .scene import LEAST, MOST
 
 _HALVINGS = 120  # more than lead from a value of a scan to neighbouring doubles, or to 0
-_GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
-_SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
+_SLOPE = 1e-7  # of an interval, the step whose change tells the side of a maximum or minimum in it
 # Of the way from an end to the next value: places between which a quantity may turn.
 _NEAR_END = (0.0, 1e-6, 1e-4, 1e-2, 0.1, 0.3)
 _ROUNDING = 1e-12  # of a quantity: a spread as small as this comes from rounding, and not from the unknown
-_JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a crossing and no jump
-_DIGITS = 1e-14  # of a value: a difference as small as this comes from rounding, and is no jump
 STEP = 1e-6  # relative, of the differences that give a slope
 
 Rows = Any  # an array of the numbers of rows
@@ -55,11 +52,10 @@ def taken(name: str, values: Any) -> Any:
     return numpy.clip(values, LEAST, MOST)
 
 
-def outcomes(problem: Problem, rows: Rows, values: Values) -> Any:
+def outcomes(problem: Problem, values: Values) -> Any:
     """Return the measured quantities, a row for each, at values of the unknowns; nan where the physics has no result."""
-    of_rows = problem.rows(rows) if problem.scene.arrays else problem
-    scene = of_rows.with_values({name: taken(name, x) for name, x in values.items()})
-    quantities = numpy.full((len(problem.measured), len(rows)), numpy.nan)
+    scene = problem.with_values({name: taken(name, x) for name, x in values.items()})
+    quantities = numpy.full((len(problem.measured), len(next(iter(values.values())))), numpy.nan)
     for quantity, outcome in zip(quantities, scene.evaluate([*problem.measured]).values(), strict=True):
         if not isinstance(outcome, JkrollError):
             quantity[:] = outcome
@@ -117,18 +113,16 @@ class Points(NamedTuple):
         return self._with(numpy.tile(rows, len(places)), numpy.concatenate(places), function)
 
     def _with_extremes(self, function: Function) -> "Points":
-        """Return these with the maxima and minima between them, by golden-section search, but for those of rounding."""
+        """Return these with the maxima and minima between them, where the slope changes its sign, but for those of rounding."""
         rows, x, y = self
         before, after = y[1:-1] - y[:-2], y[2:] - y[1:-1]
         change = numpy.fmax(abs(before), abs(after))
         turns = (rows[:-2] == rows[2:]) & (before * numpy.sign(after) < 0) & (change > _ROUNDING * abs(y[1:-1]))
         start = numpy.flatnonzero(turns)
         own, left, right, sign = rows[start], x[start], x[start + 2], numpy.sign(before[start])
-        for _ in range(_SEARCHES if start.size else 0):
-            low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
-            falls = sign * function(own, low) > sign * function(own, high)
-            left, right = numpy.where(falls, left, low), numpy.where(falls, high, right)
-        return self._with(own, (left + right) / 2, function)
+        step = _SLOPE * (right - left)
+        turn, _ = bisected(left, right, lambda x: sign * (function(own, x + step) - function(own, x - step)) > 0)
+        return self._with(own, turn, function)
 
     def repeated(self, count: int) -> "Points":
         """Return the points of a single row for so many rows."""
@@ -147,8 +141,8 @@ class Points(NamedTuple):
         both = bisected(x[left], x[left + 1], lambda x: (function(own, x) < level) == (first < level))
         off = numpy.array([abs(function(own, root) - level) for root in both])
         root = numpy.where(off[0] < off[1], *both)
-        jump = numpy.maximum(_JUMP * numpy.maximum(abs(first - level), abs(second - level)), _DIGITS * abs(level))
-        is_root = (off.min(axis=0) <= jump) & ((off.min(axis=0) <= AS_SHOWN * abs(level)) | (level == 0))
+        scale = numpy.where(level == 0, numpy.maximum(abs(first), abs(second)), abs(level))
+        is_root = off.min(axis=0) <= AS_SHOWN * scale
         exact = side == 0
         every = numpy.array([numpy.append(rows[exact], own[is_root]), numpy.append(x[exact], root[is_root])])
         own, root = numpy.unique(every, axis=1)
@@ -168,7 +162,7 @@ class Scan:
 
     def function(self, rows: Rows, x: Any) -> Any:
         """Return the measured quantity."""
-        return outcomes(self.problem, rows, {self.unknown: x})[0]
+        return outcomes(self.problem.rows(rows), {self.unknown: x})[0]
 
     def solution(self) -> Solution:
         """Return the one solution in each row, and the reasons why others have none."""

@@ -1,7 +1,7 @@
 """The solver of the inverse problem, for numbers and for arrays: one unknown by scans, two by Newton's method on a grid."""
 
 from functools import cached_property
-from math import inf, log
+from math import inf, log, nan
 from typing import Any
 
 import numpy
@@ -22,7 +22,7 @@ from .inverse import (
     equal,
     sizes_in_words,
 )
-from .scans import STEP, Rows, Scan, grid, outcomes, slopes, taken
+from .scans import STEP, Scan, grid, outcomes, slopes, taken
 
 _TOGETHER = 1 << 17  # values of a scan that are computed at once
 _WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among the usual ones
@@ -69,7 +69,7 @@ def solutions(problem: Problem, size: int, near: Values | None = None) -> Soluti
             pairs, rest = Pairs(problem, size).followed(near)
             whole.put(range(size), pairs)
         for row in rest:
-            whole.put([row], Pairs(problem.rows(row)).solution())
+            whole.put([row], Pairs(problem.rows(row)).found())
     whole.condition[:] = [float(f"{number:.6g}") for number in whole.condition]
     return whole
 
@@ -92,120 +92,118 @@ class Pairs:
     """A problem of two unknowns, in one row or many, in the coordinates in which they are sought.
 
     An unknown counts by its logarithm, and a load by ln(1 + P/P_c), which has no end at pull-off. A quantity counts by
-    its logarithm, too, and as it is where it is next to zero. Places are arrays with a row for each unknown.
+    its logarithm, too, and as it is where it is next to zero. Places are arrays with a row for each unknown: one place
+    for each row of the problem, or any number of them for a single one.
     """
 
     def __init__(self, problem: Problem, size: int = 1) -> None:
         self.problem, self.size = problem, size
         self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
         self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
-        self.scales = _LINEAR * abs(self.levels)
-        if not self.scales.all():
-            usual = numpy.nanmedian(abs(self._on_mesh), axis=(1, 2))
-            self.scales = numpy.where(self.scales == 0, usual[:, None], self.scales)
 
-    # --- Coordinates ---
+    def rows(self, rows: Any) -> "Pairs":
+        """Return the same in some rows."""
+        return self if self.size == 1 else Pairs(self.problem.rows(rows), len(rows))
 
-    def values(self, rows: Rows, places: Any) -> dict[str, Any]:
+    def values(self, places: Any) -> dict[str, Any]:
         """Return the values of the unknowns at places."""
         values = dict(zip(self.problem.unknowns, numpy.exp(places), strict=True))
         if self.load is not None:
-            values["load"] = self._force(rows, values) * numpy.expm1(places[self.load])
+            values["load"] = self._force(values) * numpy.expm1(places[self.load])
         return values
 
-    def places(self, rows: Rows, values: Values) -> Any:
+    def places(self, values: Values) -> Any:
         """Return the places at which the unknowns have some values."""
         with numpy.errstate(divide="ignore", invalid="ignore"):
             return numpy.array([
-                numpy.log1p(column / self._force(rows, {**values})) if name == "load" else numpy.log(column)
+                numpy.log1p(column / self._force(values)) if name == "load" else numpy.log(column)
                 for name, column in values.items()
             ])  # fmt: skip
 
-    def _force(self, rows: Rows, values: dict[str, Any]) -> Any:
+    def _force(self, values: Values) -> Any:
         """Return the pull-off force; the smallest load that is scanned where there is none."""
-        problem = self.problem.rows(rows) if self.problem.scene.arrays else self.problem
         others = {name: taken(name, x) for name, x in values.items() if name != "load"}
-        force = problem.with_values({**others, "load": 0.0}).numbers("pull_off_force")
+        force = self.problem.with_values({**others, "load": 0.0}).numbers("pull_off_force")
         return force.get("pull_off_force", SIZES["load"][0])
 
-    def quantities(self, rows: Rows, places: Any) -> Any:
-        """Return the measured quantities, a row for each, nan where there is no result."""
-        return outcomes(self.problem, rows, self.values(rows, places))
-
-    def residuals(self, rows: Rows, quantities: Any) -> Any:
+    def residuals(self, places: Any) -> Any:
         """Return by how much quantities are above their measured values."""
-        scales, levels = self.scales[:, rows], self.levels[:, rows]
-        return numpy.arcsinh(quantities / scales) - numpy.arcsinh(levels / scales)
+        return self._above(outcomes(self.problem, self.values(places)))
 
-    def slopes(self, rows: Rows, places: Any) -> tuple[Any, Any]:
+    def _above(self, quantities: Any) -> Any:
+        return numpy.arcsinh(quantities / self._scales) - numpy.arcsinh(self.levels / self._scales)
+
+    @cached_property
+    def _scales(self) -> Any:
+        """The sizes below which quantities count as they are."""
+        scales = _LINEAR * abs(self.levels)
+        if scales.all():
+            return scales
+        usual = numpy.nanmedian(abs(self.rows([0]).on_mesh), axis=1)
+        return numpy.where(scales == 0, usual[:, None], scales)
+
+    def slopes(self, places: Any) -> tuple[Any, Any]:
         """Return the residuals at places, and a matrix of their derivatives for each: by quantity and unknown."""
-        five = numpy.tile(rows, 5)
-        steps = STEP * numpy.repeat([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]], len(rows), axis=1)
-        residuals = self.residuals(five, self.quantities(five, numpy.tile(places, 5) + steps)).reshape(2, 5, -1)
+        count = places.shape[1]
+        steps = STEP * numpy.repeat([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]], count, axis=1)
+        every = self.rows(numpy.tile(numpy.arange(count), 5))
+        residuals = every.residuals(numpy.tile(places, 5) + steps).reshape(2, 5, count)
         middle = residuals[:, 0]
         by_unknown = [slopes((-STEP, 0.0, STEP), (residuals[:, low], middle, residuals[:, low + 1])) for low in (1, 3)]
         return middle, numpy.array(by_unknown).T
 
-    def separation(self, rows: Rows, places: Any) -> tuple[Any, Any]:
-        """Return the condition number, and the growth of errors by unknown."""
-        _, matrices = self.slopes(rows, places)
-        inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.1 / MAX_CONDITION)
-        ends = [
-            [self.values(rows, places + sign * shift) for sign in (-STEP, STEP)] for shift in numpy.eye(2)[:, :, None]
-        ]
-        values = self.values(rows, places)
+    def solution(self, places: Any) -> Solution:
+        """Return the values of the unknowns at places, with their condition number and the growth of errors."""
+        _, matrices = self.slopes(places)
+        values = self.values(places)
+        ends = [[self.values(places + shift) for shift in (-step, step)] for step in STEP * numpy.eye(2)[:, :, None]]
         changes = numpy.array([[high[name] - low[name] for low, high in ends] for name in values]) / (2 * STEP)
-        growths = numpy.linalg.norm(numpy.moveaxis(changes, -1, 0) @ inverse, axis=2).T
+        inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.1 / MAX_CONDITION)
+        spreads = numpy.linalg.norm(numpy.moveaxis(changes, -1, 0) @ inverse, axis=2)
         with numpy.errstate(divide="ignore", invalid="ignore"):
-            return _conditions(matrices), growths / abs(numpy.array([*values.values()]))
+            growths = {name: spread / abs(values[name]) for name, spread in zip(values, spreads.T, strict=True)}
+        return Solution(self.problem, values, _conditions(matrices), growths, {})
 
     # --- Newton's method ---
 
-    def improved(self, rows: Rows, start: Any) -> tuple[Any, Any]:
-        """Return the places to which Newton's method leads from others, and how far the quantities are off there."""
+    def improved(self, start: Any) -> tuple[Any, Any]:
+        """Return the places to which Newton's method leads from others, and which of them are solutions.
+
+        The unknowns are among the sizes that are looked for, but for rounding.
+        """
         best, steps = numpy.array(start), numpy.zeros_like(start)
-        distance, back = numpy.full(len(rows), inf), numpy.zeros(len(rows), dtype=int)
-        active = numpy.arange(len(rows))
+        active = numpy.arange(start.shape[1])
+        distance, back = numpy.full(len(active), inf), numpy.zeros(len(active), dtype=int)
         for _ in range(_ROUNDS):
             places = best[:, active] + steps[:, active]
-            residuals, matrices = self.slopes(rows[active], places)
+            residuals, matrices = self.rows(active).slopes(places)
             size = numpy.hypot(*residuals)
             is_nearer = size < distance[active]
             nearer = active[is_nearer]
             best[:, nearer], distance[nearer] = places[:, is_nearer], size[is_nearer]
             steps[:, active] = numpy.where(is_nearer, _newton_step(residuals, matrices), steps[:, active] / 2)
             back[active] = numpy.where(is_nearer, 0, back[active] + 1)
-            most = numpy.where(distance[active] < _NEAR / 1e3, 1, _STEPS_BACK)
-            active = active[(back[active] < most) & steps[:, active].any(axis=0)]
+            patience = numpy.where(distance[active] < _NEAR / 1e3, 1, _STEPS_BACK)
+            active = active[(back[active] < patience) & steps[:, active].any(axis=0)]
             if not active.size:
                 break
         if self.load is not None:
             best[self.load, abs(best[self.load]) <= _SAME] = 0.0  # no load
-        return best, distance
-
-    def is_pair(self, rows: Rows, places: Any, distance: Any) -> Any:
-        """Return whether places are solutions, with unknowns among the sizes that are looked for, but for rounding."""
-        inside = distance <= _NEAR
-        for name, values in self.values(rows, places).items():
+        is_pair = distance <= _NEAR
+        for name, values in self.values(best).items():
             least, most = SIZES[name]
-            inside &= ((values >= least * (1 - _SAME)) | (name == "load")) & (values <= most * (1 + _SAME))
-        return inside
+            is_pair &= ((values >= least * (1 - _SAME)) | (name == "load")) & (values <= most * (1 + _SAME))
+        return best, numpy.where(is_pair, distance, nan)
 
     def followed(self, near: Values) -> tuple[Solution, list[int]]:
         """Return the solutions to which Newton's method leads from values, and the rows in which it leads to none."""
-        rows = numpy.arange(self.size)
-        start = self.places(rows, near)
-        places, distance = self.improved(rows, start)
-        solution = self._solution(rows, places)
-        is_lost = ~(self.is_pair(rows, places, distance) & (solution.condition <= MAX_CONDITION))
-        for column in solution.values.values():
-            column[is_lost] = numpy.nan
-        return solution, numpy.flatnonzero(is_lost & numpy.isfinite(start).all(axis=0)).tolist()
-
-    def _solution(self, rows: Rows, places: Any) -> Solution:
-        condition, growths = self.separation(rows, places)
-        by_unknown = dict(zip(self.problem.unknowns, growths, strict=True))
-        return Solution(self.problem, self.values(rows, places), condition, by_unknown, {})
+        start = self.places(near)
+        places, distance = self.improved(start)
+        pairs = self.solution(places)
+        is_lost = ~((distance <= _NEAR) & (pairs.condition <= MAX_CONDITION))
+        for column in pairs.values.values():
+            column[is_lost] = nan
+        return pairs, numpy.flatnonzero(is_lost & numpy.isfinite(start).all(axis=0)).tolist()
 
     # --- The search, in one row ---
 
@@ -219,56 +217,48 @@ class Pairs:
         return numpy.array(numpy.meshgrid(*axes, indexing="ij"))
 
     @cached_property
-    def _on_mesh(self) -> Any:
+    def on_mesh(self) -> Any:
         """The quantities at the places of the grid."""
-        places = self._mesh.reshape(2, -1)
-        return self.quantities(_zeros(places), places).reshape(self._mesh.shape)
+        return outcomes(self.problem, self.values(self._mesh.reshape(2, -1)))
 
-    def solution(self) -> Solution:
+    def found(self) -> Solution:
         """Return the one pair, or the reason why there is none."""
-        if (error := self._unseparated()) is not None:
-            return self._failed(error)
-        starts = self._in_cells()
-        places, distance = self.improved(_zeros(starts), starts)
-        known = numpy.flatnonzero(self.is_pair(_zeros(places), places, distance))
-        if not known.size:
+        sample = self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1)
+        _, matrices = self.slopes(sample)
+        known = numpy.flatnonzero(numpy.isfinite(matrices).all(axis=(1, 2)))
+        if known.size and not (_conditions(matrices[known]) <= MAX_CONDITION / 10).any():
+            return self._failed(Unseparated(self.problem, self._left_open(matrices[known[known.size // 2]])))
+        places, distance = self.improved(self._in_cells())
+        order = numpy.argsort(distance)[: numpy.isfinite(distance).sum()]
+        if not order.size:
             return self._failed(self._failure())
-        places = places[:, known[numpy.argsort(distance[known])]]
-        pairs = self._solution(_zeros(places), places)
-        worst = pairs.condition.argmax()  # nan counts as the largest
-        if not pairs.condition[worst] <= MAX_CONDITION:
-            remark = self._left_open(places[:, worst])
+        places, distance = places[:, order], distance[order]
+        pairs = self.solution(places)
+        worst = int(pairs.condition.argmax())
+        if pairs.condition[worst] > MAX_CONDITION:
+            remark = self._left_open(self.slopes(places[:, [worst]])[1][0])
             return self._failed(Unseparated(self.problem, remark, float(pairs.condition[worst])))
-        distinct = _distinct(places, pairs.condition * (_ERROR + 2 * numpy.sort(distance[known])))
+        distinct = _distinct(places, pairs.condition * (_ERROR + 2 * distance))
         if len(distinct) > 1:
             rows = sorted(numpy.transpose([*pairs.values.values()])[distinct].tolist())
             several = [dict(zip(pairs.values, row, strict=True)) for row in rows]
             return self._failed(SeveralSolutions(self.problem, several))
-        return self._solution(_zeros(places[:, :1]), places[:, :1])
+        return self.solution(places[:, :1])
 
     def _failed(self, error: JkrollError) -> Solution:
         """Return the solution of a row without one."""
-        nothing = dict.fromkeys(self.problem.unknowns, numpy.nan)
-        return Solution(self.problem, nothing, numpy.nan, nothing, {0: error})
-
-    def _unseparated(self) -> Unseparated | None:
-        """Return the error of two quantities that change alike wherever they have values; None where they do not."""
-        sample = self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1)
-        _, matrices = self.slopes(_zeros(sample), sample)
-        known = numpy.flatnonzero(numpy.isfinite(matrices).all(axis=(1, 2)))
-        if not known.size or (_conditions(matrices[known]) <= MAX_CONDITION / 10).any():
-            return None
-        return Unseparated(self.problem, self._left_open(sample[:, known[known.size // 2]]))
+        nothing = dict.fromkeys(self.problem.unknowns, nan)
+        return Solution(self.problem, nothing, nan, nothing, {0: error})
 
     def _in_cells(self) -> Any:
         """Return places in the cells that both measured values may cross: the centre, and one towards each corner."""
-        quantities = self._on_mesh.reshape(2, -1)
-        residuals = self.residuals(_zeros(quantities), quantities).reshape(self._mesh.shape)
-        before, after = slice(None, -1), slice(1, None)
-        corners = numpy.array([residuals[:, one, other] for one in (before, after) for other in (before, after)])
-        low, high = numpy.fmin.reduce(corners), numpy.fmax.reduce(corners)
+        residuals = self._above(self.on_mesh).reshape(self._mesh.shape)
+        corners = numpy.lib.stride_tricks.sliding_window_view(residuals, (2, 2), axis=(1, 2))
+        low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
         margin = _MARGIN * (high - low)
-        may_cross = (low - margin <= 0) & (high + margin >= 0) | numpy.isnan(corners).any(axis=0) & numpy.isfinite(low)
+        may_cross = (low - margin <= 0) & (high + margin >= 0) | numpy.isnan(corners).any(axis=(3, 4)) & numpy.isfinite(
+            low
+        )
         cells = may_cross.all(axis=0)
         first, last = self._mesh[:, :-1, :-1][:, cells], self._mesh[:, 1:, 1:][:, cells]
         parts = [(0.5, 0.5), *((i, j) for i in (0.2, 0.8) for j in (0.2, 0.8))]
@@ -279,19 +269,19 @@ class Pairs:
     def _failure(self) -> JkrollError:
         """Return the reason why no pair gives both measured values."""
         problem, levels = self.problem, self.problem.levels
-        if not numpy.isfinite(self._on_mesh.sum(axis=0)).any():
+        if not numpy.isfinite(self.on_mesh.sum(axis=0)).any():
             return problem.failure()
         scene = problem.filled()
         first, second = sorted(levels, key=lambda name: len({*problem.unknowns}.intersection(scene.inputs_of(name))))
-        ranges = [(name, "it", heights) for name, heights in zip(levels, self._on_mesh, strict=True)]
+        ranges = [(name, "it", heights) for name, heights in zip(levels, self.on_mesh, strict=True)]
         ranges.append((second, f"where {equal({first: levels[first]})}, {second}", self._along(first, second)))
         sizes = f"for {sizes_in_words(problem.unknowns)}"
         for name, subject, heights in ranges:
             low, high = float(numpy.nanmin(heights, initial=inf)), float(numpy.nanmax(heights, initial=-inf))
-            if not low <= levels[name] <= high and low <= high:
-                given = levels if subject != "it" else {name: levels[name]}
+            if low <= high and not low <= levels[name] <= high:
+                given = equal({name: levels[name]} if subject == "it" else levels)
                 lies = f"{subject} lies between {amount(name, low)} and {amount(name, high)}"
-                return NoSolution(problem, f"no pair of values gives {equal(given)}; {lies} {sizes}", (low, high))
+                return NoSolution(problem, f"no pair of values gives {given}; {lies} {sizes}", (low, high))
         return NoSolution(problem, f"no pair of values gives {equal(levels)} {sizes}")
 
     def _along(self, first: str, second: str) -> Any:
@@ -302,12 +292,11 @@ class Pairs:
         problem = Problem((sought,), {first: self.problem.levels[first]}, self.problem.with_values({other: places}))
         scan = Scan(problem, len(places), SIZES[sought])
         rows, roots = scan.points.crossings(scan.levels, scan.function)
-        heights = outcomes(self.problem, rows, {sought: roots, other: places[rows]})
+        heights = outcomes(self.problem, {sought: roots, other: places[rows]})
         return heights[[*self.problem.measured].index(second)]
 
-    def _left_open(self, place: Any) -> str:
-        """Return the direction in which both quantities stay as they are, to the first order."""
-        matrix = self.slopes(numpy.zeros(1, dtype=int), place[:, None])[1][0]
+    def _left_open(self, matrix: Any) -> str:
+        """Return the direction in which both quantities stay as they are, to the first order, given their derivatives."""
         steepest = max(matrix, key=lambda slope: float(numpy.hypot(*slope)))
         (one, other), (second, first) = self.problem.unknowns, steepest.tolist()
         for name, small, large in ((other, second, first), (one, first, second)):
@@ -315,11 +304,6 @@ class Pairs:
                 return f"they leave {NOMENCLATURE[name].symbol} open"
         power = f"{NOMENCLATURE[other].symbol}^{-first / second:.3g}"
         return f"both stay as they are along {NOMENCLATURE[one].symbol} ∝ {power}"
-
-
-def _zeros(places: Any) -> Rows:
-    """Return the row of a problem that has one, for each place."""
-    return numpy.zeros(places.shape[-1], dtype=int)
 
 
 def _conditions(matrices: Any) -> Any:
