@@ -70,7 +70,8 @@ def solutions(problem: Problem, size: int, near: Values | None = None) -> Soluti
             whole.put(range(size), pairs)
         for row in rest:
             whole.put([row], Pairs(problem.rows(row)).found())
-    whole.condition[:] = [float(f"{number:.6g}") for number in whole.condition]
+    for column in (whole.condition, *growths.values()):
+        column[:] = [float(f"{number:.6g}") for number in column]  # the rest comes from rounding
     return whole
 
 
