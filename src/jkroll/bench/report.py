@@ -2,24 +2,26 @@
 
 import math
 import platform
-import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import groupby
 from pathlib import Path
 from time import perf_counter_ns
-from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
+from typing import Any, NamedTuple, TextIO
 
 import numpy
 
 from .. import __version__
-from ..output.files import whole_file
-from ..output.records import write_records
-from ..text import ending, say
-from .points import REGIONS, Arrays, digits, each, exact, inputs_of, references, regions
+from ..output.records import Cell, write_records
+from ..physics.contact import pull_off_force
+from ..physics.jkr import FOLD_APPROACH
+from ..physics.pair import reduced_radius
+from ..pictures.axes import Axis
+from ..pictures.maps import Curve, Mark, Panel, Picture
+from ..quantities.formatting import significant
+from ..text import say
+from .equations import DECIMALS, Way, digits, exact, inputs_of
 from .ways import OTHER_WAYS, QUANTITIES, our_way
-
-if TYPE_CHECKING:
-    from ..pictures.maps import Panel, Picture
 
 DEFAULT = "jkroll, arrays"
 PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), of the guide
@@ -51,7 +53,7 @@ class Row(NamedTuple):
     quantity: str
     way: str
     cost: float  # ns a point
-    root: float  # ns, of a cube root of numpy
+    cube_roots: float  # the same in cube roots of an array by numpy
     errors: Mapping[str, Error]  # by region; none where the quantity has no points
 
     @property
@@ -60,61 +62,113 @@ class Row(NamedTuple):
         return max(error.worst for error in self.errors.values())
 
 
+# --- Points -----------------------------------------------------------------------------------------------------------
+
+Arrays = Mapping[str, Any]
+REGIONS = ("ordinary", "pull-off", "fold", "δ = 0", "extreme")
+_SEED = 1997
+_PULL_OFF_APPROACH = -(2 ** (-4 / 3))  # δ/δ0 at the pull-off force
+
+
+def regions(count: int) -> Mapping[str, Arrays]:
+    """Return points of each region: ordinary ones, those near pull-off, the fold and δ = 0, and tiny and huge states.
+
+    Ordinary ones are grains of 10 nm to 100 µm under loads from −0.8 to 2 P_c, or at approaches from −0.8 to 3 δ0. The
+    others have sizes and properties of any magnitude. A load reaches no fold.
+    """
+    random = numpy.random.default_rng(_SEED)
+
+    def powers(low: float, high: float) -> Any:
+        return 10 ** random.uniform(low, high, count)
+
+    sizes = {
+        "radius": powers(-8, -4),
+        "work_of_adhesion": powers(-2, 0.3),
+        "contact_modulus": powers(9, 11.5),
+        "density": powers(3, 4),
+        "yield_displacement": powers(-10, -9.3),
+        "gravity": powers(-3, 1),
+        "atomic_spacing": powers(-10, -9),
+    }
+    sizes["radius2"] = sizes["radius"] * powers(-1, 1)
+    any_sizes = {
+        "radius": powers(-12, 3),
+        "radius2": powers(-12, 3),
+        "work_of_adhesion": powers(-6, 2),
+        "contact_modulus": powers(4, 13),
+        "density": powers(1, 5),
+        "yield_displacement": powers(-12, -6),
+        "gravity": powers(-3, 3),
+    }
+    strain = any_sizes["work_of_adhesion"] / any_sizes["contact_modulus"]
+    reduced = reduced_radius(radius=any_sizes["radius"], radius2=any_sizes["radius2"])
+    any_sizes["atomic_spacing"] = numpy.cbrt(reduced * strain * strain) / powers(-4, 4)  # μ from 1e-4 to 1e4
+
+    sign = numpy.sign(random.uniform(-1, 1, count))
+    small, tiny = sign * powers(-15, -2), sign * powers(-18, -2)
+    is_tiny = numpy.arange(count) % 2 == 0
+    huge, huge_load = numpy.where(is_tiny, powers(0, 6), powers(6, 60)), numpy.where(is_tiny, tiny, powers(0, 9))
+    return {
+        "ordinary": _at(sizes, random.uniform(-0.8, 3, count), random.uniform(-0.8, 2, count)),
+        "pull-off": _at(any_sizes, _PULL_OFF_APPROACH * (1 + small), powers(-15, -2) - 1),
+        "fold": _at(any_sizes, FOLD_APPROACH + powers(-14, -1)),
+        "δ = 0": _at(any_sizes, tiny, -8 / 9 * (1 + small)),
+        "extreme": _at(any_sizes, huge, huge_load),
+    }
+
+
+def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
+    """Return points at approaches and, if there are any, at loads that are multiples of the pull-off force, as it is rounded."""
+    points = {**sizes, "approach_at_load": approach_ratio, "approach": numpy.ones_like(approach_ratio)}
+    if load_ratio is None:
+        return points
+    reduced = reduced_radius(radius=sizes["radius"], radius2=sizes["radius2"])
+    force = pull_off_force(work_of_adhesion=sizes["work_of_adhesion"], reduced_radius=reduced)
+    return {**points, "pull_off_force": force, "load": numpy.maximum(load_ratio * force, -force)}
+
+
+def each(points: Arrays) -> list[dict[str, float]]:
+    """Return the points as dictionaries of floats."""
+    return [dict(zip(points, row, strict=True)) for row in zip(*(v.tolist() for v in points.values()), strict=True)]
+
+
 # --- Measurement ------------------------------------------------------------------------------------------------------
 
 
-def measure(
-    size: Size, quantities: Sequence[str] = QUANTITIES, show: Callable[[str], None] = lambda _: None
-) -> Iterator[Row]:
-    """Measure every way to the quantities; iterate over the rows. `show` is told which quantity is measured."""
+def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[Row]:
+    """Measure every way to the quantities; iterate over the rows."""
     points = regions(size.points)
     elements = numpy.linspace(1, 2, size.elements)
     root = _best({"cbrt": lambda: numpy.cbrt(elements)}, size.repeats)["cbrt"] / size.elements
-    for number, quantity in enumerate(quantities, 1):
-        show(f"{number} of {len(quantities)}: {quantity}")
+    for quantity in quantities:
         with numpy.errstate(all="ignore"):
             yield from _measure_quantity(quantity, points, size, root)
-        show("")
 
 
 def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, root: float) -> Iterator[Row]:
-    by_arrays, by_points = _ways(quantity)
-    names = dict.fromkeys(
-        name for way in (references()[quantity], *OTHER_WAYS[quantity].values()) for name in inputs_of(way)
-    )
+    ours, others = our_way(quantity), OTHER_WAYS[quantity]
+    by_arrays: dict[str, Way] = {DEFAULT: ours, **{name: partial(_by_symbols, way) for name, way in others.items()}}
+    by_points: dict[str, Way] = {
+        "jkroll, floats": lambda few: [ours(point) for point in few],
+        "60 digits": lambda few: [float(digits(quantity, point)) for point in few],
+    }
+    names = {name for way in (getattr(DECIMALS, quantity), *others.values()) for name in inputs_of(way)}
     given = {
-        region: {name: arrays[name] for name in names}
-        for region, arrays in points.items()
-        if names.keys() <= arrays.keys()
+        region: {name: arrays[name] for name in names} for region, arrays in points.items() if names <= arrays.keys()
     }
     listed = {region: each(arrays) for region, arrays in given.items()}
     wanted = {region: numpy.array([exact(quantity, point) for point in few]).T for region, few in listed.items()}
     many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
     few = listed["ordinary"][: size.numbers]
-    times = _best({name: partial(way, many) for name, way in by_arrays.items()}, size.repeats)
-    times_of_few = _best({name: partial(way, few) for name, way in by_points.items()}, size.repeats)
-    for name, way in by_arrays.items():
-        errors = {region: _error(way(arrays), *wanted[region]) for region, arrays in given.items()}
-        yield Row(quantity, name, times[name] / size.elements, root, errors)
-    for name, way in by_points.items():
-        errors = {region: _error(way(few), *wanted[region]) for region, few in listed.items()}
-        yield Row(quantity, name, times_of_few[name] / len(few), root, errors)
+    for ways, timed, count, at_points in ((by_arrays, many, size.elements, given), (by_points, few, len(few), listed)):
+        times = _best({name: partial(way, timed) for name, way in ways.items()}, size.repeats)
+        for name, way in ways.items():
+            errors = {region: _error(way(arrays), *wanted[region]) for region, arrays in at_points.items()}
+            yield Row(quantity, name, times[name] / count, times[name] / count / root, errors)
 
 
-def _ways(quantity: str) -> tuple[dict[str, Callable[[Arrays], Any]], dict[str, Callable[[Any], Any]]]:
-    """Return the ways to a quantity that take arrays, and those that take a list of points."""
-    ours = our_way(quantity)
-
-    def by_symbols(way: Callable[..., Any]) -> Callable[[Arrays], Any]:
-        return lambda arrays: way(*(arrays[name] for name in inputs_of(way)))
-
-    return (
-        {DEFAULT: ours, **{name: by_symbols(way) for name, way in OTHER_WAYS[quantity].items()}},
-        {
-            "jkroll, floats": lambda few: [ours(point) for point in few],
-            "60 digits": lambda few: [float(digits(quantity, point)) for point in few],
-        },
-    )
+def _by_symbols(way: Way, arrays: Arrays) -> Any:
+    return way(*(arrays[name] for name in inputs_of(way)))
 
 
 def _error(values: Any, nearest: Any, rest: Any, condition: Any) -> Error:
@@ -142,7 +196,6 @@ HEADS = (
     "quantity", "way", "ns_per_point", "cube_roots",
     *(f"{which}_{region}" for region in _FIELDS for which in ("median", "worst")),
 )  # fmt: skip
-TABLE_HEADS = ("ns", "× cbrt", *REGIONS)
 LEGEND = f"""ns      nanoseconds a point
 × cbrt  the same in cube roots of an array by numpy, on this machine
 others  median and largest error in ulp/(1 + κ) in a region of points, κ the condition in load, approach or λ;
@@ -150,20 +203,19 @@ others  median and largest error in ulp/(1 + κ) in a region of points, κ the c
 """
 
 
-def write_bench(out: TextIO, kind: str, quick: bool, plot: "Plot | None" = None) -> int:
-    """Measure everything, write it in a format, draw it into a file if one is named, and return the exit code."""
-    rows = list(measure(QUICK if quick else FULL, show=_show))
+def write_bench(out: TextIO, kind: str, size: Size) -> list[Row]:
+    """Measure everything, write it in a format, and return it. A table for readers has a part for each quantity."""
+    rows: list[Row] = []
     if kind == "table":
         say(f"{machine()}\n{LEGEND}", out)
-        for quantity in QUANTITIES:
-            if lines := [_in_short(row) for row in rows if row.quantity == quantity]:
-                write_records((quantity, *TABLE_HEADS), lines, kind, out)
-                say("", out)
+        for quantity, ways in groupby(measure(size), lambda row: row.quantity):
+            rows += (of_quantity := [*ways])
+            write_records((quantity, "ns", "× cbrt", *REGIONS), map(_in_short, of_quantity), kind, out)
+            say("", out)
     else:
+        rows += measure(size)
         write_records(HEADS, map(_in_full, rows), kind, out)
-    if plot is not None:
-        plot_bench(rows, plot)
-    return 0
+    return rows
 
 
 def machine() -> str:
@@ -177,32 +229,16 @@ def machine() -> str:
     return f"{processor}, Python {platform.python_version()}, numpy {numpy.__version__}, jkroll {__version__}"
 
 
-def _show(text: str) -> None:
-    """Show on a terminal what is measured, in place of what it showed before."""
-    if sys.stderr.isatty():
-        sys.stderr.write(f"\r{text:<60}\r")
-        sys.stderr.flush()
+def _in_full(row: Row) -> list[Cell]:
+    errors = [number for region in REGIONS for number in row.errors.get(region, (math.nan, math.nan))]
+    return [row.quantity, row.way, row.cost, row.cube_roots, *(e if math.isfinite(e) else None for e in errors)]
 
 
-def _in_full(row: Row) -> list[Any]:
-    errors = [cell for region in REGIONS for cell in row.errors.get(region, (None, None))]
-    numbers = (row.cost, row.cost / row.root, *errors)
-    return [row.quantity, row.way, *(None if cell is None or not math.isfinite(cell) else cell for cell in numbers)]
-
-
-def _in_short(row: Row) -> list[str | None]:
-    errors = [row.errors.get(region) for region in REGIONS]
-    cells = [f"{_short(error.median)} {_short(error.worst)}" if error else None for error in errors]
-    return [row.way, _short(row.cost), _short(row.cost / row.root), *cells]
-
-
-def _short(value: float) -> str:
-    """Return two digits of a number: for errors and times, more say nothing."""
-    if not math.isfinite(value):
-        return "nan"
-    if value < 10_000:
-        return f"{value:.2g}" if value < 100 else f"{value:.0f}"
-    return f"{value:.0e}".replace("e+0", "e").replace("e+", "e")
+def _in_short(row: Row) -> list[Cell]:
+    """Return the cells of a row with two digits: for errors and times, more say nothing."""
+    pairs = [row.errors.get(region) for region in REGIONS]
+    errors = [pair and " ".join(significant(number, 2) for number in pair) for pair in pairs]
+    return [row.way, significant(row.cost, 2), significant(row.cube_roots, 2), *errors]
 
 
 # --- The page ---------------------------------------------------------------------------------------------------------
@@ -218,28 +254,8 @@ PLOTTED = {
 _NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # ulp: least error that is drawn, and an error as large as the value
 
 
-class Plot(NamedTuple):
-    """A file to be drawn, its width in inches, None for the usual one, and a key of `styles.STYLES`."""
-
-    path: str
-    inches: float | None = None
-    style: str = "paper"
-    has_caption: bool = True
-
-
-def plot_bench(rows: Sequence[Row], plot: Plot) -> None:
-    """Draw error against cost into a file; needs matplotlib."""
-    from ..pictures.page import draw
-
-    content = draw(picture_of(rows), ending(plot.path), plot.inches, plot.style, has_caption=plot.has_caption)
-    with whole_file(plot.path) as stream:
-        stream.write(content)
-
-
-def picture_of(rows: Sequence[Row]) -> "Picture":
+def picture_of(rows: Sequence[Row]) -> Picture:
     """Return error against cost, a panel for each of six quantities."""
-    from ..pictures.maps import Picture
-
     panels = tuple(_panel(title, [row for row in rows if row.quantity == name]) for name, title in PLOTTED.items())
     caption = (
         "Each point is a way, numbered by its cost; its error is the largest in all regions, in ulp/(1 + κ).",
@@ -249,19 +265,13 @@ def picture_of(rows: Sequence[Row]) -> "Picture":
     return Picture("Error against cost of the ways to six quantities", panels, caption)
 
 
-def _panel(title: str, rows: Sequence[Row]) -> "Panel":
+def _panel(title: str, rows: Sequence[Row]) -> Panel:
     """Return the panel of one quantity, with the error that the guide promises."""
-    from ..pictures.axes import Axis
-    from ..pictures.maps import Curve, Mark, Panel
-
     promise = PROMISE_OF_MAUGIS if "maugis" in rows[0].quantity else PROMISE
     x, y = Axis("time_of_a_point", 1e-10, 1e-2), Axis("error", 0.01, 1e18)
     line = Curve("promise", numpy.array([x.low, x.high]), numpy.array([promise, promise]), is_dashed=True)
-    ways = sorted(rows, key=lambda row: row.cost)
-    errors = [min(max(row.worst, _NEAREST), _ALL_DIGITS) for row in ways]
-    points = tuple(
-        Mark(str(number), row.cost * 1e-9, error)
-        for number, (row, error) in enumerate(zip(ways, errors, strict=True), 1)
-    )
-    keys = tuple(f"{number}  {row.way}" for number, row in enumerate(ways, 1))
-    return Panel(x, y, (line,), points, title, keys=keys)
+    points, keys = [], []
+    for number, row in enumerate(sorted(rows, key=lambda row: row.cost), 1):
+        points.append(Mark(str(number), row.cost * 1e-9, min(max(row.worst, _NEAREST), _ALL_DIGITS)))
+        keys.append(f"{number}  {row.way}")
+    return Panel(x, y, (line,), tuple(points), title, keys=tuple(keys))

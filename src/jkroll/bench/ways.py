@@ -1,8 +1,4 @@
-"""Ways to each headline quantity: the package's own, and what a reader of the paper would write down.
-
-A way is a function of arrays whose parameters are the paper's symbols: printed forms, textbook inversions, tables and
-quadratures.
-"""
+"""Ways to each headline quantity: the package's own, the paper's equations, and textbook inversions, tables and quadratures."""
 
 # ruff: noqa: N803, N806  (the paper's symbols)
 
@@ -10,20 +6,20 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
-from numpy import abs, any, cbrt, exp, interp, linspace, pi, sin, sqrt, where
+from numpy import cbrt, exp, interp, linspace, pi, sin, sqrt, where
 from numpy.polynomial.legendre import leggauss
 
 from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.jkr import FOLD_APPROACH
 from ..scene.wiring import plan_for
-from .points import inputs_of, references
+from .equations import AS_PRINTED, DECIMALS, DOUBLES, Way, inputs_of
 
-Way = Callable[..., Any]
+_reduced = DOUBLES.reduced
 
 
 def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
     """Return the formulas that `jkroll.solve` runs, as a function of the inputs of a quantity."""
-    names = inputs_of(references()[quantity])
+    names = inputs_of(getattr(DECIMALS, quantity))
     plan = plan_for((quantity,), frozenset((*names, "energy_ratio")), own_material2=False)
 
     def run(point: Mapping[str, Any]) -> Any:
@@ -35,61 +31,19 @@ def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
     return run
 
 
-# --- Common parts -----------------------------------------------------------------------------------------------------
-
-
-def _reduced(R1: Any, R2: Any) -> Any:
-    return R1 * R2 / (R1 + R2)
-
-
-def _force(R1: Any, R2: Any, w: Any) -> Any:
-    return 3 * pi * w / 2 * _reduced(R1, R2)
-
-
-def _factor(P: Any, P_c: Any) -> Any:
-    """Return x = (1 + √(1 + P/P_c))/2, which loses its digits at pull-off."""
-    return (1 + sqrt(1 + P / P_c)) / 2
-
-
-def _stable_factor(P: Any, P_c: Any) -> Any:
-    """Return the same by √((P + P_c)/P_c), which does not."""
-    return (1 + sqrt((P + P_c) / P_c)) / 2
-
-
-def _radius(R1: Any, R2: Any, w: Any, E: Any) -> Any:
-    return cbrt(9 * pi * w / 2 * _reduced(R1, R2) ** 2 / E)
-
-
-def _approach(R1: Any, R2: Any, w: Any, E: Any) -> Any:
-    return _radius(R1, R2, w, E) ** 2 / (3 * _reduced(R1, R2))
-
-
-def _stiffness(x: Any, E: Any, a0: Any) -> Any:
-    s = 2 * x - 1
-    return 6 * E * a0 * x ** (2 / 3) * s / (2 + 3 * s)
-
-
-def _mass(R: Any, rho: Any) -> Any:
-    return 4 / 3 * pi * R**3 * rho
+def _printed(quantity: str) -> dict[str, Way]:
+    """Return the equation of the paper, and what becomes of it by a square root that keeps the digits near pull-off."""
+    return {
+        "s = √(1+P/P_c)": getattr(AS_PRINTED, quantity),
+        "s = √((P+P_c)/P_c)": getattr(DOUBLES, quantity),
+    }
 
 
 # --- The approach inverted --------------------------------------------------------------------------------------------
 
 
-def _by_newton(delta: Any, delta0: Any) -> Any:
-    """Solve 3y⁴ − 2y = δ/δ0 by Newton's method."""
-    ratio = delta / delta0
-    y = 1 + sqrt(sqrt(abs(ratio)))
-    for _ in range(60):
-        step = (3 * y**4 - 2 * y - ratio) / (12 * y**3 - 2)
-        y = y - step
-        if not any(abs(step) > 1e-15 * abs(y)):
-            break
-    return y**3
-
-
 def _by_radicals(delta: Any, delta0: Any) -> Any:
-    """Solve it by Ferrari's resolvent in the textbook's form."""
+    """Solve 3y⁴ − 2y = δ/δ0 by Ferrari's resolvent in the textbook's form."""
     ratio = delta / delta0
     root = sqrt(4 / 81 + (4 * ratio / 9) ** 3)
     zeta = cbrt(2 / 9 + root) + cbrt(2 / 9 - root)
@@ -125,10 +79,9 @@ def _table() -> tuple[Any, Any]:
 
 def _half_circles(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -> Any:
     """Return Eq 19 with Eq 23, not linearised: its terms in ξ³ count as errors of Eq 25, which is exact."""
-    a_ = _stable_factor(P, P_c) ** (2 / 3)
-    delta = _approach(R1, R2, w, E) * (3 * a_**2 - 2 * sqrt(a_))
-    radii = (_radius(R1, R2, w, E) * a_ - xi, _radius(R1, R2, w, E) * a_ + xi)
-    less, more = (E * A**2 * delta / 2 - E / (4 * _reduced(R1, R2)) * A**4 for A in radii)
+    a = DOUBLES.contact_radius_at_load(R1, R2, w, E, P, P_c)
+    delta = DOUBLES.approach_at_load(R1, R2, w, E, P, P_c)
+    less, more = (E * A**2 * delta / 2 - E / (4 * _reduced(R1, R2)) * A**4 for A in (a - xi, a + xi))
     return less - more
 
 
@@ -137,7 +90,7 @@ def _quadrature(points: int, *, in_angle: bool) -> Way:
     nodes = list(zip(*(values.tolist() for values in leggauss(points)), strict=True))
 
     def way(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -> Any:
-        a = _radius(R1, R2, w, E) * cbrt(_stable_factor(P, P_c) ** 2)
+        a = DOUBLES.contact_radius_at_load(R1, R2, w, E, P, P_c)
         total = 0.0
         for node, weight in nodes:  # of X²/√(1 − r²/a²), which the pressure leaves
             r = (1 + node) / 2
@@ -148,6 +101,10 @@ def _quadrature(points: int, *, in_angle: bool) -> Way:
 
 
 # --- Between JKR and DMT: either limit, and a published fit -----------------------------------------------------------
+
+
+def _radius_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
+    return DOUBLES.contact_radius_at_load(R1, R2, w, E, P, DOUBLES.pull_off_force(R1, R2, w))
 
 
 def _radius_by_dmt(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
@@ -174,61 +131,27 @@ def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
 # --- All of them ------------------------------------------------------------------------------------------------------
 
 OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
-    "pull_off_force": {
-        "R = R1R2/(R1+R2)": _force,
-        "R = 1/(1/R1+1/R2)": lambda R1, R2, w: 3 / 2 * pi * w / (1 / R1 + 1 / R2),
-    },
-    "contact_radius_at_load": {
-        "a0 x**(2/3), s = √(1+P/P_c)": lambda R1, R2, w, E, P, P_c: _radius(R1, R2, w, E) * _factor(P, P_c) ** (2 / 3),
-        "a0 x**(2/3), stable s": lambda R1, R2, w, E, P, P_c: _radius(R1, R2, w, E) * _stable_factor(P, P_c) ** (2 / 3),
-    },
-    "approach_at_load": {
-        "Eq 6 through â, s = √(1+P/P_c)": lambda R1, R2, w, E, P, P_c: (
-            _approach(R1, R2, w, E) * (3 * _factor(P, P_c) ** (4 / 3) - 2 * _factor(P, P_c) ** (1 / 3))),
-        "Eq 6 through â, stable s": lambda R1, R2, w, E, P, P_c: (
-            _approach(R1, R2, w, E) * (3 * _stable_factor(P, P_c) ** (4 / 3) - 2 * _stable_factor(P, P_c) ** (1 / 3))),
-    },
-    "stiffness": {
-        "s = √(1+P/P_c)": lambda R1, R2, w, E, P, P_c: _stiffness(_factor(P, P_c), E, _radius(R1, R2, w, E)),
-        "stable s": lambda R1, R2, w, E, P, P_c: _stiffness(_stable_factor(P, P_c), E, _radius(R1, R2, w, E)),
-    },
+    "pull_off_force": {"Eq 1": DOUBLES.pull_off_force},
+    "contact_radius_at_load": _printed("contact_radius_at_load"),
+    "approach_at_load": _printed("approach_at_load"),
+    "stiffness": _printed("stiffness"),
     "load_factor_at_approach": {
-        "Newton on the quartic": _by_newton,
+        "Newton on the quartic": DOUBLES.load_factor_at_approach,
         "closed form, radicals": _by_radicals,
         "Parteli et al. 2014": _by_quartic,
         "table of 10⁴ nodes": lambda delta, delta0: interp(delta / delta0, *_table()),
     },
-    "contact_radius_maugis": {
-        "JKR": lambda R1, R2, w, E, P: _radius(R1, R2, w, E) * cbrt(_stable_factor(P, _force(R1, R2, w)) ** 2),
-        "DMT": _radius_by_dmt,
-        "COS 1999": _radius_by_cos,
-    },
+    "contact_radius_maugis": {"JKR": _radius_by_jkr, "DMT": _radius_by_dmt, "COS 1999": _radius_by_cos},
     "yield_moment": {
-        "s = √(1+P/P_c)": lambda R1, R2, w, xi, P, P_c: 4 * _force(R1, R2, w) * xi * _factor(P, P_c),
+        **_printed("yield_moment"),
         "half-circles, Eq 19": _half_circles,
         "Gauss 8 in r": _quadrature(8, in_angle=False),
         "Gauss 16 in angle": _quadrature(16, in_angle=True),
     },
-    "r_min": {
-        "R1R2/ξ": lambda R1, R2, xi: R1 * R2 / xi,
-    },
-    "n_grav": {
-        "Eq 30": lambda R1, R2, w, rho, xi, g, P, P_c: (
-            sqrt(9 * (w / 2) * _reduced(R1, R2) * xi * _stable_factor(P, P_c) / (R1**4 * rho * g))),
-    },
-    "vertical_frequency": {
-        "√(k/m)/2π": lambda R1, R2, w, E, rho, P, P_c: (
-            sqrt(_stiffness(_stable_factor(P, P_c), E, _radius(R1, R2, w, E))
-                 / _reduced(_mass(R1, rho), _mass(R2, rho))) / (2 * pi)),
-    },
-    "rolling_frequency": {
-        "I = I1I2/(I1+I2)": lambda R1, R2, w, rho, P, P_c: (
-            sqrt(10 * _force(R1, R2, w) * _factor(P, P_c) * _reduced(R1, R2)
-                 / _reduced(_mass(R1, rho) * R1**2, _mass(R2, rho) * R2**2)) / (2 * pi)),
-    },
-    "n_roll": {
-        "Eq 49 as printed": lambda R1, R2, w, E, xi, P, P_c: (
-            3 / (14 * (9 * pi) ** (1 / 3)) * (w / 2 / E) ** (2 / 3) * _reduced(R1, R2) ** (1 / 3) / xi / _factor(P, P_c)),
-    },
-}  # fmt: skip
+    "r_min": {"R1R2/ξ": DOUBLES.r_min},
+    "n_grav": _printed("n_grav"),
+    "vertical_frequency": _printed("vertical_frequency"),
+    "rolling_frequency": _printed("rolling_frequency"),
+    "n_roll": _printed("n_roll"),
+}
 QUANTITIES = tuple(OTHER_WAYS)

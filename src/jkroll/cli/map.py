@@ -137,17 +137,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
     if call.data is not None:
         _write_data(drawn, call.data)
     if call.target is not None:
-        from ..pictures.page import draw
-
-        content = draw(
-            drawn,
-            ending(call.target),
-            inches_of(call.width),
-            call.style or "paper",
-            has_caption=not call.uncaptioned,
-        )
-        with whole_file(call.target) as stream:
-            stream.write(content)
+        draw_into(call.target, drawn, call)
         if call.data != "-" and not call.quiet:
             for text in filter(None, (drawn.title, *drawn.caption, *drawn.remarks)):
                 say_wrapped(plain(text), sys.stdout)
@@ -163,6 +153,16 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
         for note in notes:
             say_wrapped(f"note: {note}", sys.stderr)
     return 0
+
+
+def draw_into(path: str, drawn: Map | Picture, call: Call) -> None:
+    """Draw into a file, with the looks that a call has chosen."""
+    from ..pictures.page import draw
+
+    style = call.style or "paper"
+    content = draw(drawn, ending(path), inches_of(call.width), style, has_caption=not call.uncaptioned)
+    with whole_file(path) as stream:
+        stream.write(content)
 
 
 def _write_data(drawn: Map | Picture, path: str) -> None:

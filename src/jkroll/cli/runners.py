@@ -130,10 +130,12 @@ def run_verify(_: Call) -> int:
 
 def run_bench(call: Call) -> int:
     """Measure speed against error; return the exit code. Whatever prevents a plot is reported before anything is measured."""
-    from .map import check_picture, inches_of
+    from .map import check_picture, draw_into
 
     check_picture(call, call.plot, "--plot", numbers="--csv > FILE")
-    from ..bench.report import Plot, write_bench
+    from ..bench.report import FULL, QUICK, picture_of, write_bench
 
-    plot = Plot(call.plot, inches_of(call.width), call.style or "paper", not call.uncaptioned) if call.plot else None
-    return write_bench(sys.stdout, call.kind, quick=call.quick, plot=plot)
+    rows = write_bench(sys.stdout, call.kind, QUICK if call.quick else FULL)
+    if call.plot is not None:
+        draw_into(call.plot, picture_of(rows), call)
+    return 0
