@@ -88,6 +88,10 @@ def test_a_term_of_the_field_finds_its_section(run: Run, command: str, words: st
 def test_all_words_are_sought_in_manual_quantities_and_materials(run: Run) -> None:
     lines = run("guide restitution").out.splitlines()
     assert "energies      Energies by convention" in lines
+    assert "changes" not in run("guide adhesion hysteresis").out
+    assert run("guide changes 0.3.0").out.startswith("## 0.3.0\n")
+    assert "displacement_limit" in run("guide largest xi").out
+    assert run("guide mixture").out.startswith("## Sweeps\n")
     assert run("guide dem Damping").out.startswith("## Other programs, and damping\n")
     assert "\nquantities: tabor_parameter: jkroll quantities tabor\n" in run("guide tabor").out
     assert run("guide quartz").out.endswith("\nmaterials: quartz: jkroll materials quartz\n")

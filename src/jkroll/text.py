@@ -15,6 +15,9 @@ _ASCII = {
 }  # fmt: skip
 
 
+LETTERS = {name: letter for letter, name in _ASCII.items() if len(name) > 1 and name.isalpha()}  # by their names
+
+
 def ascii_text(text: str) -> str:
     """Replace what is not ASCII. A Greek letter becomes its name, with spaces between it and other letters.
 

@@ -14,13 +14,17 @@ _ENDING = ".md"
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("dem", "Other programs, and damping"): "dissipation viscous coefficient of restitution",
     ("dem", "What other codes call γ"): "cohesion energy density",
-    ("energies", "Energies by convention"): "stickiness sticking bouncing coefficient of restitution",
+    ("energies", "Energies by convention"): "E_break E_roll stickiness sticking bouncing coefficient of restitution",
     ("measurements", "Rough and humid"): (
         "roughness asperities capillary meniscus humidity moisture water liquid wetting contact angle"
     ),
     ("models", "Between JKR and DMT"): "tabor parameter maugis law",
+    ("tables", "Sweeps"): "mixture of sizes pairs and a wall lists ranges",
     ("validation", "Measurements"): "stickiness sticking bouncing coefficient of restitution",
 }
+
+
+HISTORY = "changes"  # the page of what was, which is found where no other is
 
 
 class Section(NamedTuple):

@@ -8,8 +8,8 @@ from ..errors import BadRequest
 from ..materials.library import Material
 from ..quantities.errors import QUANTITY_SYNONYMS
 from ..quantities.nomenclature import NOMENCLATURE, named, with_symbol
-from ..text import closest, first_of, quoted, say
-from .manual import Section, sections, topics, write_text
+from ..text import LETTERS, closest, first_of, quoted, say
+from .manual import HISTORY, Section, sections, topics, write_text
 
 MAX_NAMED = 6  # quantities and materials in a list of what was found
 
@@ -28,8 +28,9 @@ def hits_of(words: Sequence[str], materials: Iterable[Material]) -> Hits:
     if not begun:
         return Hits([], [], [])
     titled = [section for section in sections() if has_words(section.title, begun)]
+    holding = [section for section in sections() if has_words(f"{section.title} {section.prose}", begun)]
     return Hits(
-        titled or [section for section in sections() if has_words(f"{section.title} {section.prose}", begun)],
+        titled or [section for section in holding if section.page != HISTORY] or holding,
         _quantities_with(words, only_by_name=bool(titled)),
         [material.name for material in materials_with(words, materials)],
     )
@@ -89,9 +90,9 @@ def words_of(texts: Iterable[str]) -> set[str]:
 
 
 def has_words(text: str, begun: Iterable[str]) -> bool:
-    """Return whether each of some texts begins a word of a text."""
+    """Return whether each of some texts begins a word of a text; the name of a Greek letter is the letter, too."""
     words = words_of([text])
-    return all(any(word.startswith(piece) for word in words) for piece in begun)
+    return all(any(word.startswith((piece, LETTERS.get(piece, piece))) for word in words) for piece in begun)
 
 
 def write_hits(words: Sequence[str], hits: Hits, out: TextIO) -> None:
@@ -101,7 +102,7 @@ def write_hits(words: Sequence[str], hits: Hits, out: TextIO) -> None:
         guess = closest(text, topics())
         meant = f"did you mean {guess}? " if guess else ""
         raise BadRequest(f"guide: nothing has the words {quoted(text, 40)}; {meant}jkroll guide lists the pages")
-    if len(hits.sections) == 1:
+    if len(hits.sections) == 1 and (hits.sections[0].page != HISTORY or HISTORY in words):
         [section] = hits.sections
         write_text(section.text, out)
         say(f"from the page {section.page}: jkroll guide {section.page}", out)
