@@ -13,8 +13,8 @@ import pytest
 
 from harness import Run
 from jkroll.batch.job import Job
-from jkroll.batch.lines import Tally
 from jkroll.batch.run import convert_one
+from jkroll.rows.reasons import Tally
 from tables import random_table
 
 PARTS = 5

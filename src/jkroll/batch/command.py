@@ -7,10 +7,10 @@ from ..errors import ROWS_FAILED, BadRequest
 from ..materials.library import Materials
 from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
+from ..rows.reasons import Tally
 from ..scene.limits import UNCHECKED
 from ..text import first_of, say, say_wrapped
 from .job import Job, Settings
-from .lines import Tally
 from .many import convert_many, is_many
 from .run import convert_one
 
@@ -40,7 +40,7 @@ def _say_notes(tally: Tally, settings: Settings) -> None:
     if tally.inferred:
         say_wrapped(_summary(settings.infer, tally), sys.stderr)
     if tally.doubtful:
-        is_one, counts = tally.rows == 1, tally.most_frequent_codes()
+        is_one, counts = tally.rows == 1, sorted(tally.codes.items(), key=lambda item: -item[1])
         counted = first_of([code if is_one else f"{code} in {count}" for code, count in counts], MAX_CODES)
         are = "is" if tally.doubtful == 1 else "are"
         some = "the row" if is_one else f"{tally.doubtful} of {tally.rows} rows"

@@ -10,6 +10,7 @@ import sys
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
+from functools import partial
 from io import BufferedReader, FileIO
 from itertools import chain
 from typing import Any, BinaryIO, NamedTuple
@@ -28,7 +29,7 @@ LINES: Mapping[str, Dialect | Ndjson] = {**DIALECTS, "ndjson": Ndjson()}
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
 CHUNK = 1 << 20  # bytes read at a time
-FEED = 1 << 9  # bytes given to zstd at a time: a block of at least 4 bytes holds at most 128 KiB, so 16 MiB come out
+FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
 
 # --- Formats ----------------------------------------------------------------------------------------------------------
 
@@ -123,35 +124,30 @@ def compressed(block: Any, compression: str) -> Any:
 
 
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
-    """Iterate over the decompressed bytes of a file, at most CHUNK at a time. Raises BadTable for a damaged file."""
-    pieces = _from_gzip if compression == "gzip" else _from_zstd
-    try:
-        for piece in pieces(file):
-            for start in range(0, len(piece), CHUNK):
-                yield piece[start : start + CHUNK]
-    except (EOFError, zlib.error, gzip.BadGzipFile):
-        raise BadTable(f"{quoted(path)} is not what its name says, or its end is missing") from None
-
-
-def _from_gzip(file: BinaryIO) -> Iterator[bytes]:
-    with gzip.open(file, "rb") as stream:
-        yield from iter(lambda: stream.read(CHUNK), b"")
-
-
-def _from_zstd(file: BinaryIO) -> Iterator[bytes]:
-    with missing_extra("zstd"):
-        from zstandard import ZstdDecompressor, ZstdError
-    frame, rest = ZstdDecompressor().decompressobj(), b""
+    """Iterate over the decompressed bytes of a file, some at a time. Raises BadTable for a damaged file."""
+    begun, damaged = _decompressor(compression)
+    frame, rest = begun(), b""
     try:
         while rest or (rest := file.read(FEED)):
             if frame.eof:
-                frame = ZstdDecompressor().decompressobj()
+                if not (rest := rest.lstrip(b"\0")):  # which may fill the end of a file
+                    continue
+                frame = begun()
             yield frame.decompress(rest)
             rest = frame.unused_data if frame.eof else b""
-    except ZstdError:
-        raise EOFError from None
+    except damaged:
+        frame = begun()
     if not frame.eof:
-        raise EOFError
+        raise BadTable(f"{quoted(path)} is not what its name says, or its end is missing")
+
+
+def _decompressor(compression: str) -> tuple[Callable[[], Any], type[Exception]]:
+    """Return the maker of what decompresses a file, or each of several behind each other, and the error of a damaged one."""
+    if compression == "gzip":
+        return partial(zlib.decompressobj, zlib.MAX_WBITS | 16), zlib.error
+    with missing_extra("zstd"):
+        from zstandard import ZstdDecompressor, ZstdError
+    return ZstdDecompressor().decompressobj, ZstdError
 
 
 # --- The input --------------------------------------------------------------------------------------------------------

@@ -14,10 +14,10 @@ from functools import partial, reduce
 from typing import NamedTuple
 
 from ..errors import BadRequest, BadTable, JkrollError, MissingExtra, missing_extra
+from ..rows.reasons import Tally
 from ..text import quoted, say, say_wrapped
 from .files import format_of_name
 from .job import Job, Settings
-from .lines import Tally
 from .run import convert_one
 
 MAX_LINES = 6  # about tables, that are said on stderr

@@ -15,13 +15,13 @@ from ..errors import BadRow, missing_extra
 from ..output.writers import WRITERS, columns_of, written
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
-from ..rows.reasons import worded
+from ..rows.reasons import Tally, worded
 from ..rows.rows import evaluated
 from ..rows.table import Table
 from ..text import say
 from .files import Input, compressed, format_of_name, input_format, lines_of, output_format, output_to, unnamed
 from .job import Job, said_of
-from .lines import Converted, Head, Source, Tally
+from .lines import Converted, Head, Source
 from .progress import Bar
 
 if TYPE_CHECKING:
@@ -62,7 +62,10 @@ class Converter(NamedTuple):
         said = [[text] * len(columns) for text in table.said.values()]
         results = columns_of(columns, Format({}), table.remarks)
         output = self.writer.rows(table.added, [*said, *results], records.before, records.rest)
-        return Converted(compressed(output, self.compression), records.size, Tally.of(columns))
+        tally = Tally.of(columns)
+        if table.fill.inverse is not None:
+            tally = tally._replace(inferred=(columns.column(table.fill.inverse.name).copy(),))
+        return Converted(compressed(output, self.compression), records.size, tally)
 
 
 def convert_one(path: str, job: Job) -> Tally:

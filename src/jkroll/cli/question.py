@@ -149,7 +149,7 @@ def _ended(notes: note_lines.OfRows, lines: Iterable[str]) -> int:
     """Print the notes on rows, and how many of them failed, if any did; return the exit code."""
     for line in lines:
         say_wrapped(line, sys.stderr)
-    return _failed(notes.failed, notes.count, notes.failure)
+    return _failed(notes.tally.failed, notes.tally.rows, notes.failure)
 
 
 def _failed(failed: int, count: int, first: JkrollError | None) -> int:

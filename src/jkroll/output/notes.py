@@ -1,6 +1,5 @@
 """The notes of a call as the lines below its results: a matter each, the most important first, and where there are more."""
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import get_args
@@ -9,9 +8,9 @@ from ..answers.answer import Answer
 from ..answers.notes import assumed_of_rows, first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
 from ..errors import JkrollError
-from ..rows.columns import Columns, as_list
-from ..rows.reasons import Gaps, joined
-from ..scene.limits import CODES, ENDING_MEANING, MEANINGS, OF_LAW, codes_of
+from ..rows.columns import Columns
+from ..rows.reasons import Tally
+from ..scene.limits import ENDING_MEANING, MEANINGS, OF_LAW, codes_of
 from ..scene.scene import Scene
 from ..text import first_of
 
@@ -86,22 +85,15 @@ class OfRows:
     def __init__(self, kinds: Iterable[tuple[Scene, Sequence[str]]]) -> None:
         """`kinds`: a scene of each kind of rows, with the quantities that it shows."""
         self._kinds = [*kinds]
-        self._codes: Counter[str] = Counter()
-        self._gaps: dict[str, Gaps] = {}  # of rows with empty cells
-        self.count = 0
-        self.failed = 0
+        self.tally = Tally()
         self.failure: JkrollError | None = None  # the first
 
     def watch(self, blocks: Iterable[Columns]) -> Iterator[Columns]:
-        """Iterate over columns, and collect what is to be said of them."""
+        """Iterate over columns, and count what is to be said of them."""
         for columns in blocks:
-            self._gaps = joined(self._gaps, columns.gaps(first_symbols), self.count)
-            for bits, rows in Counter(as_list(columns.doubts)).items():
-                self._codes.update(dict.fromkeys(codes_of(bits), rows))
+            self.tally = self.tally.plus(Tally.of(columns, first_symbols))
             if columns.failed and self.failure is None:
                 self.failure = columns.failure(min(columns.failed))
-            self.failed += len(columns.failed)
-            self.count += len(columns)
             yield columns
 
     @cached_property
@@ -114,14 +106,16 @@ class OfRows:
 
         It has columns beside the values of a law that is not exact, too.
         """
-        ending = [code for code in CODES if code in self._codes and code in ENDING_MEANING]
-        of_law = codes_of(OF_LAW)
-        others = [code for code in CODES if code in self._codes and code not in (*ENDING_MEANING, *of_law)]
-        doubts = [*others, *([] if has_table else [code for code in reversed(of_law) if code in self._codes])]
+        codes, of_law = self.tally.codes, codes_of(OF_LAW)
+        ending = [code for code in codes if code in ENDING_MEANING]
+        others = [code for code in codes if code not in (*ENDING_MEANING, *of_law)]
+        doubts = [*others, *([] if has_table else [code for code in reversed(of_law) if code in codes])]
         found = [Note("warning", self._counted(ending, "numbers have no meaning"))] if ending else []
         if quiet:
             return _lines(found)
-        found += [Note("missing", gaps.sentence() if self.count > 1 else gaps.words) for gaps in self._gaps.values()]
+        found += [
+            Note("missing", gaps.sentence() if self.tally.rows > 1 else gaps.words) for gaps in self.tally.gaps.values()
+        ]
         found += [Note("doubt", self._counted(doubts, "doubts"), size=0.0)] if doubts else []
         found += dict.fromkeys(note for kind in self._kinds for note in notes_on_rows(*kind))
         head = [f"assumed: {', '.join(self.assumed.values())}"] if self.assumed and not has_table else []
@@ -129,6 +123,7 @@ class OfRows:
 
     def _counted(self, codes: Sequence[str], lead: str) -> str:
         """Return in how many rows codes stand, and the meaning of the first."""
-        texts = [f"{code} in {self._codes[code]}" if self.count > 1 else code for code in codes]
-        some = f" of {self.count} rows" if self.count > 1 else ""
+        counts, rows = self.tally.codes, self.tally.rows
+        texts = [f"{code} in {counts[code]}" if rows > 1 else code for code in codes]
+        some = f" of {rows} rows" if rows > 1 else ""
         return f"{lead}: {first_of(texts, MAX_CODES)}{some} ({codes[0]}: {MEANINGS[codes[0]]}): {_OF_ROWS}"

@@ -2,7 +2,7 @@
 
 From the bottom up:
 
-reasons            why cells are empty: a phrase for the status, and in full
+reasons            why cells are empty: a phrase for the status, and in full; the counts of rows
 columns            what is wanted of rows, and their columns: by floats, which defines them, and by arrays
 inferred           the same where an input is sought
 words, readings    the words of headers as data, and the meaning of one header

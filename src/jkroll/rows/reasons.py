@@ -1,17 +1,24 @@
-"""Why cells of a row are empty: in a few words, for its status, and in full."""
+"""Why cells of a row are empty: in a few words, for its status, and in full; and the counts of such rows."""
 
+from collections import Counter
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import NO_END, Failure, MissingInput, grouped, needs_in_words
+from ..scene.limits import CODES, NOT_JUDGED, codes_of
 from ..text import first_of
+
+if TYPE_CHECKING:
+    from .columns import Columns
 
 ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 _MAX_NAMES = 3  # of quantities in a clause
 
+_NO_DOUBTS: Counter[int] = Counter()
+_NO_GAPS: "Mapping[str, Gaps]" = {}  # which can be pickled
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
 
 
@@ -86,3 +93,49 @@ def worded(reasons: Reasons, named: Callable[[list[str]], str] | None = None) ->
     clauses += [f"{named(names)}: {NO_END}{reason}" for names, reason in grouped(of_sides)]
     clauses += [str(reasons[UNCERTAINTY])] if UNCERTAINTY in reasons else []
     return "; ".join(clauses)
+
+
+class Tally(NamedTuple):
+    """The rows of a run, and those of them that failed, have empty cells, or exceed limits."""
+
+    rows: int = 0
+    failed: int = 0
+    gaps: Mapping[str, Gaps] = _NO_GAPS  # rows with empty cells, by their status
+    doubts: Counter[int] = _NO_DOUBTS  # rows, by the bits of their doubts
+    inferred: tuple[Any, ...] = ()  # the values of the unknown of a table, in parts
+    said: tuple[str, ...] = ()  # of each table as a whole
+
+    @classmethod
+    def of(cls, columns: "Columns", named: Callable[[list[str]], str] | None = None) -> "Tally":
+        """Return the counts of some rows; `named` as `reasons.worded` has it."""
+        doubts = columns.doubts if isinstance(columns.doubts, list) else columns.doubts.tolist()
+        return cls(len(columns), len(columns.failed), columns.gaps(named), Counter(doubts))
+
+    def plus(self, other: "Tally") -> "Tally":
+        """Return the counts with those of some more rows."""
+        return Tally(
+            self.rows + other.rows,
+            self.failed + other.failed,
+            joined(self.gaps, other.gaps, self.rows),
+            self.doubts + other.doubts,
+            self.inferred + other.inferred,
+            self.said + other.said,
+        )
+
+    @property
+    def doubtful(self) -> int:
+        """Number of rows that exceed a limit."""
+        return sum(rows for bits, rows in self.doubts.items() if bits & ~NOT_JUDGED)
+
+    @property
+    def not_judged(self) -> int:
+        """Number of rows in which a limit could not be judged."""
+        return sum(rows for bits, rows in self.doubts.items() if bits & NOT_JUDGED)
+
+    @property
+    def codes(self) -> dict[str, int]:
+        """The codes of doubts with their numbers of rows: those that matter most first."""
+        counts: Counter[str] = Counter()
+        for bits, rows in self.doubts.items():
+            counts.update(dict.fromkeys(codes_of(bits), rows))
+        return {code: counts[code] for code in CODES if code in counts}
