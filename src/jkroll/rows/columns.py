@@ -4,7 +4,6 @@
 a gap that floats do not leave, or an uncertainty needs a search, the row is computed again by floats.
 """
 
-from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from math import isnan, nan
@@ -218,9 +217,8 @@ class Columns:
     def __init__(self, wanted: Wanted, inputs: Mapping[str, Any], numbers: Any, doubts: Any) -> None:
         """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys."""
         self.wanted, self.inputs, self.numbers, self.doubts = wanted, inputs, numbers, doubts
-        self.status: dict[int, str] = {}  # by the place of a row that has empty cells
+        self.reasons: dict[int, Reasons] = {}  # why rows have empty cells, by their places
         self.failed: set[int] = set()  # rows without a contact, or without any value
-        self.reasons: dict[int, Reasons] = {}  # of rows computed by floats: at least the first one with each status
 
     @classmethod
     def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":
@@ -244,34 +242,25 @@ class Columns:
         return self.numbers[self.wanted.places[key]]
 
     def tell(self, rows: Sequence[int], reasons: Reasons, *, is_empty: bool) -> None:
-        """Note the status of some rows, by the reasons of the first of them.
-
-        `is_empty`: whether all of their cells are empty.
-        """
+        """Note why some rows have empty cells: as the first of them has; `is_empty`: whether they have no others."""
         if not reasons:
             return
-        self.status.update(dict.fromkeys(rows, status_of(reasons)))
-        self.reasons[rows[0]] = reasons
+        self.reasons.update(dict.fromkeys(rows, reasons))
         if is_empty or lack(reasons) is not None:
             self.failed.update(rows)
 
-    def put(self, place: int, row: Row) -> None:
-        """Take a row that was computed by itself, in place of what arrays gave."""
-        self.status.pop(place, None)
-        self.reasons.pop(place, None)
-        self.failed.discard(place)
-        self.put_part([place], Columns.of_rows(self.wanted, [row]))
-
-    def put_part(self, rows: Sequence[int], part: "Columns") -> None:
-        """Take the columns of some rows, of which nothing was told before."""
-        self.numbers[:, rows] = part.numbers
-        self.doubts[rows] = part.doubts
+    def put(self, rows: Sequence[int], columns: "Columns") -> None:
+        """Take the columns of some rows in place of what was known of them."""
+        self.numbers[:, rows] = columns.numbers
+        self.doubts[rows] = columns.doubts
         for name, column in self.inputs.items():
-            for place, value in zip(rows, as_list(part.inputs[name]), strict=True):
+            for place, value in zip(rows, as_list(columns.inputs[name]), strict=True):
                 column[place] = middle(value)
-        self.status.update((rows[row], status) for row, status in part.status.items())
-        self.reasons.update((rows[row], reasons) for row, reasons in part.reasons.items())
-        self.failed.update(rows[row] for row in part.failed)
+        for place in rows:
+            self.reasons.pop(place, None)
+        self.reasons.update((rows[row], reasons) for row, reasons in columns.reasons.items())
+        self.failed.difference_update(rows)
+        self.failed.update(rows[row] for row in columns.failed)
 
     def put_sides(self, found: "Mapping[str, Propagated | JkrollError]") -> Any:
         """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
@@ -291,23 +280,31 @@ class Columns:
 
     def add_remark(self, remark: JkrollError) -> None:
         """Note a remark on all rows."""
-        plain = next((row for row in range(len(self)) if row not in self.status), None)
-        for row in range(len(self)):
-            self.status[row] = "; ".join(filter(None, (self.status.get(row), remark.phrase)))
-        first: dict[int, Reasons] = {} if plain is None else {plain: {}}
-        self.reasons = {row: {**reasons, UNCERTAINTY: remark} for row, reasons in (self.reasons | first).items()}
+        alone: Reasons = {UNCERTAINTY: remark}
+        beside = {id(reasons): {**reasons, **alone} for reasons in self.reasons.values()}
+        self.reasons = {
+            row: beside[id(self.reasons[row])] if row in self.reasons else alone for row in range(len(self))
+        }
+
+    @property
+    def status(self) -> dict[int, str]:
+        """The phrases of rows that have empty cells, by their places."""
+        distinct = {id(reasons): reasons for reasons in self.reasons.values()}
+        phrases = {number: status_of(reasons) for number, reasons in distinct.items()}
+        return {row: phrases[id(reasons)] for row, reasons in self.reasons.items()}
 
     def gaps(self, named: Callable[[list[str]], str] | None = None) -> dict[str, Gaps]:
         """Return the rows that have a status, by it; `named` as `reasons.worded` has it."""
-        counts = Counter(self.status.values())
-        first = {self.status[row]: row for row in sorted(self.reasons, reverse=True)}
+        rows: dict[str, list[int]] = {}
+        for row, status in sorted(self.status.items()):
+            rows.setdefault(status, []).append(row)
         return {
-            status: Gaps(counts[status], row + 1, worded(self.reasons[row], named))
-            for status, row in reversed(first.items())
+            status: Gaps(len(places), places[0] + 1, worded(self.reasons[places[0]], named))
+            for status, places in rows.items()
         }
 
     def failure(self, row: int) -> JkrollError:
-        """Return why a row fails that was computed by floats: the lack of a contact, or else its first reason."""
+        """Return why a row fails: the lack of a contact, or else its first reason."""
         return lack(self.reasons[row]) or next(iter(self.reasons[row].values()))
 
 
@@ -373,7 +370,7 @@ def put_row(columns: Columns, place: int, scene: Callable[[], Any]) -> None:
         row = columns.wanted.row(scene())
     except JkrollError as error:
         row = Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error})
-    columns.put(place, row)
+    columns.put([place], Columns.of_rows(columns.wanted, [row]))
 
 
 class _Arrays:

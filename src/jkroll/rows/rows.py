@@ -35,7 +35,7 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
             if len(rows) == block.size:
                 return part
             columns = columns or _empty(wanted, block.size)
-            columns.put_part(places, part)
+            columns.put(places, part)
             left[rows] = False
         columns = columns or _empty(wanted, block.size)
         for row in numpy.flatnonzero(left).tolist():
