@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from contextlib import suppress
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -20,7 +19,8 @@ from .words import MATERIALS, fits, key, unit_for, with_unit
 _MAX_SAID = 60  # columns that pass through and are named
 _OF_DIRECTIONS = re.compile(r"\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
-_NO_UNIT, _UNITS = "has no unit", "the first row has units"  # problems
+_VALUE, _BARE, _UNIT = "value", "bare number", "unit"  # kinds of cells
+_NO_UNIT = "has no unit, and neither has its first cell"
 _NO_MEANINGS: Mapping[str, Reading] = MappingProxyType({})
 
 
@@ -82,15 +82,12 @@ def stated_meanings(names: Iterable[str], texts: Iterable[str], measured: str = 
     """Return the meaning of the columns that options name, and of those of their uncertainties."""
     chosen = column_options(texts, measured)
     more = {key(word): measured for word in (measured, NOMENCLATURE[measured].symbol)} if measured else {}
-    for head, reading in chosen.items():
-        if reading.name and not reading.part:
-            more[named(head, reading.name)[0]] = reading.name
-    meanings = {head.strip(): read(head, more) for head in names} if more else {}
-    return {
-        head: reading
-        for head, reading in meanings.items()
-        if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input))
-    } | chosen
+    more |= {named(head, each.name)[0]: each.name for head, each in chosen.items() if each.name and not each.part}
+    for head in map(str.strip, names) if more else ():
+        reading = read(head, more)
+        if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
+            chosen.setdefault(head, reading)
+    return chosen
 
 
 def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
@@ -170,21 +167,23 @@ def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -
     if (stated := meanings.get(text.strip())) is not None:
         return stated
     reading, cell = reading_of(text), _first(cells)
-    if reading.is_symbol and not reading.part and not _have_units(cells, reading.name):
-        return Reading()
+    if reading.is_symbol and not reading.part:
+        kinds = (_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each))
+        return reading if any(kind in (_VALUE, _UNIT) for kind in kinds) else Reading()
     if key(text) in ("model", "law") and cell.casefold() in LAWS:
         return Reading("model", problem="the law is an option: --model dmt")
     is_unread = reading.problem or not reading.name
     return Reading() if is_unread and cell[:1].isalpha() else reading
 
 
-def _have_units(cells: Sequence[str], name: str) -> bool:
-    """Return whether some cell is a value of an input with its unit, or the first is its unit."""
-    for cell in dict.fromkeys(map(str.strip, cells)):
-        with suppress(QuantityError):
-            if cell and not is_number(cell) and value_of(cell, name) is not None:
-                return True
-    return fits(_first(cells).strip("[]() "), name)
+def _kind(cell: str, name: str) -> str:
+    """Return the kind of a cell of an input: a value, a number that lacks a unit, a unit, or "" for what is none of these."""
+    try:
+        value_of(cell, name)
+    except QuantityError as error:
+        is_unit = not error.is_bare and unit_for(cell.strip("[]() "), name)
+        return _UNIT if is_unit else _BARE if error.is_bare else ""
+    return _VALUE
 
 
 def _first(cells: Sequence[str]) -> str:
@@ -228,13 +227,11 @@ def _with_sides(parts: Mapping[str, Column], texts: Sequence[str], stated: Colle
 
     Raises BadTable.
     """
-    base = parts.get("")
-    kinds = [("both",), ("minus", "plus")] if base else [("low", "high")]
-    kinds = [kind for kind in kinds if parts.keys() >= {*kind}]
-    used = [part for kind in kinds for part in kind]
+    name, base = next(iter(parts.values())).name, parts.get("")
+    shapes = [("both",), ("minus", "plus")] if base else [("low", "high")]
+    used = [part for shape in shapes if parts.keys() >= {*shape} for part in shape]
     left = [texts[column.place] for part, column in parts.items() if part not in ("", *used)]
-    name = next(iter(parts.values())).name
-    if len(kinds) > 1:
+    if len(used) > 2:
         first, second = (quoted(texts[parts[part].place]) for part in used[:2])
         raise BadTable(f"header: {first} and {second} are both uncertainties of {name}; one must go")
     if left and (any(text.strip() in stated for text in left) or (not base and parts.keys() & {"low", "high"})):
@@ -242,10 +239,9 @@ def _with_sides(parts: Mapping[str, Column], texts: Sequence[str], stated: Colle
             f"header: {quoted(left[0])} alone is no uncertainty of {name}: values have a column of ± beside them, or "
             "two, of minus and plus; a range has low and high alone"
         )
-    if not base:
-        if not kinds:
-            return None
-        base = parts["low" if parts["low"].unit_text else "high"]._replace(place=parts["low"].place)
+    if not base and not used:
+        return None
+    base = base or parts["low" if parts["low"].unit_text else "high"]._replace(place=parts["low"].place)
     sides = []
     for part in used:
         place, unit_text = parts[part].place, parts[part].unit_text
@@ -266,28 +262,20 @@ def _lack_of_unit(reading: Reading, cell: str) -> Reading | None:
         return None
     unit_text = unit_for(cell.strip("[]() "), name)
     meant = (f"{name}{'_' if part else ''}{part} [{unit_text or 'UNIT'}]",)
-    try:
-        value_of(cell, name)
-    except QuantityError as error:
-        if error.is_bare or unit_text:  # else it makes a bad row, and no bad header
-            return reading._replace(problem=_NO_UNIT if error.is_bare else _UNITS, meant=meant)
-    return None
+    problem = {_BARE: _NO_UNIT, _UNIT: _UNIT}.get(_kind(cell, name))
+    return reading._replace(problem=problem, meant=meant) if problem else None
 
 
 def _refusal(refused: Mapping[int, Reading], texts: Sequence[str], cells: Sequence[str]) -> BadTable:
     """Return the error of columns that may be inputs and cannot be read."""
     problems, remedies, tail = [], [], ""
     for place, reading in refused.items():
-        cell = f" (first cell {quoted(cells[place])})" if cells[place] else ""
-        if reading.problem == _NO_UNIT:
-            problems.append(
-                f"{quoted(texts[place])} has no unit, and neither has its first cell {quoted(cells[place])}"
-            )
-            tail = " with its unit"
-        else:
-            problems.append(f"{quoted(texts[place])}{cell}: {reading.problem}")
+        text, cell, problem = quoted(texts[place]), quoted(cells[place]), reading.problem
+        is_bare, first = problem == _NO_UNIT, f" (first cell {cell})" if cells[place] else ""
+        problems.append(f"{text} {problem} {cell}" if is_bare else f"{text}{first}: {problem}")
         remedies.append(" or ".join(_option(texts[place], each) for each in reading.meant or ("",)))
-    if any(reading.problem == _UNITS for reading in refused.values()):
+        tail = " with its unit" if is_bare else tail
+    if any(reading.problem == _UNIT for reading in refused.values()):
         return BadTable(f"header: the first row has units. Delete it, and write {' '.join(remedies)}")
     if len(refused) == 1 and not reading.meant:
         remedies = [f"a column {with_unit(reading.name)} in its place"]

@@ -54,7 +54,12 @@ _FACTORS = re.compile(r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*$|[⁰¹²³
 _LONGEST = 120  # letters of a header that can be one
 # Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
 _SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
-_ERROR = rf"(?:standard|std?)[\s_.]*dev(?:iation)?\.?|{'|'.join(word for word in PARTS if PARTS[word] == 'both' and word.isalpha())}"
+_ERROR = "|".join(
+    [
+        r"(?:standard|std?)[\s_.]*dev(?:iation)?\.?",
+        *(word for word in PARTS if PARTS[word] == "both" and word.isalpha()),
+    ]
+)
 _PART = (
     rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{_ERROR}|{'|'.join(filter(str.isalpha, PARTS))})(?=$|[\s_.,/(\[])"
@@ -129,16 +134,14 @@ def _exact(split: _Split, known: Mapping[str, str]) -> Reading | None:
         return None
     doubt = DOUBTFUL.get(word, Doubt())
     if not unit:
-        meant = tuple(map(with_unit, doubt.meant))
         is_symbol = not name and not doubt.problem and names[0] not in words.RATIOS
-        return Reading(names[0], None, "", is_symbol, doubt.problem, meant)
+        return Reading(names[0], None, "", is_symbol, doubt.problem, tuple(map(with_unit, doubt.meant)))
     for each in names:
         unit_text = unit_for(unit, each, is_explicit=is_explicit)
         is_lost = is_mangled and is_in_table(f"u{unit_text}")  # µm may have become m
         if unit_text and not is_lost:
-            return Reading(
-                each, unit_text, "", False, doubt.problem, tuple(with_unit(name, unit_text) for name in doubt.meant)
-            )
+            meant = tuple(with_unit(name, unit_text) for name in doubt.meant)
+            return Reading(each, unit_text, problem=doubt.problem, meant=meant)
     return None
 
 
@@ -177,16 +180,21 @@ def _refusal(splits: Sequence[_Split], known: Mapping[str, str]) -> Reading | No
         if not name:
             return None  # another quantity
         if split.unit and word == key(split.word):
-            return _of_unit(split, word, name)
+            tail = re.findall(r"[a-z]+", _GAP.sub(" ", split.unit).casefold())
+            is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
+            is_other = is_shared and not unit_for(split.unit.casefold(), name)
+            if word in DOUBTFUL or ((is_label or is_other) and not split.is_explicit):
+                return None
+            meant = (with_unit(name),) if split.unit[0].isalpha() else ()
+            return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
         is_explicit = split.is_explicit and is_in_table(split.unit)
         unit_text = "" if name in MATERIALS else unit_for(split.unit, name, is_explicit=is_explicit)
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not is_shared
         if (unit_text and (is_slip or not is_shared)) or (is_telling and not split.unit):
-            if word in DOUBTFUL:
-                return Reading(name, problem=DOUBTFUL[word].problem)
             is_whole = unit_text and (is_slip or key(split.word).endswith(word))
-            meant = with_unit(name, unit_text) if is_whole else with_unit(name)
-            return Reading(name, problem=f"it may be {name}", meant=(meant,))
+            meant = () if word in DOUBTFUL else (with_unit(name, unit_text) if is_whole else with_unit(name),)
+            problem = DOUBTFUL[word].problem if word in DOUBTFUL else f"it may be {name}"
+            return Reading(name, problem=problem, meant=meant)
     return None
 
 
@@ -209,14 +217,3 @@ def _word_in(text: str, known: Mapping[str, str]) -> tuple[str, bool]:
     slips = (words.slips().get(spelt, "") for spelt in words.lacking_a_letter(letters))
     slip = next(filter(None, slips), "")
     return slip, bool(slip)
-
-
-def _of_unit(split: _Split, word: str, name: str) -> Reading | None:
-    """Return the refusal of the word of an input and what is not its unit; None for a label, or another quantity."""
-    tail = re.findall(r"[a-z]+", _GAP.sub(" ", split.unit).casefold())
-    is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
-    is_other = word in SHARED and not unit_for(split.unit.casefold(), name)
-    if word in DOUBTFUL or ((is_label or is_other) and not split.is_explicit):
-        return None
-    meant = (with_unit(name),) if split.unit[0].isalpha() else ()
-    return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
