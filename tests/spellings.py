@@ -1,4 +1,4 @@
-"""Headers as people and programs write them: every word and symbol of every input, in many notations of its unit, mangled."""
+"""Headers as people and programs write them: all words and symbols of inputs, in many notations of a unit, mangled."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -22,10 +22,11 @@ UNITS: Mapping[str, list[tuple[str, float]]] = {
     "rad": [("rad", 1.0)],
 }
 NOTATIONS = (
-    "{word} [{unit}]", "{word}[{unit}]", "{word} ({unit})", "{word}({unit})", "{word} {{{unit}}}", "{word} <{unit}>", "{word}, {unit}",
-    "{word},{unit}", "{word}/{unit}", "{word} / {unit}", "{word} / ({unit})", "{word} / [{unit}]", "{word} in {unit}", "{word}: {unit}",
-    "{word}:{unit}", "{word}; {unit}", "{word} | {unit}", "{word} (in {unit})", "{word}_{unit}", "{word}-{unit}", "{word} {unit}", "{word}.{unit}",
-    "{word}_in_{unit}", "{word}__{unit}", "{word}_({unit})", "{word} - {unit}",
+    "{word} [{unit}]", "{word}[{unit}]", "{word} ({unit})", "{word}({unit})", "{word} {{{unit}}}", "{word} <{unit}>",
+    "{word}, {unit}", "{word},{unit}", "{word}/{unit}", "{word} / {unit}", "{word} / ({unit})", "{word} / [{unit}]",
+    "{word} in {unit}", "{word}: {unit}", "{word}:{unit}", "{word}; {unit}", "{word} | {unit}", "{word} (in {unit})",
+    "{word}_{unit}", "{word}-{unit}", "{word} {unit}", "{word}.{unit}", "{word}_in_{unit}", "{word}__{unit}",
+    "{word}_({unit})", "{word} - {unit}",
 )  # fmt: skip
 _MARKS = re.compile(r"[\[(<,/:;|]|\{\{|\sin\s")  # with which a notation says that a unit follows
 _LOSSY = ("R", "MATLAB", "MATLAB, joined", "SQL, small", "SQL, capital", "janitor")  # which lose these marks
@@ -70,7 +71,7 @@ MANGLINGS: Mapping[str, Callable[[str], str]] = {
 
 
 class Spelling(NamedTuple):
-    """A header, the input that it means, its unit in SI units, whether it is a symbol without a mark, and how it is mangled."""
+    """A header: the input that it means, its unit in SI units, if it is a symbol without a mark, how it is mangled."""
 
     text: str
     name: str

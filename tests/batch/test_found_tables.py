@@ -1,4 +1,6 @@
-"""Tables as instruments, simulation codes and lists of materials write them, found in public: what each is read as, or what is to be done.
+"""Tables as instruments, simulation codes and lists of materials write them, found in public.
+
+Each is read as it says, or it says what is to be done.
 
 found_tables.toml has them, and says how.
 """

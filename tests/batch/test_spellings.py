@@ -1,4 +1,4 @@
-"""Every spelling of every input in a header is read rightly or refused; a symbol without a mark may pass, and nothing else does."""
+"""Every spelling of every input in a header is read rightly or refused; only a symbol without a mark may pass."""
 
 from collections import Counter
 

@@ -42,7 +42,10 @@ def test_the_line_of_a_bad_row_is_counted_from_the_beginning_of_the_file(run: Ru
 
 
 def test_a_member_that_stands_twice_is_refused(run: Run) -> None:
-    rows = ['{"radius [nm]": 100, "gamma [mJ/m2]": 25, "at": "12:30"}', '{"radius [nm]": 100, "gamma [mJ/m2]": 25, "radius [nm]": 5, "at": ""}']  # fmt: skip
+    rows = [
+        '{"radius [nm]": 100, "gamma [mJ/m2]": 25, "at": "12:30"}',
+        '{"radius [nm]": 100, "gamma [mJ/m2]": 25, "radius [nm]": 5, "at": ""}',
+    ]
     Path("x.ndjson").write_text("\n".join(rows), encoding="utf-8")
     assert run(f"batch x.ndjson -o out.ndjson {FORCE}").code == 1
     first, second = map(orjson.loads, Path("out.ndjson").read_text(encoding="utf-8").splitlines())

@@ -85,8 +85,8 @@ class Wanted:
         """`named`: quantities that were asked for by name, and concern any row; `inputs`: that stand before them.
 
         `sides`: of the uncertainties of quantities, those of SIDES that have columns; None where uncertainties are not
-        wanted. `doubts`: whether limits are judged. `alternatives`: by the quantity, what may stand in its place and has
-        columns: the name of a law, or the ends of what measured forces mean, `DATA`.
+        wanted. `doubts`: whether limits are judged. `alternatives`: by the quantity, what may stand in its place and
+        has columns: the name of a law, or the ends of what measured forces mean, `DATA`.
         """
         self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
         self.uncertainties = sides is not None

@@ -1,4 +1,4 @@
-"""The header of a table: the columns that are inputs, with their units, those that pass through, and what is refused."""
+"""The header of a table: the columns that are inputs, with their units, those that pass through, what is refused."""
 
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -123,9 +123,9 @@ def understood(
     meanings: Mapping[str, Reading] = _NO_MEANINGS,
     given: Collection[str] = (),
 ) -> Header:
-    """Return the columns of a header, given the cells of its first rows and what some are said to mean. Raises BadTable.
+    """Return the columns of a header, given the cells of its first rows and what some are said to mean.
 
-    `given`: the inputs of options.
+    `given`: the inputs of options. Raises BadTable.
     """
     for text in meanings.keys() - {text.strip() for text in texts}:
         guess = closest(text, texts)
@@ -177,7 +177,7 @@ def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -
 
 
 def _kind(cell: str, name: str) -> str:
-    """Return the kind of a cell of an input: a value, a number that lacks a unit, a unit, or "" for what is none of these."""
+    """Return the kind of a cell of an input: a value, a number that lacks a unit, a unit, or "" for no such."""
     try:
         value_of(cell, name)
     except QuantityError as error:
@@ -211,7 +211,7 @@ def _among(place: int, readings: Sequence[Reading], texts: Sequence[str], given:
 
 
 def _column(place: int, reading: Reading) -> Column:
-    """Return the column of an input. Without a unit its cells carry their own, or are plain numbers if it is a ratio."""
+    """Return the column of an input. Without a unit its cells carry their own, or it is a ratio of plain numbers."""
     name, unit_text = reading.name, reading.unit_text
     if reading.part and unit_text == "%":
         return Column(place, name, "%", None)
@@ -290,7 +290,10 @@ def _option(text: str, meaning: str) -> str:
 
 
 def check_inputs(header: Header, measured: str = "") -> None:
-    """Raise BadTable for a table of which no column is an input, so that a row says nothing of a contact, or the measured quantity."""
+    """Raise BadTable for a table of which no column is an input, or none the measured quantity.
+
+    Its rows say nothing of a contact.
+    """
     if measured in header.names or (header.names and not measured):
         return
     if all(map(is_number, header.texts)):

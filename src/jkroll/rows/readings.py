@@ -90,7 +90,7 @@ def read(text: str, more: Mapping[str, str] = MappingProxyType({})) -> Reading:
 
 
 def named(text: str, name: str) -> tuple[str, str | None]:
-    """Return the word of a header that means a quantity, whatever it is, and its unit; None if that is not in the header.
+    """Return the word of a header that means a quantity, whatever it is, and its unit; None if it has none.
 
     >>> named("Kraft [nN]", "load"), named("F_nN", "load"), named("Size", "radius")
     (('kraft', 'nN'), ('f', 'nN'), ('size', None))
@@ -146,7 +146,7 @@ def _exact(split: _Split, known: Mapping[str, str]) -> Reading | None:
 
 
 def _of_part(text: str, more: Mapping[str, str]) -> Reading | None:
-    """Return the meaning of a header of a part of an uncertainty; without a name if it is ± alone, None if it is none."""
+    """Return the meaning of a header of a part of an uncertainty, without a name if it is ± alone, if it is one."""
     plain = re.sub(_SHARE, "", text)
     is_share = plain != text
     if (mark := re.search(_PART, plain)) is None:

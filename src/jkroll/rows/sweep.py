@@ -100,7 +100,7 @@ class Sweep:
         )
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
-        """Return the columns of some quantities alone: those not asked for by name may concern identical spheres only."""
+        """Return the columns of quantities alone: those not asked for by name may concern identical spheres only."""
         shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
         return Wanted(quantities, named=shown, doubts=doubts)
 
@@ -128,7 +128,7 @@ class Sweep:
     # --- Columns ------------------------------------------------------------------------------------------------------
 
     def columns(self, wanted: Wanted, *, one_by_one: bool = False) -> Iterator[Columns]:
-        """Iterate over the columns of the rows, a block after the other; `one_by_one`: inputs have their uncertainties."""
+        """Iterate over the columns of the rows, block by block; `one_by_one`: inputs have their uncertainties."""
         size = len(self)
         if one_by_one or size * wanted.work(self.kinds[0]) <= WORTH_ARRAYS:
             yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])

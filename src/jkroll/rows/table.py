@@ -322,9 +322,10 @@ def _kinds(
     """Return scenes of no rows that together have all inputs of the columns and options, and the labels that they lack.
 
     Of columns that exclude each other, a scene has one. What an input is matters, and not its values, but for one that
-    is infinite in all of the first rows: from it follows more. `unknown`: names that are no material's. A column of such
-    names has labels, unless they were meant as materials: without them, there is no work of adhesion, or it is not
-    known whether there is.
+    is infinite in all of the first rows: from it follows more.
+
+    `unknown`: names that are no material's. A column of such names has labels, unless they were meant as materials:
+    without them, there is no work of adhesion, or it is not known whether there is.
     """
     of_names = {name: {row[place].strip() for row in rows} - {""} for name, place in columns.materials}
     labels = [name for name, texts in of_names.items() if texts and texts <= unknown.keys()]

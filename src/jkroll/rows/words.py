@@ -1,4 +1,4 @@
-"""The words of headers as data: those that mean an input, those that may mean one, and those that mean another quantity."""
+"""The words of headers as data: those that mean an input, those that may mean one, those that mean something else."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -12,7 +12,8 @@ from ..text import ascii_text
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
 SYNONYMS: Mapping[str, Sequence[str]] = {
-    "youngs_modulus": ("young modulus", "youngs", "elastic modulus", "elasticity modulus", "modulus of elasticity", "E modulus"),
+    "youngs_modulus": ("young modulus", "youngs", "elastic modulus", "elasticity modulus", "modulus of elasticity",
+        "E modulus"),
     "poisson_ratio": ("poissons", "poissons ratio", "poisson number"),
     "contact_modulus": ("E_star", "reduced modulus", "reduced Young's modulus", "effective Young's modulus"),
     "reduced_radius": ("effective radius",),
@@ -61,7 +62,8 @@ OTHERS = {*"atomic ionic covalent metallic vdw bohr gyration current dislocation
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
     family label tag index step count counts cell rank source ref reference url doi note notes comment comments desc
-    description quality flag status unit units method model formula cost price date color colour grade out ratio""".split()}  # fmt: skip
+    description quality flag status unit units method model formula cost price date color colour grade out
+    ratio""".split()}  # fmt: skip
 INDICES = ("in", "bar")  # in no brackets they may mean inside and mean
 PARTS = {
     **dict.fromkeys("± +/- +- err error std stdev sd sem se unc uncertainty".split(), "both"),
@@ -92,7 +94,7 @@ def symbol_of(word: str) -> str:
 
 @cache
 def meanings() -> dict[str, str]:
-    """Return what words mean, by their keys: an input, with 1 or 2 for the sphere, or "" for a quantity that is none."""
+    """Return what words mean, by their keys: an input, with 1 or 2 for the sphere, or "" for another quantity."""
     of_inputs = {**{name: name for name in (*INPUTS, *MATERIALS)}, **OPTION_WORDS}
     of_inputs |= {word: name for name, others in SYNONYMS.items() for word in others}
     known = {key(name): "" for name in NOMENCLATURE}
@@ -106,7 +108,7 @@ def meanings() -> dict[str, str]:
 
 @cache
 def symbols() -> dict[str, list[str]]:
-    """Return the inputs by their symbols, with Greek letters spelt out, and with the index of sphere 1 or without it."""
+    """Return the inputs by their symbols, with Greek letters spelt out, with the index of sphere 1 or without it."""
     found: dict[str, list[str]] = {}
     for name in INPUTS:
         if name in RATIOS or any(dimension_of(NOMENCLATURE[name].unit)):
