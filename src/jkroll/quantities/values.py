@@ -155,7 +155,7 @@ def split_number(text: str) -> tuple[int, int, str]:
         raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
     if has_uncertainty(rest):
         raise BadUnit("has an uncertainty: give the value alone")
-    second = rest.lstrip(" -–—…")
+    second = rest.lstrip(" -–—")
     if second[:1].isdigit() and second != rest.lstrip(" "):
         raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
     if exponent and len(exponent.lstrip("+-")) > 3:
