@@ -9,20 +9,25 @@ from jkroll.quantities.unit_table import PLAIN, PREFIXABLE, PREFIXES
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")
-# Names of what `isolate` has put there, and of what is not there. None leads out of its directory, not even with a slip.
+# Names of what `isolate` has put there, and of what is not there. None leads out of its directory, not even with a
+# slip.
 FILES = ("mine.toml", "mine.toml", ".", "null", "zero", "none.toml", "", "broken.toml", "../../none/passwd")
 TABLES = (
-    *("grains.csv",) * 4, *("pairs.tsv", "grains.ndjson", "grains.csv.gz", "grains.parquet") * 2, "wrong.csv", "odd.csv", "empty.csv",
+    *("grains.csv",) * 4, *("pairs.tsv", "grains.ndjson", "grains.csv.gz", "grains.parquet") * 2, "wrong.csv",
+    "odd.csv", "empty.csv",
     "none.csv", "-", ".", "null.csv", "mine.toml", "*.csv", "gr*.csv", "[", "grains.*", "no*thing", "",
 )  # fmt: skip
 TARGETS = (
-    "out.csv", "out.csv", "out.tsv", "out.ndjson", "out.csv.gz", "out.parquet", "out/", "-", "full.csv", "null.csv", ".", "a/b.csv", "",
+    "out.csv", "out.csv", "out.tsv", "out.ndjson", "out.csv.gz", "out.parquet", "out/", "-", "full.csv", "null.csv",
+    ".", "a/b.csv", "",
 )  # fmt: skip
 PICTURES = ("out.svg", "out.svg", "out.pdf", "out.png", "full.svg", "out.jpg", "a/b.svg", ".svg")
 FIGURES = ("3a", "3a", "3b", "3c", "3d", "6a", "6b", "8", "2", "9", "7", "3A", "")
 AXES = (
-    ("radius", "1nm:1um"), ("radius", "1nm:1um"), ("radius", "1um:1nm"), ("radius", "1e-300m:1e300m"), ("radius2", "1nm:1mm"),
-    ("gamma", "1mJ/m2:1J/m2"), ("surface_energy", "1mJ/m2:1J/m2"), ("young", "1GPa:1TPa"), ("load", "-1nN:1nN"), ("load", "0N:10nN"),
+    ("radius", "1nm:1um"), ("radius", "1nm:1um"), ("radius", "1um:1nm"), ("radius", "1e-300m:1e300m"),
+    ("radius2", "1nm:1mm"),
+    ("gamma", "1mJ/m2:1J/m2"), ("surface_energy", "1mJ/m2:1J/m2"), ("young", "1GPa:1TPa"), ("load", "-1nN:1nN"),
+    ("load", "0N:10nN"),
     ("xi", "1angstrom:1nm"), ("density", "1g/cm3:9g/cm3"),
 )  # fmt: skip
 SIZES = (":9", ":9", ":9:lin", ":20", ":20:lin", ":lin:20", ":1", ":2", ":-3", ":1e3", ":log", ":999999")
@@ -36,7 +41,8 @@ UNKNOWN = (
     "",
 )
 MEASURED = (
-    "pull_off_force=10nN", "yield_force=100pN", "yield_moment=10aN m", "n_grav=1000", "n_roll=0.01", "stiffness=100N/m", "contact_radius=4nm",
+    "pull_off_force=10nN", "yield_force=100pN", "yield_moment=10aN m", "n_grav=1000", "n_roll=0.01", "stiffness=100N/m",
+    "contact_radius=4nm",
     "vertical_frequency=1GHz", "hysteresis_ratio=0.5", "P_c=10±1nN,9nN", "sticking_speed=0.5m/s", "yield_force",
 )  # fmt: skip
 PROGRAMS = ("lammps", "lammps", "liggghts", "dust-collider", "dust-simulation", "yade", "")
@@ -47,9 +53,11 @@ VALUES = {
     "width": ("85mm", "85mm", "1m", "5nN", "5mm", "nan", ""),
     "style": ("paper", "dark", "Dark", ""),
     "format": ("csv", "csv", "tsv", "ndjson", "ndjson.gz", "parquet", "csv.zst", "xlsx", ""),
-    "quantities": ("pull_off_force", "pull_off_force,r_min", "report", "pull-off", "contact,moment", "load", "n_grav,", ",", "zorch", ""),
+    "quantities": ("pull_off_force", "pull_off_force,r_min", "report", "pull-off", "contact,moment", "load", "n_grav,",
+    ",", "zorch", ""),
     "jobs": ("1", "1", "01", "0", "65", "-1", "x", "1.0"),
-    "mark": ("quartz@100nm", "@1um", "iron", "quartz@100nm,@1nm", "quarz@1nm", "@", "quartz@", "@5nN", ",", "a@b@c", ""),
+    "mark": ("quartz@100nm", "@1um", "iron", "quartz@100nm,@1nm", "quarz@1nm", "@", "quartz@", "@5nN", ",", "a@b@c",
+    ""),
 }  # fmt: skip
 # How often each command is drawn: figures and tables take a hundred times as long as a scene.
 WEIGHTS = dict.fromkeys(QUESTIONS, 100.0)
@@ -57,13 +65,20 @@ WEIGHTS |= {"infer": 100, "materials": 50, "batch": 12, "map": 16, "export": 30,
 WEIGHTS |= {"figure": 1, "verify": 0.3, "bench": 1}
 HOSTILE = (
     "", " ", "-", "--", "---", "=", "-=", "--=", "-h", "--help", "--version", "--debug", "-V", "--install-completion=x",
-    "nan", "inf", "-inf", "1e9999nm", "1e-9999nm", "1e400m", "5e-324m", "0", "-0nm", "1,2,3", ",", ",,", ":", "::", "1nm:", "1nm:1um",
-    "1nm:1um:1", "1nm:1um:3", "1nm:1um:3:lin", "1nm:1um:3:sin", "1nm:1um:-3", "1nm:1um:999999", "1nm:1um:1e3", "1um:1nm:2",
-    "5,5 nm", "5.00(1) nm", "5±1 nm", "5 nm = 6 nm", "$5 nm", "[5] nm", "10**10**10", "5 m/m m", "5 °C", "20 degC", "5 dB",
-    "−5nm", "5 µm", "5 μm", "5 Å", "5\u00a0nm", "5 m²", "5 m⁻", "١ nm", "५nm", "nm", "m" * 30, "5 " + "m " * 20, "9" * 100 + "m",
-    "x" * 3000, "\x1b[31m", "\u202e", "\r", "\n", "a\nb", "\t", "\0", "\ud800", "\udcff", "é", "𝒜", "ﬁ", "İ", "ß", "{}", "%s", "%n",
-    "[red]", "[/]", "$(id)", "`id`", "'", '"', "\\", "*", "?", "~", "@file", "../..", "/dev/null/passwd", "1_000nm", "0x10nm", "1e1_0nm",
-    "plane", "rigid", "Plane", "RIGID", "all,all", "quartz,", ",quartz", "quartz,,iron", "quartz,iron,quarz", "quartz=iron",
+    "nan", "inf", "-inf", "1e9999nm", "1e-9999nm", "1e400m", "5e-324m", "0", "-0nm", "1,2,3", ",", ",,", ":", "::",
+    "1nm:", "1nm:1um",
+    "1nm:1um:1", "1nm:1um:3", "1nm:1um:3:lin", "1nm:1um:3:sin", "1nm:1um:-3", "1nm:1um:999999", "1nm:1um:1e3",
+    "1um:1nm:2",
+    "5,5 nm", "5.00(1) nm", "5±1 nm", "5 nm = 6 nm", "$5 nm", "[5] nm", "10**10**10", "5 m/m m", "5 °C", "20 degC",
+    "5 dB",
+    "−5nm", "5 µm", "5 μm", "5 Å", "5\u00a0nm", "5 m²", "5 m⁻", "١ nm", "५nm", "nm", "m" * 30, "5 " + "m " * 20,
+    "9" * 100 + "m",
+    "x" * 3000, "\x1b[31m", "\u202e", "\r", "\n", "a\nb", "\t", "\0", "\ud800", "\udcff", "é", "𝒜", "ﬁ", "İ", "ß", "{}",
+    "%s", "%n",
+    "[red]", "[/]", "$(id)", "`id`", "'", '"', "\\", "*", "?", "~", "@file", "../..", "/dev/null/passwd", "1_000nm",
+    "0x10nm", "1e1_0nm",
+    "plane", "rigid", "Plane", "RIGID", "all,all", "quartz,", ",quartz", "quartz,,iron", "quartz,iron,quarz",
+    "quartz=iron",
 )  # fmt: skip
 LONGEST = 8
 

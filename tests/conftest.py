@@ -10,7 +10,8 @@ from hypothesis import HealthCheck, settings
 from harness import Ran, Run, Stream
 from jkroll.cli.process import main
 
-# The same examples in every run, and no limit of time: a busy machine fails no test. tests/tools/fuzz.py looks for new ones.
+# The same examples in every run, and no limit of time: a busy machine fails no test. tests/tools/fuzz.py looks for new
+# ones.
 settings.register_profile(
     "same", max_examples=50, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
 )
@@ -18,7 +19,7 @@ settings.load_profile("same")
 
 
 def pytest_configure() -> None:
-    """Choose the seed of the slow accuracy test, the same in all processes of a run; let processes compile the program once."""
+    """Choose the seed of the slow accuracy test, one for all processes; let processes compile the program once."""
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ.setdefault("ACCURACY_SEED", str(secrets.randbelow(10**9)))
 

@@ -1,10 +1,10 @@
 """The command lines of tests/corpus/command_lines.txt: how one is read, run and judged.
 
-A line has an exit code and what is typed, as `0 jkroll pull-off quartz 100nm`, beside the files of tests/input_files.py, on a
-terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe, `< FILE` is standard input,
-`NAME=VALUE` before the program is a variable of its environment, and a further command, which decides the exit code, follows
-`;`. Standard error is a file, because bars of progress depend on time. The lines below `# needs MODULE` need a library that not
-every installation has, up to the next line that begins with #.
+A line has an exit code and what is typed, as `0 jkroll pull-off quartz 100nm`, beside the files of
+tests/input_files.py, on a terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe,
+`< FILE` is standard input, `NAME=VALUE` before the program is a variable of its environment, and a further command,
+which decides the exit code, follows `;`. Standard error is a file, because bars of progress depend on time. The lines
+below `# needs MODULE` need a library that not every installation has, up to the next line that begins with #.
 
 Of jkroll this imports `main` alone, so that it also runs the lines in another checkout.
 """
@@ -118,7 +118,10 @@ def _restore(name: str) -> None:
 
 
 def run(line: Line) -> Outcome:
-    """Run a line in this process, and leave the directory as it was. Raises RuntimeError outside of `among_input_files`."""
+    """Run a line in this process, and leave the directory as it was.
+
+    Raises RuntimeError outside of `among_input_files`.
+    """
     if Path.cwd() not in _directories:
         raise RuntimeError(f"{Path.cwd()} is no directory of among_input_files, of which all other files are deleted")
     code, out, err = 0, "", ""

@@ -222,7 +222,7 @@ def _rounding(scene: Scene, name: str) -> float:
 
 
 def _condition(scene: Scene, name: str, value: float) -> float:
-    """Return κ: how many times the relative errors of all inputs appear in a quantity, next to where it ends infinite."""
+    """Return κ: how often the relative errors of all inputs appear in a quantity; next to where it ends, infinite."""
     inputs = {source: scene.given[source] for source in scene.inputs_of(name) if source in scene.given}
     return sum(_growth(scene, name, value, *one) for one in inputs.items() if one[1] and math.isfinite(one[1]))
 
@@ -238,7 +238,10 @@ def _growth(scene: Scene, name: str, value: float, source: str, given: float) ->
 
 
 def sides_agree(scene: Scene, name: str, one: float | None, other: float | None) -> bool:
-    """Return whether two numbers of an uncertainty agree. None, for no influence, is as good as one that is only rounding."""
+    """Return whether two numbers of an uncertainty agree.
+
+    None, for no influence, is as good as one that is only rounding.
+    """
     error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0) + _rounding(scene, name)
     value = scene.evaluate((name,))[name]
     numbers = [number for number in (one, other) if number is not None]
@@ -253,7 +256,7 @@ def _error(scene: Scene, name: str) -> float:
 
 
 def _ends(scene: Scene, name: str) -> Iterator[Scene]:
-    """Iterate over the scene and those at the ends of the sources of uncertainty of a quantity, one by one and all together."""
+    """Iterate over the scene and those at the ends of the sources of uncertainty, one by one and all together."""
     yield scene
     sources = sources_of(scene, scene.inputs_of(name)).entering
     for source in sources:
@@ -292,7 +295,7 @@ def is_at_its_end(scene: Scene) -> bool:
 
 
 def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterator[str]:
-    """Iterate over what differs between two doors in the columns that both have, exactly or, given the scenes, beyond accuracy."""
+    """Iterate over what differs between two doors in common columns, exactly or, given the scenes, beyond accuracy."""
     if len(one.values) != len(other.values):
         yield f"{len(one.values)} and {len(other.values)} rows"
         return

@@ -1,4 +1,7 @@
-"""Invariants of any input, as functions of bytes. A test replays tests/corpus on them, and tests/tools/fuzz.py searches for violations."""
+"""Invariants of any input, as functions of bytes.
+
+A test replays tests/corpus on them, and tests/tools/fuzz.py searches for violations.
+"""
 
 import io
 import os

@@ -11,7 +11,8 @@ import maugis_reference as maugis
 from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
 
 SYMBOLS = {
-    "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis", "part": "hysteresis_fraction",
+    "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis",
+    "part": "hysteresis_fraction",
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
     "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span", "a_M": "unloaded_radius_maugis",
     "P_DMT": "pull_off_force_dmt", "s_a": "asperity_radius", "T_vis": "viscous_time", "T_star": "viscosity_number",
@@ -163,7 +164,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     ),
     "zone_span": lambda edge, w, R, E, lambda_: span(edge, lambda_) * length_unit(w, R, E),
     "zone_span_at_approach": lambda edge, delta, w, R, E, lambda_: (
-        length_unit(w, R, E) * (span(edge, lambda_) if edge else maugis.zone_apart(lambda_, delta / approach_unit(w, R, E)))
+        length_unit(w, R,
+        E) * (span(edge, lambda_) if edge else maugis.zone_apart(lambda_, delta / approach_unit(w, R, E)))
     ),
     "unloaded_edge_ratio": lambda lambda_: ratio(*maugis.at_load(lambda_, mpf(0))),
     "unloaded_radius_maugis": lambda edge0, w, R, E, lambda_: (

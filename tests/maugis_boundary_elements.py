@@ -1,8 +1,8 @@
 """Rolling of a paraboloid on an elastic half-space in three dimensions, by boundary elements on a square grid.
 
-The traction of Dugdale acts on a disc whose centre lags behind the apex. The pressure of contact adds to it and is found
-by the conjugate gradients of Polonsky & Keer (Wear 231, 206, 1999) at a given load; displacements of rectangular patches
-by Love's formula and a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* = 3/4, R = 1.
+The traction of Dugdale acts on a disc whose centre lags behind the apex. The pressure of contact adds to it and is
+found by the conjugate gradients of Polonsky & Keer (Wear 231, 206, 1999) at a given load; displacements of rectangular
+patches by Love's formula and a discrete convolution on a doubled grid. Units as in `maugis_reference`: E* = 3/4, R = 1.
 """
 
 from typing import Any

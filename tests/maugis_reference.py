@@ -1,12 +1,12 @@
-"""Maugis' own two equations for the contact radius and c/a, in 120-digit arithmetic; the unknowns are Ā and t = √(m² − 1), m = c/a.
+"""Maugis' own two equations for the contact radius and m = c/a, in 120 digits; the unknowns are Ā and t = √(m² − 1).
 
 Maugis (J. Colloid Interface Sci. 150, 243, 1992), in units of (πwR²/K)^(1/3), πwR and (π²w²R/K²)^(1/3):
 
     (λĀ²/2)[√(m²−1) + (m²−2)arcsec m] + (4λ²Ā/3)[√(m²−1) arcsec m − m + 1] = 1
     P̄ = Ā³ − λĀ²[√(m²−1) + m² arcsec m]          δ̄ = Ā² − (4/3)λĀ√(m²−1)
 
-A place on the curve is ln t. Load and approach fall along it, to pull-off and to the fold, so that bisection finds what is
-near enough to a state for the secant method. Nothing is shared with `jkroll`.
+A place on the curve is ln t. Load and approach fall along it, to pull-off and to the fold, so that bisection finds what
+is near enough to a state for the secant method. Nothing is shared with `jkroll`.
 """
 
 from collections.abc import Callable
@@ -43,7 +43,7 @@ def approach(a: Exact, t: Exact, transition: Exact) -> Exact:
     return a**2 - 4 * transition * a * t / 3
 
 
-# --- States -------------------------------------------------------------------------------------------------------------
+# --- States -----------------------------------------------------------------------------------------------------------
 
 
 @cache
@@ -157,7 +157,7 @@ def _root(function: Callable[[Exact], Exact], start: Exact) -> Exact:
     return digits.findroot(function, ends, tol=mpf(10) ** (-digits.dps // 2), maxsteps=90, verify=False)
 
 
-# --- Energies -----------------------------------------------------------------------------------------------------------
+# --- Energies ---------------------------------------------------------------------------------------------------------
 
 
 def energy_by_quadrature(t: Exact, transition: Exact) -> Exact:

@@ -1,9 +1,10 @@
-"""Approximations of Maugis' theory that others use, for comparison: a contact radius and an approach at a load, in his units.
+"""Approximations of Maugis' theory that others use: a contact radius and an approach at a load, in his units.
 
-Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999); Piétrement & Troyon (ibid. 226, 166, 2000), whose
-form for the approach reuses their α. The coefficients of the first are those of the code woodem/woo, pkg/dem/Hertz.cpp, which cites
-Eqs (7), (10), (12a) and (12b) of the article; those of the second were recalled, not copied from print. They come within 3 % of
-Maugis' radius and 9 % of JKR's unloaded approach, and the second give 2/3 and 1/3 at α = 1, as JKR has it.
+Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999); Piétrement & Troyon (ibid. 226, 166, 2000),
+whose form for the approach reuses their α. The coefficients of the first are those of the code woodem/woo,
+pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of the article; those of the second were recalled, not
+copied from print. They come within 3 % of Maugis' radius and 9 % of JKR's unloaded approach, and the second give 2/3
+and 1/3 at α = 1, as JKR has it.
 """
 
 from math import exp

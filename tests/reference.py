@@ -18,8 +18,8 @@ DEFAULTS = {
 FOLD = -cbrt(mpf(9) / 16)  # δ̂, where dδ/dâ = 0
 
 # What is allowed, in ulp of a result times 1 plus its condition: at worst; half of the time over all results; and half
-# of the time for each name. The first and the last are what the rounding of moduli and of a contact radius leaves to products
-# and third powers of them.
+# of the time for each name. The first and the last are what the rounding of moduli and of a contact radius leaves to
+# products and third powers of them.
 BOUND, MEDIAN, MEDIAN_OF_A_NAME = 15.0, 0.55, 1.5
 
 
@@ -237,7 +237,10 @@ def _shear_moduli(moduli: tuple[Exact, ...], ratios: tuple[Exact, ...]) -> list[
 def _shearing(
     moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], inertia: Exact, a: Exact, cap: Exact
 ) -> dict[str, Exact]:
-    """The contact where its shear strength is reached: uniform over the circle, ∫ r τ 2πr dr for the moment. `cap`: P + 2P_c."""
+    """The contact where its shear strength is reached: uniform over the circle, ∫ r τ 2πr dr for the moment.
+
+    `cap`: P + 2P_c.
+    """
     shear = _shear_moduli(moduli, ratios)
     tau = min(shear) / (4 * pi**2)
     force, moment = tau * pi * a**2, tau * 2 * pi * a**3 / 3
@@ -340,7 +343,7 @@ ENERGIES = {  # in P_cδ0
 
 
 def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict[str, float]:
-    """Return κ: how many times a relative error of the load or approach that was given, or of v_stick, appears in each result."""
+    """Return κ: how many times a relative error of the given load or approach, or v_stick, appears in each result."""
     state = "approach_at_load" if "approach_at_load" in given else "load"
     found = dict.fromkeys(results, 0.0)
     if given.get(state):
@@ -396,7 +399,8 @@ SYMBOLS = {
     "R1": "radius", "R2": "radius2", "R": "reduced_radius", "q": "radius_ratio",
     "gamma1": "surface_energy", "gamma2": "surface_energy2", "w": "work_of_adhesion",
     "E1": "youngs_modulus", "E2": "youngs_modulus2", "E": "contact_modulus",
-    "E_over_gamma": "modulus_over_energy", "nu1": "poisson_ratio", "nu2": "poisson_ratio2", "rho1": "density", "g": "gravity",
+    "E_over_gamma": "modulus_over_energy", "nu1": "poisson_ratio", "nu2": "poisson_ratio2", "rho1": "density",
+    "g": "gravity",
     "m1": "mass", "m2": "mass2", "m": "reduced_mass", "m_eff": "rolling_mass",
     "I1": "moment_of_inertia", "I2": "moment_of_inertia2", "I": "reduced_moment_of_inertia",
     "P": "load", "P_c": "pull_off_force", "a0": "contact_radius", "delta0": "approach",
@@ -406,17 +410,22 @@ SYMBOLS = {
     "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment",
     "mean_M": "mean_rolling_moment", "A": "half_circle_radius",
     "W0": "energy", "W": "energy_ratio", "v": "speed", "v_s": "sticking_speed",
-    "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit",
+    "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy",
+    "z0": "atomic_spacing", "limit": "displacement_limit",
     "tau": "shear_strength", "F_slide": "sliding_force", "s_slide": "sliding_displacement", "k_t": "twisting_stiffness",
     "M_twist": "twisting_moment", "phi_twist": "twisting_angle", "T_peel": "peeling_force", "a_peel": "peeling_radius",
     "T_over_slide": "peeling_over_sliding", "T_first": "sliding_or_peeling_force",
-    "n": "monomers", "n_c": "contacts", "phi": "filling_factor", "E_roll": "roll_energy_quarter_turn", "E_roll_half": "roll_energy_half_turn",
+    "n": "monomers", "n_c": "contacts", "phi": "filling_factor", "E_roll": "roll_energy_quarter_turn",
+    "E_roll_half": "roll_energy_half_turn",
     "E_break": "pull_off_work", "E_break_rule": "break_energy_dust_simulation", "E_restr": "restructuring_energy",
-    "E_restr_1": "restructuring_energy_ormel", "E_disr": "disruption_energy", "E_disr_rule": "disruption_energy_dust_simulation",
+    "E_restr_1": "restructuring_energy_ormel", "E_disr": "disruption_energy",
+    "E_disr_rule": "disruption_energy_dust_simulation",
     "A1": "hamaker", "A2": "hamaker2", "D0": "cutoff",
     "G": "contact_shear_modulus", "k_s": "tangential_stiffness", "f": "sliding_frequency", "W_fold": "fold_energy",
-    "M_0": "unloaded_moment", "theta": "rolling_angle", "E_stick_1": "sticking_energy_paszun_dominik", "E_stick_2": "sticking_energy_pencil_code",
-    "pos": "position", "X": "position_in_strip", "X_c": "position_in_circle", "b": "contact_half_width", "C": "load_constant",
+    "M_0": "unloaded_moment", "theta": "rolling_angle", "E_stick_1": "sticking_energy_paszun_dominik",
+    "E_stick_2": "sticking_energy_pencil_code",
+    "pos": "position", "X": "position_in_strip", "X_c": "position_in_circle", "b": "contact_half_width",
+    "C": "load_constant",
     "R_c": "cylinder_radius", "E_strain": "plane_strain_modulus", "P_l": "load_per_length", "n_roll": "n_roll",
     **law_reference.SYMBOLS,
 }  # fmt: skip

@@ -10,5 +10,8 @@ import pytest
 
 
 def approx(expected: Any, rel: float = 1e-6, abs: float = 0.0, *, nan_ok: bool = False) -> Any:
-    """Return what equals an expected number, or numbers, up to a relative difference. `abs`: an absolute one, where it is meant."""
+    """Return what equals an expected number, or numbers, up to a relative difference.
+
+    `abs`: an absolute one, where it is meant.
+    """
     return pytest.approx(expected, rel=rel, abs=abs, nan_ok=nan_ok)  # noqa: TID251

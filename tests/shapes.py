@@ -74,7 +74,8 @@ SHAPES: dict[str, Callable[[int], bytes]] = {
     "materials without references": lambda size: _filled(
         size,
         lambda name: (
-            f'[materials.{name}]\ndensity="1 g/cm3"\nsurface_energy="1 J/m2"\nyoungs_modulus="1 GPa"\npoisson_ratio="0"\n'
+            f'[materials.{name}]\ndensity="1 g/cm3"\nsurface_energy="1 J/m2"\nyoungs_modulus="1 '
+            'GPa"\npoisson_ratio="0"\n'
         ),
     ),
     "short keys": lambda size: _filled(size, lambda name: f'{name}=""\n', "[references.a]\n"),

@@ -46,7 +46,7 @@ def part(path: Path) -> str:
 
 @cache
 def imports(path: Path) -> dict[str, str]:
-    """Return the modules that a file imports, wherever the import stands, each with its folder ("" for other libraries)."""
+    """Return the modules that a file imports, anywhere in it, each with its folder ("" for other libraries)."""
     package = ["jkroll", *path.relative_to(SOURCE).parts[:-1]]
     found: dict[str, str] = {}
     tree = ast.parse(path.read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""The page for contributors: the changes that it shows are made on a copy of the source, which then answers as the page says.
+"""The page for contributors: its changes are made on a copy of the source, which then answers as the page says.
 
 `python tests/test_contributing.py` writes what the copy prints into the page anew, to be read before it is committed.
 """

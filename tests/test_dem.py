@@ -61,12 +61,15 @@ def test_what_comes_first(run: Run, words: str, said: str) -> None:
 
 
 def test_turns_of_a_sphere_that_arrives(run: Run) -> None:
-    """At a speed it does not spin yet: its own number stands first, and the others are said to be those of another sphere."""
+    """At a speed it does not spin yet: its number stands first, and the others are said to be another sphere's."""
     ran = run("n-roll quartz 1um --speed 5cm/s")
     assert [line.split()[0] for line in ran.out.splitlines()] == [
         "n_roll_after_impact", "n_roll", "n_roll_energy_balance"
     ]  # fmt: skip
-    said = "a sphere that arrives at a speed does not spin yet and turns n_imp times; n_roll and n_bal are those of one that"
+    said = (
+        "a sphere that arrives at a speed does not spin yet and turns n_imp times; n_roll and n_bal are those of one "
+        "that"
+    )
     for words in (
         "n-roll quartz 1um --speed 5cm/s",
         "n-roll quartz 1um,2um --speed 5cm/s",
@@ -166,7 +169,7 @@ def test_sources_of_aggregates_are_cited(run: Run) -> None:
     ],
 )
 def test_softer_grains(power: float, step: float, slide: float, slide_at_strength: float, kept: str) -> None:
-    """The recipe of `guide dem`: γ q^power and ξ q^-power keep a quantity and the moment, and set time step and friction."""
+    """The recipe of `guide dem`: γ q^power and ξ q^-power keep a quantity and the moment, and set step and friction."""
     q, xi = 0.01, 2e-10
     names = [kept, "yield_moment", "sliding_frequency", "sliding_force"]
     before = solve(names, **QUARTZ, xi=xi)
@@ -183,7 +186,7 @@ def test_softer_grains(power: float, step: float, slide: float, slide_at_strengt
 
 
 def test_which_time_step_governs() -> None:
-    """Of quartz, below the radius that the page has, the twentieth of the period of sliding; above it, a fifth of t_R."""
+    """Of quartz, below the page's radius, a twentieth of the period of sliding; above it, a fifth of t_R."""
     assert "shorter below R1 = 36 nm" in page("dem")
     for radius, first_is_shorter in ((35e-9, True), (37e-9, False)):
         step, rayleigh = solve(["time_step", "rayleigh_time"], **QUARTZ | {"radius": radius}).values()
@@ -208,7 +211,7 @@ def test_coefficient_of_rolling_for_codes_that_multiply_the_load(model: str) -> 
 
 
 def test_loss_of_a_collision_in_lammps() -> None:
-    """On the JKR curve from touching to the largest tension, in P_cδ0; z³ = 6â^1.5 is 4 where they touch and 3 there."""
+    """On the JKR curve from touching to the largest tension, in P_cδ0; z³ = 6â^1.5 goes from 4 to 3."""
     lost = -quad(lambda z: z**3 * (z**3 - 6) / 9 * 2 * 6 ** (-1 / 3) * (z**3 - 1), 3 ** (1 / 3), 4 ** (1 / 3))[0]
     at_the_fold = solve("sticking_energy", **QUARTZ) / solve("adhesion_energy", **QUARTZ)
     for number in (lost, at_the_fold, math.sqrt(lost / at_the_fold)):

@@ -1,8 +1,8 @@
 """The same rows by every door: the prompt, lists, files, tables and Python give the same answers.
 
-A row by floats is the definition of a row. What arrays compute may differ from it within the accuracy that is stated; all else is
-equal. Two additions of the prompt are known: the values at two atomic spacings of a quantity that rests on z0, and how far a
-contact would hold by Maugis' law.
+A row by floats is the definition of a row. What arrays compute may differ from it within the accuracy that is stated;
+all else is equal. Two additions of the prompt are known: the values at two atomic spacings of a quantity that rests on
+z0, and how far a contact would hold by Maugis' law.
 """
 
 import math
@@ -101,7 +101,7 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
 
 
 def _lacks(text: str) -> bool:
-    """Return whether a table is refused since nothing leads to a quantity that was asked for by name, or it has a sphere 2."""
+    """Return whether a table is refused since nothing leads to a quantity asked for by name, or it has a sphere 2."""
     return " needs " in text or " not in " in text or "identical spheres only" in text
 
 
@@ -155,7 +155,10 @@ FOUND = {
         "report",
         {
             name: [
-                f"{texts[0].split()[0]} to {float(texts[0].split()[0]) * 1.1!r}{texts[0].partition(' ')[1]}{texts[0].partition(' ')[2]}"
+                (
+                    f"{texts[0].split()[0]} to "
+                    f"{float(texts[0].split()[0]) * 1.1!r}{texts[0].partition(' ')[1]}{texts[0].partition(' ')[2]}"
+                )
             ]
             for name, texts in PLAIN.items()
         }
@@ -454,7 +457,10 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
 
 
 def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over the bare numbers that are not those of rows. Inputs, which are no columns of rows, are among them."""
+    """Iterate over the bare numbers that are not those of rows.
+
+    Inputs, which are no columns of rows, are among them.
+    """
     call = call_of(ask.words())
     names = question_of(call, QUESTIONS[call.command]).headline
     lines = answered(run, *ask.words("--bare")).out.splitlines()
@@ -466,7 +472,10 @@ def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 def _in_cells(floats: Rows, cells: Sequence[Cells], options: Sequence[str]) -> Iterator[str]:
-    """Iterate over the cells of results, doubts and states that are not those of rows. Cells in other units are compared elsewhere."""
+    """Iterate over the cells of results, doubts and states that are not those of rows.
+
+    Cells in other units are compared elsewhere.
+    """
     for row, line in enumerate(cells):
         for key in floats.keys if not options else ():
             if _read(line[_head(key)], "") != floats.values[row].get(key):
@@ -482,7 +491,7 @@ def _head(key: str) -> str:
 
 
 def _read(cell: Any, head: str) -> Any:
-    """Return a cell of any output: a number, a text or None; a word for an infinite input as the number that Parquet has."""
+    """Return a cell of any output: a number, a text or None; a word for an infinite input as Parquet's number."""
     if cell in ("", None):
         return None
     name = head.partition(" ")[0]
@@ -541,7 +550,7 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
 
 
 def _of_any_values(scene: Scene) -> Scene:
-    """Return a scene with the same inputs, of which none has a value from which more follows: a plane, a rigid body, no load."""
+    """Return a scene with these inputs, none with a value from which more follows: a plane, a rigid body, no load."""
     return scene.replace(**dict.fromkeys(scene.stated, 0.25))
 
 

@@ -1,4 +1,4 @@
-"""The manual: every command in it is run and must print what stands there, and every command of the program has a page."""
+"""The manual: every command in it must print what stands there, and every command of the program has a page."""
 
 import doctest
 import io

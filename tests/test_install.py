@@ -1,4 +1,4 @@
-"""What is released: built twice, alike to the byte, and installed into an empty environment, where it answers from an empty directory."""
+"""What is released: built twice, alike to the byte, and installed into an empty environment, where it answers."""
 
 import json
 import os

@@ -217,7 +217,7 @@ def test_the_time_step_keeps_the_energy(run: Run, lammps: Any) -> None:
 
 @pytest.mark.parametrize("model", ["jkr", "dmt"])
 def test_collisions_create_no_energy(run: Run, lammps: Any, model: str) -> None:
-    """Of a gas of beads, which collide in all directions and again and again; friction takes energy, and nothing gives it."""
+    """Of a gas of beads, which collide in all directions, again and again; friction takes energy, nothing gives it."""
     bead = "silica-humid 50um --gamma 0.2122mJ/m2 --young 725MPa --xi 10nm"
     ran = run(*f"export lammps {bead} --quiet".split(), "--model", model)
     commands = [line for line in ran.out.splitlines() if not line.startswith("#")]
@@ -273,7 +273,10 @@ class Grains:
         self.code.commands_string(printed)
 
     def tension_when_drawn(self, distance: float, steps: int, step: float) -> float:
-        """Draw sphere 1 upwards, and return the largest tension on it. Neighbor lists are made anew as LAMMPS finds it necessary."""
+        """Draw sphere 1 upwards, and return the largest tension on it.
+
+        Neighbor lists are made anew as LAMMPS finds it necessary.
+        """
         self.code.commands_list(
             [
                 f"timestep {step}",
@@ -314,7 +317,7 @@ def test_printed_lines_run_unchanged(run: Run, lammps: Any, words: str, radii: l
 
 @pytest.mark.parametrize(("speed", "restitution"), [(0.69, 0.0), (0.8, None), (2.0, None)])
 def test_collision_loses_what_the_manual_says(run: Run, lammps: Any, speed: float, restitution: float | None) -> None:
-    """LAMMPS lets go at the largest tension, where a collision has lost less than at the fold; speeds are in v_stick."""
+    """LAMMPS lets go at the largest tension, where a collision has lost less than at the fold. In v_stick."""
     printed = run(*"export lammps quartz 1um".split()).out
     names = ("sticking_speed", "sticking_energy", "adhesion_energy", "time_step")
     sticking, energy, unit, step = jkroll.solve(names, **GRAIN).values()
@@ -334,7 +337,7 @@ def test_collision_loses_what_the_manual_says(run: Run, lammps: Any, speed: floa
     assert math.isclose(leaving, restitution, rel_tol=5e-3, abs_tol=1e-9)  # a finite time step
 
 
-# --- LAMMPS at both ends of Maugis -------------------------------------------------------------------------------------
+# --- LAMMPS at both ends of Maugis ------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("model", "transition", "tolerance"), [("jkr", 300.0, 1e-5), ("dmt", 1e-6, 2e-3)])

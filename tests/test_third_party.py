@@ -226,7 +226,8 @@ def test_tamaas_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
 def test_tamaas_torsional_stiffness(tamaas: Any) -> None:
     """A circle of the surface that turns by φ about its centre: u = φ(−y, x), and no other displacement.
 
-    Its tractions have no divergence, so that each component displaces the surface by 1/(2πGr), as a pressure does for E* = 2G.
+    Its tractions have no divergence, so that each component displaces the surface by 1/(2πGr), as a pressure does for
+    E* = 2G.
     """
     names = ("twisting_stiffness", "contact_radius_at_load")
     expected, a = jkroll.solve(names, **GRAIN).values()

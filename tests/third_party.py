@@ -132,7 +132,9 @@ def frequency(samples: list[float], interval: float) -> float:
 
 
 def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool = False) -> tuple[float, ...]:
-    """What LAMMPS does, and by jkroll Eq (40), Eq (41) and that without slip. A held body 2 is next to infinitely dense.
+    """What LAMMPS does, and by jkroll Eq (40), Eq (41) and that without slip.
+
+    A held body 2 is next to infinitely dense.
 
     The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip: with it the
     contact would vibrate sideways, with 2/7 of the masses, 1000 times as fast. Sphere 1 starts to roll by 1e-5.
@@ -171,7 +173,7 @@ def import_tamaas() -> Any:
 
 
 def surface(tamaas: Any, modulus: float, size: float, shape: tuple[int, ...]) -> Callable[[Array], Array]:
-    """Displacement by a pressure: of a half-space with a square of cells, or of a half-plane whose row of cells repeats."""
+    """Displacement by a pressure: of a half-space with a square of cells, or a half-plane with a row that repeats."""
     square = len(shape) == 2
     kind = tamaas.model_type.basic_2d if square else tamaas.model_type.basic_1d
     model = tamaas.ModelFactory.createModel(kind, [size] * len(shape), list(shape))

@@ -1,8 +1,8 @@
 """Markdown whose commands are run: blocks that show what they print, blocks to copy, and commands in running text.
 
-A `console` block is a transcript. A `sh-session` block has commands to copy, and running text has commands in backquotes:
-these must end with the exit code 0. `python tests/transcripts.py FILE...` writes the transcripts of files anew, to be read
-before they are committed.
+A `console` block is a transcript. A `sh-session` block has commands to copy, and running text has commands in
+backquotes: these must end with the exit code 0. `python tests/transcripts.py FILE...` writes the transcripts of files
+anew, to be read before they are committed.
 """
 
 import os
@@ -67,7 +67,7 @@ def rounded(text: str) -> str:
 
 
 def printed(block: str) -> str:
-    """Return what the commands of a console block print, with the commands, beside the file with whose text it begins."""
+    """Return what the commands of a console block print, with these, beside the file with whose text it begins."""
     return "".join(map(transcript, commands(with_file(block))))
 
 
@@ -77,7 +77,7 @@ def transcripts(text: str) -> list[str]:
 
 
 def copied(text: str) -> Iterator[str]:
-    """Iterate over the commands of a text that are run without a transcript, without what follows a pipe or a redirection."""
+    """Iterate over the commands of a text without a transcript, without what follows a pipe or a redirection."""
     lines = [line for block in _COPIED.findall(text) for line in block.splitlines()]
     lines += _IN_TEXT.findall(_BLOCK.sub("", text))
     for line in lines:

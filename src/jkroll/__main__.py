@@ -15,7 +15,7 @@ SELDOM = 50_000  # new objects until the next search for cycles: what imports ma
 
 
 def run() -> None:
-    """Run the command line and exit with its code; an interrupt exits silently with 130, and what was begun is put away.
+    """Run the command line and exit with its code; an interrupt exits silently with 130 and puts away what was begun.
 
     The same is put away where the process is told to end, or its terminal is closed, which then end it as usual.
     """
@@ -25,7 +25,7 @@ def run() -> None:
         import signal
 
         def stop(number: int, frame: "FrameType | None") -> None:
-            """Raise KeyboardInterrupt, after an import in whose midst a library may crash; the next signal ends all at once."""
+            """Raise KeyboardInterrupt, not amid an import, where a library may crash; the next signal ends all."""
             nonlocal ended_by
             if _is_importing(frame) and hasattr(signal, "setitimer"):  # not on Windows
                 signal.signal(signal.SIGALRM, lambda _, later: stop(number, later))
@@ -58,7 +58,8 @@ def run() -> None:
         code = INTERRUPTED
     if ended_by and ended_by != signal.SIGINT:  # now, as whoever sent the signal expects
         signal.raise_signal(ended_by)
-    # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be interrupted.
+    # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be
+    # interrupted.
     os._exit(code)
 
 

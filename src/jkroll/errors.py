@@ -56,7 +56,10 @@ class BadTable(JkrollError):
 
 
 class BadRow(JkrollError):
-    """Error raised for the first row that fails, with `--strict`. Its line is counted from the beginning of the block, or of the table."""
+    """Error raised for the first row that fails, with `--strict`.
+
+    Its line is counted from the beginning of the block, or of the table.
+    """
 
     exit_code = 1
 

@@ -1,4 +1,4 @@
-"""Text for people and programs: ASCII replacements, lines, JSON, the size of the terminal, suggestions, quoted user text, names of files, lists."""
+"""Text for people and programs: ASCII, lines, JSON, the terminal's size, suggestions, quotes, names of files, lists."""
 
 import codecs
 import os
@@ -7,9 +7,11 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any, TextIO
 
 _ASCII = {
-    "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
+    "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega",
+    "α": "alpha",
     "Δ": "Delta", "θ": "theta", "κ": "kappa", "λ": "lambda", "σ": "sigma", "Φ": "Phi", "φ": "phi", "τ": "tau", "ü": "u",
-    "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "⁻": "^-", "₁": "_1", "₂": "_2", "₀": "0", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
+    "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4",
+    "⁵": "^5", "⁻": "^-", "₁": "_1", "₂": "_2", "₀": "0", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
     "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
     "≤": "<=", "±": "+/-", "≈": "~", "→": "->", "∞": "inf",
 }  # fmt: skip
@@ -40,7 +42,7 @@ _OF_ONE_FORM = dict.fromkeys(map(ord, (*_RAISED, *"±×·−")))  # for which no
 
 
 def composed(text: str) -> str:
-    """Return a text with letters and marks as one character, and wide and square forms as the usual ones; superscripts stay.
+    """Return a text with letters and marks as one character, wide and square forms as usual ones; superscripts stay.
 
     >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）")
     ('1nm', 'Å', '1(m²)')
@@ -72,7 +74,10 @@ def fitting(text: str, out: TextIO) -> str:
 
 
 def json_text(value: Any, out: TextIO) -> str:
-    """Return a value as JSON, in ASCII unless the stream is UTF-8. Raises ValueError for a number that is not finite."""
+    """Return a value as JSON, in ASCII unless the stream is UTF-8.
+
+    Raises ValueError for a number that is not finite.
+    """
     from json.encoder import encode_basestring, encode_basestring_ascii
 
     is_utf_8 = (out.encoding or "utf-8").lower() == "utf-8"
@@ -105,7 +110,7 @@ def _between(start: str, members: list[str], end: str, line_end: str) -> str:
 
 
 def spelled(number: float) -> str:
-    """Return a finite number as programs read it: the shortest text that is the same double, spelled as orjson spells it.
+    """Return a finite number for programs: the shortest text that is the same double, spelled as orjson spells it.
 
     >>> spelled(1e-07), spelled(4.999999999999999e-05), spelled(100.0), spelled(1e22)
     ('1e-7', '0.00004999999999999999', '100.0', '1e22')
@@ -140,7 +145,7 @@ NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
 
 
 def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
-    """Return the lines of a sentence, broken at spaces, but not between a number and its unit, nor at an equals sign; those after the first indented.
+    """Return the lines of a sentence, broken at spaces but not before a unit or at an equals sign, the later indented.
 
     >>> wrapped("load 0 N", 5), wrapped("load P = 0 N", 9, 2)
     (['load', '0 N'], ['load', '  P = 0 N'])

@@ -52,7 +52,7 @@ class Pair:
         return 2 * a * self.e / (pi * self.r)
 
     def griffith(self, a: float) -> float:
-        """Return the flat-punch pressure p_B whose tension at the rim, K = −p_B√(πa), releases K²/(2E*) = 2γ per area."""
+        """Return the flat-punch pressure p_B whose tension at the rim, K = −p_B√(πa), releases K²/(2E*) = 2γ."""
         return -sqrt(4 * self.gamma * self.e / (pi * a))
 
     def pressure(self, r: float, a: float) -> float:

@@ -70,7 +70,7 @@ def test_no_load_reaches_the_fold() -> None:
 
 
 def test_approximations_of_maugis_law_are_as_rough_as_is_known() -> None:
-    """Carpick, Ogletree & Salmeron's radius is within 3 %; JKR and DMT have an error of order one, outside their limits."""
+    """Carpick, Ogletree & Salmeron's radius is within 3 %; outside their limits JKR and DMT are off by order one."""
     fit, jkr, dmt = (
         rows()["contact_radius_maugis", way].errors["ordinary"].worst * 2.0**-53 for way in ("COS 1999", "JKR", "DMT")
     )

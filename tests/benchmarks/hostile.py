@@ -1,9 +1,9 @@
-"""CPU time and memory that hostile input takes, above the idle process: materials files in every shape, and texts with units.
+"""CPU time and memory that hostile input takes, above the idle process: materials files, texts with units.
 
     python tests/benchmarks/hostile.py
 
-A table, a row an input: milliseconds of CPU (the least of three), the peak of allocated memory in MB, and what it came to.
-The materials files are of 1 MB and, since those are refused by their size, of the largest size that is read.
+A table, a row an input: milliseconds of CPU (the least of three), the peak of allocated memory in MB, and what it came
+to. The materials files are of 1 MB and, since those are refused by their size, of the largest size that is read.
 """
 
 import re

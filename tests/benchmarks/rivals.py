@@ -1,11 +1,11 @@
-"""`jkroll batch` against the same work done otherwise: C++, polars, duckdb, pyarrow, pandas, awk, Miller; Parquet; small files.
+"""`jkroll batch` against other ways: C++, polars, duckdb, pyarrow, pandas, awk, Miller; Parquet; small files.
 
     python tests/benchmarks/rivals.py [ROWS] [NAME...]          QUANTITIES=12 for the first twelve quantities alone
 
-Every rival reads the same table and writes the same columns, by the formulas of formulas.txt. They run in turns, ROUNDS (3)
-times; of each the best rate counts, by the clock. polars, duckdb and pyarrow have a thread for each core, `jkroll` a process,
-the others one thread. Memory is the proportional set size of all processes, at its highest. Needs g++, and whichever of the
-rivals is to be compared: `pip install 'jkroll[rivals]'`, gawk, mlr.
+Every rival reads the same table and writes the same columns, by the formulas of formulas.txt. They run in turns, ROUNDS
+(3) times; of each the best rate counts, by the clock. polars, duckdb and pyarrow have a thread for each core, `jkroll`
+a process, the others one thread. Memory is the proportional set size of all processes, at its highest. Needs g++, and
+whichever of the rivals is to be compared: `pip install 'jkroll[rivals]'`, gawk, mlr.
 """
 
 import contextlib
@@ -23,7 +23,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 HERE = Path(__file__).parent
-HEADER = "id,radius [nm],radius2 [nm],surface_energy [mJ/m2],youngs_modulus [GPa],poisson_ratio,density [g/cm3],yield_displacement [nm],load [nN]"
+HEADER = (
+    "id,radius [nm],radius2 [nm],surface_energy [mJ/m2],youngs_modulus [GPa],poisson_ratio,density "
+    "[g/cm3],yield_displacement [nm],load [nN]"
+)
 NAMES = [text.split(" ")[0] for text in HEADER.split(",")][1:]
 SCALES = {
     "radius": "/ 1e9",
@@ -100,7 +103,10 @@ def awk_program() -> str:
     """The same in awk."""
     given = "".join(f"{name}=${place}{SCALES[name]};" for place, name in enumerate(NAMES, 2))
     steps = "".join(f"{name}={expression};" for name, expression in formulas())
-    functions = "function fmin(a,b){return a<b?a:b} function fmax(a,b){return a>b?a:b} function cbrt(a){return a<0?-((-a)^(1/3)):a^(1/3)}"
+    functions = (
+        "function fmin(a,b){return a<b?a:b} function fmax(a,b){return a>b?a:b} function cbrt(a){return "
+        "a<0?-((-a)^(1/3)):a^(1/3)}"
+    )
     header = "".join(f",{name}" for name in results()) + ",status"
     return (
         f'{functions} BEGIN{{FS=OFS=",";OFMT=CONVFMT="%.17g";pi=atan2(0,-1)}} NR==1{{print $0 "{header}";next}}'
@@ -131,7 +137,8 @@ reader, writer = csv.reader(sys.stdin), csv.writer(sys.stdout, lineterminator="\
 writer.writerow([*next(reader), *{names}, "status"])
 for row in reader:
     radius, radius2, gamma, young, poisson, density, xi, load = map(float, row[1:])
-    writer.writerow([*row, *function(radius / 1e9, radius2 / 1e9, gamma / 1e3, young * 1e9, poisson, density * 1e3, xi / 1e9, load / 1e9), ""])
+    given = radius / 1e9, radius2 / 1e9, gamma / 1e3, young * 1e9, poisson, density * 1e3, xi / 1e9, load / 1e9
+    writer.writerow([*row, *function(*given), ""])
 """
 PANDAS = """
 import sys

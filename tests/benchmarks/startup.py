@@ -2,10 +2,11 @@
 
 python tests/benchmarks/startup.py [ROUNDS]
 
-The rival is a typer program with eight empty commands, run by the same interpreter in the same environment and by the same
-three-line script as the installer makes. Every program is run once, which fills the caches of disk and bytecode, then ROUNDS
-times (30) in turn, so that a slow spell of the machine meets all of them; medians are compared. The milliseconds are of the
-machine; the ratios are what lasts. GNU units and qalc are left out where they are not installed.
+The rival is a typer program with eight empty commands, run by the same interpreter in the same environment and by the
+same three-line script as the installer makes. Every program is run once, which fills the caches of disk and bytecode,
+then ROUNDS times (30) in turn, so that a slow spell of the machine meets all of them; medians are compared. The
+milliseconds are of the machine; the ratios are what lasts. GNU units and qalc are left out where they are not
+installed.
 """
 
 import os

@@ -91,12 +91,18 @@ MESSAGES = {
     "pull-off quartz 100nm --to foo": (2, "--to: 'foo' has an unknown unit 'foo'; expected a unit such as N"),
     "pull-off quartz 5,5nm": (
         2,
-        "radius: '5,5nm' has a comma where a number has a point, or a number without a unit; expected a length such as 100nm",
+        (
+            "radius: '5,5nm' has a comma where a number has a point, or a number without a unit; expected a length "
+            "such as 100nm"
+        ),
     ),
     "pull-off quartz": (2, "pull-off force needs radius of sphere 1; give a radius such as 100nm"),
     "pull-off 100nm": (
         2,
-        "pull-off force needs surface energy per surface; name a material, such as quartz, or give --gamma 25mJ/m2 or --work-of-adhesion 50mJ/m2",
+        (
+            "pull-off force needs surface energy per surface; name a material, such as quartz, or give --gamma 25mJ/m2 "
+            "or --work-of-adhesion 50mJ/m2"
+        ),
     ),
     "contact quartz 100nm --curve --load=:50nN": (
         2,
@@ -105,7 +111,10 @@ MESSAGES = {
     "contact gold 100nm": (2, f"contact radius without load needs Young's modulus and Poisson's ratio; {GOLD}"),
     "n-roll gold 100nm": (
         2,
-        f"turns with a sliding contact needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may replace some",
+        (
+            f"turns with a sliding contact needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may "
+            "replace some"
+        ),
     ),
     "contact quartz 100nm --material2 gold": (
         2,
@@ -121,7 +130,10 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -11.78098nN": (
         1,
-        "load: -11.78098 nN breaks this contact, which holds a pull down to -11.78097 nN (-15.0037 nN by Maugis' law: --model maugis)",
+        (
+            "load: -11.78098 nN breaks this contact, which holds a pull down to -11.78097 nN (-15.0037 nN by Maugis' "
+            "law: --model maugis)"
+        ),
     ),
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "contact quartz 100nm --poisson 0.6": (
@@ -169,7 +181,10 @@ MESSAGES = {
     ),
     "pull-off quartz 100nm --gamma12 3mJ/m2": (
         2,
-        "no such option '--gamma12'; the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
+        (
+            "no such option '--gamma12'; the energy of an interface stands in the work of adhesion: "
+            "--work-of-adhesion, γ1 + γ2 - γ12"
+        ),
     ),
     "pull-off quartz 100nm --dig 3": (2, "no such option '--dig'; did you mean --digits?"),
     "quantities --radius 100nm": (
@@ -203,13 +218,19 @@ MESSAGES = {
     "helper": (2, "no such command 'helper'; see jkroll --help"),
     "sticking-speed quartz 1um": (
         2,
-        "'sticking-speed' is a quantity, not a command; jkroll quantities sticking_speed lists the commands that show it",
+        (
+            "'sticking-speed' is a quantity, not a command; jkroll quantities sticking_speed lists the commands that "
+            "show it"
+        ),
     ),
     "pull-off quartz 100nm --materials none.toml": (2, "materials file 'none.toml': No such file or directory"),
     "pull-off quartz 100nm --materials .": (2, "materials file '.': is not a regular file"),
     "materials lead": (
         2,
-        "no material 'lead'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), add it to a file (jkroll guide materials), or write one that jkroll materials lists",
+        (
+            "no material 'lead'. Give its own numbers, as in jkroll pull-off 100nm --gamma 30mJ/m2 (an example), add "
+            "it to a file (jkroll guide materials), or write one that jkroll materials lists"
+        ),
     ),
 }
 
@@ -639,7 +660,7 @@ def test_a_request_for_completions_that_is_not_from_bash(said: dict[str, str]) -
     assert (ran.returncode, ran.stdout, ran.stderr) == (2, "", f"jkroll: {problem}\n")
 
 
-# --- The contact at any state, and the ladder of models ----------------------------------------------------------------
+# --- The contact at any state, and the ladder of models ---------------------------------------------------------------
 
 
 def test_an_approach_and_its_load_are_one_state(run: Run) -> None:
@@ -657,7 +678,8 @@ def test_beyond_the_fold(run: Run) -> None:
     ran = run("contact quartz 100nm --approach -0.1nm --bare")
     assert ran.code == 1
     assert ran.err.startswith(
-        "jkroll: approach_at_load: at -100 pm the spheres have parted; the farthest that a stiff machine holds them is -87.6"
+        "jkroll: approach_at_load: at -100 pm the spheres have parted; the farthest that a stiff machine holds them is "
+        "-87.6"
     )
 
 
@@ -742,7 +764,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert any(note.startswith("not checked: ξ/ξ_max, ξ/a: need surface energy") for note in r_min["notes"])
 
 
-# --- What a review found ------------------------------------------------------------------------------------------------
+# --- What a review found ----------------------------------------------------------------------------------------------
 
 
 def test_a_row_that_fails_fails_alone(run: Run) -> None:

@@ -1,4 +1,4 @@
-"""Command lines by the thousand: random ones end with a documented code and say so in one line, those of the corpus with theirs."""
+"""Command lines by the thousand: random ones end with a documented code and a line, those of the corpus with theirs."""
 
 import resource
 from collections import Counter

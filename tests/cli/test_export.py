@@ -1,4 +1,4 @@
-"""`jkroll export`: the lines that it writes. test_lammps_export.py runs those of LAMMPS; the laws of others are written out here."""
+"""`jkroll export`: the lines that it writes. test_lammps_export.py runs LAMMPS; others' laws are written here."""
 
 import math
 import re
@@ -15,7 +15,8 @@ from relative import approx
 
 NUMBER = r"([-+.e\d]+)"
 COEFFICIENTS = re.compile(
-    rf"pair_coeff (\d \d) (jkr|dmt) {NUMBER} 0 0 {NUMBER} tangential mindlin_rescale {NUMBER} 0 {NUMBER} rolling sds {NUMBER} 0 {NUMBER}"
+    rf"pair_coeff (\d \d) (jkr|dmt) {NUMBER} 0 0 {NUMBER} tangential mindlin_rescale {NUMBER} 0 {NUMBER} rolling sds "
+    rf"{NUMBER} 0 {NUMBER}"
 )
 TWISTING = re.compile(rf" twisting sds {NUMBER} 0 {NUMBER}")
 
@@ -102,7 +103,7 @@ def test_unequal_spheres_have_three_pairs_of_types(run: Run) -> None:
     ],
 )
 def test_skin_of_lammps_reaches_all_contacts(run: Run, words: str, radii: tuple[float, float]) -> None:
-    """A default of 1 mm is refused for small grains; spheres in contact are up to 0.397 δ0 apart, and like pairs are written, too."""
+    """A default of 1 mm is refused for small grains; spheres in contact are up to 0.397 δ0 apart."""
     text = run(f"export lammps {words}").out
     [skin] = map(float, re.findall(r"^neighbor (\S+) bin$", text, re.MULTILINE))
     young = {"youngs_modulus": 1e6} if "1MPa" in words else {}
@@ -226,7 +227,7 @@ def test_mistakes(run: Run, words: str, message: str) -> None:
     assert (ran.code, ran.out, ran.err) == (2, "", f"jkroll: {message}\n")
 
 
-# --- LIGGGHTS: Hertz less kA, with A as cohesion_model_sjkr2.h and _sjkr.h have it ---------------------------------------
+# --- LIGGGHTS: Hertz less kA, with A as cohesion_model_sjkr2.h and _sjkr.h have it ------------------------------------
 
 
 def liggghts_force(
@@ -277,7 +278,7 @@ def test_pull_off_of_liggghts(run: Run, words: str, place: int, radii: tuple[flo
         assert -least == approx(force, rel=2e-2 if exact_circle else 1e-6)
 
 
-# --- DustSimulation: the constants of Simulation::setMaterialConstants --------------------------------------------------
+# --- DustSimulation: the constants of Simulation::setMaterialConstants ------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -307,7 +308,7 @@ def test_dust_simulation(run: Run, words: str) -> None:
     assert own == approx(theirs, rel=1e-11)
 
 
-# --- DustCollider: the line of a material as pipeline.cuh reads it -------------------------------------------------------
+# --- DustCollider: the line of a material as pipeline.cuh reads it ----------------------------------------------------
 
 
 def test_material_of_dust_collider(run: Run) -> None:
@@ -320,7 +321,7 @@ def test_material_of_dust_collider(run: Run) -> None:
     assert ran.out.isascii()
 
 
-# --- Time steps ---------------------------------------------------------------------------------------------------------
+# --- Time steps -------------------------------------------------------------------------------------------------------
 
 
 def rayleigh_of(text: str) -> float:
@@ -329,7 +330,10 @@ def rayleigh_of(text: str) -> float:
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts"])
 def test_two_time_steps(run: Run, program: str) -> None:
-    """Of unlike spheres the shorter of each; a wall has none. The speed of a Rayleigh wave is a root of its equation."""
+    """Of unlike spheres the shorter of each; a wall has none.
+
+    The speed of a Rayleigh wave is a root of its equation.
+    """
     short, long = (run(f"export {program} {grain}").out for grain in ("quartz 100nm", "iron 300nm"))
     both = run(f"export {program} quartz 100nm --radius2 300nm --material2 iron").out
     assert rayleigh_of(both) == min(rayleigh_of(short), rayleigh_of(long)) == rayleigh_of(short)
@@ -351,9 +355,10 @@ def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:
 
 
 def bounces(viscosity: float, speed: float) -> bool:
-    """Return whether grains that meet at a speed part again, by DustSimulation's force 2(T_vis/ν²)E*a dδ/dt on the JKR curve.
+    """Return whether grains that meet part again, by DustSimulation's force 2(T_vis/ν²)E*a dδ/dt on the JKR curve.
 
-    In units of δ0 and √(P_cδ0/m), with dt = 2·6^(-1/3)(z³ - 1)dσ: the motion is polynomial in z and u; they part at z = 1.
+    In units of δ0 and √(P_cδ0/m), with dt = 2·6^(-1/3)(z³ - 1)dσ: the motion is polynomial in z and u; they part at z =
+    1.
     """
     c = 6 ** (-1 / 3)
 

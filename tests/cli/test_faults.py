@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -58,8 +59,8 @@ run()
 def run(line: str | Iterable[str], **options: object) -> "subprocess.CompletedProcess[bytes]":
     """Run jkroll with both streams caught, if nothing else is said of them."""
     words = line.split() if isinstance(line, str) else line
-    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    return subprocess.run([*JKROLL, *words], **(streams | options), check=False, timeout=60)  # type: ignore[call-overload,no-any-return]
+    streams: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    return subprocess.run([*JKROLL, *words], **(streams | options), check=False, timeout=60)
 
 
 def in_shell(line: str) -> tuple[int, str]:
@@ -69,7 +70,7 @@ def in_shell(line: str) -> tuple[int, str]:
     return ran.returncode, ran.stderr
 
 
-# --- Where nothing can be written ---------------------------------------------------------------------------------------
+# --- Where nothing can be written -------------------------------------------------------------------------------------
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
@@ -174,7 +175,7 @@ def test_a_directory_that_is_gone(tmp_path: Path) -> None:
     assert (ran.returncode, ran.stdout, ran.stderr) == (0, "1.1780972450961723e-8\n", "")
 
 
-# --- Signals ------------------------------------------------------------------------------------------------------------
+# --- Signals ----------------------------------------------------------------------------------------------------------
 
 BUSY = {
     "a sweep": SWEEPS["bare"],
@@ -268,7 +269,7 @@ def test_it_dies_by_other_signals_silently(number: int, tmp_path: Path) -> None:
         assert len({line.count(b",") for line in whole}) <= 1
 
 
-# --- A broken configuration ---------------------------------------------------------------------------------------------
+# --- A broken configuration -------------------------------------------------------------------------------------------
 
 
 def _directory(path: Path) -> None:
@@ -334,7 +335,7 @@ def test_a_broken_configuration_is_named_where_a_material_is_asked_for(
         path.parent.chmod(0o700)
 
 
-# --- The environment and the terminal -----------------------------------------------------------------------------------
+# --- The environment and the terminal ---------------------------------------------------------------------------------
 
 UTF8 = {"LC_ALL": "C.UTF-8"}
 ENVIRONMENTS = {

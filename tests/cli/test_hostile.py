@@ -54,7 +54,7 @@ def seconds(work: Callable[[], object]) -> float:
     return min(times)
 
 
-# --- The corpus ---------------------------------------------------------------------------------------------------------
+# --- The corpus -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("target", TARGETS)
@@ -65,7 +65,7 @@ def test_what_fuzzing_found_stays_mended(target: str) -> None:
         TARGETS[target](path.read_bytes())
 
 
-# --- Materials files ----------------------------------------------------------------------------------------------------
+# --- Materials files --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("share", [0.1, pytest.param(1.0, marks=pytest.mark.slow)])
@@ -100,7 +100,7 @@ def test_a_long_dotted_key_is_refused_before_it_is_parsed(key: str, tmp_path: Pa
         read(path)
 
 
-# --- Texts with units ---------------------------------------------------------------------------------------------------
+# --- Texts with units -------------------------------------------------------------------------------------------------
 
 LONG = {
     "digits": "9",

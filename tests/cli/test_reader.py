@@ -1,4 +1,4 @@
-"""The grammar of command lines: what is read alike, what is refused and how, and that the registry has a place for all of it."""
+"""The grammar of command lines: what is read alike, what is refused and how, and that the registry has all of it."""
 
 import json
 from functools import partial
@@ -27,15 +27,23 @@ ALIKE = [
     ["pull-off quartz 100nm -o x.csv", "pull-off quartz 100nm --output x.csv", "pull-off quartz 100nm --out=x.csv"],
     ["batch in.csv -o x.csv", "batch -ox.csv in.csv", "batch --output=x.csv -- in.csv"],
     ["batch -1.csv -o -2.csv", "batch -o-2.csv -- -1.csv", "batch -1.csv --output=-2.csv"],
-    ["pull-off quartz 100nm --json", "pull-off quartz 100nm --format json", "pull-off quartz 100nm --format=json --json"],
-    ["pull-off quartz 100nm", "pull-off --R1 100nm quartz", "pull-off --radius=100nm --material quartz", "pull-off R1=100nm quartz"],
+    ["pull-off quartz 100nm --json", "pull-off quartz 100nm --format json", (
+        "pull-off quartz 100nm --format=json "
+        "--json"
+    )],
+    ["pull-off quartz 100nm", "pull-off --R1 100nm quartz", "pull-off --radius=100nm --material quartz",
+    "pull-off R1=100nm quartz"],
     ["contact quartz 1um --radius2 2um", "contact quartz 1um --R2 2um", "contact quartz R1=1um R2=2um"],
     ["infer gamma 2um --measured pull_off_force=1uN", "infer --R1 2um gamma --measured pull_off_force=1uN"],
-    ["pull-off 1um --gamma 25mJ/m2", "pull-off 1um --surface-energy 25mJ/m2", "pull-off 1um --GAMMA=25mJ/m2", "pull-off gamma=25mJ/m2 1um"],
+    ["pull-off 1um --gamma 25mJ/m2", "pull-off 1um --surface-energy 25mJ/m2", "pull-off 1um --GAMMA=25mJ/m2", (
+        "pull-off gamma=25mJ/m2 "
+        "1um"
+    )],
     ["contact 1um --young 1GPa --poisson 0.3", "contact 1um --E 1GPa --nu 0.3", "contact 1um E=1GPa nu=0.3"],
     ["version", "--version"],
     ["help", "--help", "-h", ""],
-    ["help pull-off", "--help pull-off", "pull-off --help", "pull-off -h", "pull-off quartz --to -h", "pull-off --laod 3 -h"],
+    ["help pull-off", "--help pull-off", "pull-off --help", "pull-off -h", "pull-off quartz --to -h",
+    "pull-off --laod 3 -h"],
     ["units", "guide units"],
 ]  # fmt: skip
 # Lines that no reading can be right for, and what is said.
@@ -55,7 +63,9 @@ REFUSED = {
     "batch a.csv b.csv": "'b.csv' is one word too many: jkroll batch IN",
     "pull-off quartz 1um --=x": "no such option '--'; see jkroll pull-off --help",
     "pull-off quartz 1um -output x.csv": "no such option '-output'; did you mean -o?",
-    "pull-off quartz 1um --format xml": "no such option '--format'; write --json, --csv or --bare, or name a file: -o x.tsv",
+    "pull-off quartz 1um --format xml": (
+        "no such option '--format'; write --json, --csv or --bare, or name a file: -o x.tsv"
+    ),
     "pull-off quartz 1um –to nN": "'–to' begins with a dash; options begin with hyphens: --to",
     "plot quartz": f"no such command 'plot'; {HINTS['plot']}",
     "--install-completion bash": "--install-completion stands alone: jkroll --install-completion",
@@ -89,7 +99,10 @@ def test_what_is_refused(run: Run, line: str) -> None:
     assert [*Path().iterdir()] == []
 
 
-@pytest.mark.parametrize("line", ["pull-off quartz 100 nm", "pull-off 100 nm quartz --gamma 0.025 J/m2", "contact quartz 1um --load -5 nN"])  # fmt: skip
+@pytest.mark.parametrize("line", ["pull-off quartz 100 nm", "pull-off 100 nm quartz --gamma 0.025 J/m2", (
+    "contact quartz 1um --load -5 "
+    "nN"
+)])  # fmt: skip
 def test_a_unit_may_be_a_word_of_its_own(line: str) -> None:
     words = line.replace(" nm", "nm").replace(" J", "J").replace(" nN", "nN").split()
     function, (call,) = meaning(line.split())
@@ -99,7 +112,10 @@ def test_a_unit_may_be_a_word_of_its_own(line: str) -> None:
     assert {name: text.replace(" ", "") for name, text in call.inputs.items()} == joined.inputs
 
 
-@pytest.mark.parametrize("line", ["contact quartz 1um --poisson 0.3 iron", "report --digits 3 quartz 1um", "pull-off 1um --young 5 plane", "batch --jobs 2 in.csv"])  # fmt: skip
+@pytest.mark.parametrize("line", ["contact quartz 1um --poisson 0.3 iron", "report --digits 3 quartz 1um", (
+    "pull-off 1um --young 5 "
+    "plane"
+), "batch --jobs 2 in.csv"])  # fmt: skip
 def test_a_number_that_needs_no_unit_takes_no_word(line: str) -> None:
     _, (call,) = meaning(line.split())
     assert all(" " not in text for text in (*call.words, *call.inputs.values()))
@@ -128,7 +144,7 @@ def test_any_words_are_read_or_refused_in_one_line(words: list[str]) -> None:
         assert str(error).isprintable()
 
 
-# --- The registry -------------------------------------------------------------------------------------------------------
+# --- The registry -----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("typed", SYNONYMS)
@@ -149,7 +165,7 @@ def test_every_question_has_a_command_that_takes_the_ways_to_write() -> None:
         assert {*OUTPUT} <= {*COMMANDS[name].options()}
 
 
-# --- Values and words ---------------------------------------------------------------------------------------------------
+# --- Values and words -------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("flag", ["--load -3nN", "--load=-3nN"])
@@ -187,7 +203,7 @@ def test_a_quantity_is_found_by_the_words_of_others(run: Run, word: str, name: s
     )
 
 
-# --- Options that change nothing ----------------------------------------------------------------------------------------
+# --- Options that change nothing --------------------------------------------------------------------------------------
 
 
 _IDLE = ("--density", "3g/cm3", "--density2", "2g/cm3", "--load", "1nN")
@@ -217,7 +233,10 @@ def test_an_option_that_changes_nothing_is_named(run: Run, line: str, idle: str)
 @pytest.mark.parametrize(
     "line",
     [
-        "report quartz 100nm --density 3g/cm3 --young 3GPa --poisson 0.3 --gamma 1J/m2 --load 1nN --xi 1nm --z0 3angstrom",
+        (
+            "report quartz 100nm --density 3g/cm3 --young 3GPa --poisson 0.3 --gamma 1J/m2 --load 1nN --xi 1nm --z0 "
+            "3angstrom"
+        ),
         "pull-off gold 100nm --young 3GPa --z0 3angstrom",
         "n-roll quartz 100nm --speed 1m/s --density 3g/cm3",
         "n-roll gold 100nm --young 3GPa --energy 1eV",

@@ -1,4 +1,4 @@
-"""The typer application runs the same program as the script: for CliRunner, for the shells, and for typer's own tools."""
+"""The typer application runs the same program as the script: for CliRunner, shells and typer's own tools."""
 
 import os
 import shutil
@@ -128,7 +128,10 @@ def test_the_script_runs_the_same_program(line: str) -> None:
     assert by_script(line) == by_runner(line)
 
 
-@pytest.mark.parametrize("line", ["pull-off quartz 100nm", "r-min 100nm --laod 3", "yield-force quartz 100nm --load -20nN"])  # fmt: skip
+@pytest.mark.parametrize("line", ["pull-off quartz 100nm", "r-min 100nm --laod 3", (
+    "yield-force quartz 100nm --load "
+    "-20nN"
+)])  # fmt: skip
 def test_the_script_runs_these_lines_alike(line: str) -> None:
     assert by_script(line) == by_runner(line)
 

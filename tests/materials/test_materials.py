@@ -127,7 +127,10 @@ def test_the_file_of_a_call_overrides_and_says_so(run: Run, tmp_path: Path, monk
 
 
 def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A file of the environment, or of the configuration, adds materials. A name that is also shipped is refused when it is used."""
+    """A file of the environment, or of the configuration, adds materials.
+
+    A name that is also shipped is refused when it is used.
+    """
     shipped = Materials()
     words = sorted({*shipped.names, *shipped.aliases, "ice"})
     before = {word: run("report", word, "1um", "--csv", "--quiet") for word in (*words, "all")}
@@ -193,7 +196,9 @@ BROKEN = {
     "a = ": "is not TOML: Invalid value (at end of document)",
     "[materials.a]\ndensity = 5": "a.density is not a text in quotes",
     "[materials.a]\ndensity = '5'": "a: density: '5' has no unit; expected a mass density such as 1g/cm3",
-    "[materials.a]\ndensity = '-5 g/cm3'": "a: density: '-5 g/cm3' must be positive; expected a mass density such as 1g/cm3",
+    "[materials.a]\ndensity = '-5 g/cm3'": (
+        "a: density: '-5 g/cm3' must be positive; expected a mass density such as 1g/cm3"
+    ),
     "[materials.a]\ndensity = true": "a.density is not a text in quotes",
     "[materials.a]\ndensity = 1979-05-27": "a.density is not a text in quotes",
     "[materials.a]\npoisson_ratio = 0x" + "f" * 30_000: "a.poisson_ratio has too many digits",
@@ -217,10 +222,16 @@ BROKEN = {
     "[materials.ice]\n[materials.Ice]": "'Ice' names both 'ice' and 'Ice'; case makes no difference",
     "[materials.x]\n[materials.b]\naliases = ['X']": "'X' names both 'x' and 'b'; case makes no difference",
     "[materials.'a ']": f"'a ' cannot name a material; {RULE}",
-    "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": "'a.density' has an unknown key 'methd'; did you mean method?",
+    "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": (
+        "'a.density' has an unknown key 'methd'; did you mean method?"
+    ),
     "[materials.a]\ndensity = { method = 'x' }": "a.density.value is not a text in quotes",
-    "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": "'a' cites 'x', which [references] does not have",
-    "[materials.a]\ndensity = '3.4(9) g/cm3'": "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant",
+    "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": (
+        "'a' cites 'x', which [references] does not have"
+    ),
+    "[materials.a]\ndensity = '3.4(9) g/cm3'": (
+        "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant"
+    ),
     "[materials.a]\nnotes = { x = 'y' }": "'a' has a note on 'x', which it does not give",
     "title = 3": "title is not a text in quotes",
     "a = " + "[" * 1200: "is not TOML: nested too deeply",
@@ -393,7 +404,7 @@ def test_solve_takes_materials_by_name() -> None:
         jkroll.solve("pull_off_force", material="quarz", radius=1e-6)
 
 
-# --- The second set: materials by state ----------------------------------------------------------------------------------
+# --- The second set: materials by state -------------------------------------------------------------------------------
 
 # A material without γ says what has one near it, or what was measured instead.
 NEAR = re.compile(r"[1-9][0-9.]* mJ/m2").search
@@ -565,7 +576,7 @@ def test_the_sets() -> None:
 
 @pytest.mark.parametrize("material", SECOND, ids=lambda material: material.name)
 def test_every_value_of_the_other_sets_says_where_it_is_from(material: Material) -> None:
-    """A state; for each property a method, a reference, and an uncertainty or the word that there is none; the law behind γ."""
+    """A state; for each property a method, a reference, and an uncertainty or that there is none; the law behind γ."""
     assert material.state
     keys = {entry["key"] for entry in material.references}
     for name in material.properties:
@@ -767,7 +778,9 @@ def stiffnesses(upper: str) -> Any:
     ("name", "entries"),
     {
         "silicon-oxide": "11=166 22=166 33=166 12=64 13=64 23=64 44=80 55=80 66=80",
-        "mica": "11=181.0 22=178.4 33=58.6 44=16.5 55=19.5 66=72.0 23=21.2 13=25.6 12=48.8 15=-14.2 25=1.1 35=1.0 46=-5.2",
+        "mica": (
+            "11=181.0 22=178.4 33=58.6 44=16.5 55=19.5 66=72.0 23=21.2 13=25.6 12=48.8 15=-14.2 25=1.1 35=1.0 46=-5.2"
+        ),
     }.items(),
 )
 def test_moduli_of_crystals_are_their_reuss_and_voigt_averages(name: str, entries: str) -> None:

@@ -21,7 +21,8 @@ def test_scenes_are_rows_or_columns_or_several_tables(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, first: str, rows: int
 ) -> None:
     monkeypatch.setenv("COLUMNS", columns)
-    words = "report graphite,iron 1mm --gamma 75mJ/m2 --quiet"  # which no other law moves, and on which no rolling was measured
+    # which no other law moves, and on which no rolling was measured
+    words = "report graphite,iron 1mm --gamma 75mJ/m2 --quiet"
     lines = run(words, terminal=True).out.splitlines()
     heads = [line for line in lines if line.startswith(first)]
     assert (len(heads) > 1) == (columns == "30")

@@ -55,7 +55,7 @@ FORMULAS = {
 COUNT, COUNT_OF_ROOTS, MANY = 150, 25, 20_000
 
 
-# --- Results ------------------------------------------------------------------------------------------------------------
+# --- Results ----------------------------------------------------------------------------------------------------------
 
 
 class Error(NamedTuple):
@@ -143,7 +143,7 @@ def test_results_of_fresh_scenes_are_within_the_bounds() -> None:
     assert median(error.ulp for name in RESULTS for error in errors.of_numbers[name]) <= MEDIAN
 
 
-# --- Formulas -----------------------------------------------------------------------------------------------------------
+# --- Formulas ---------------------------------------------------------------------------------------------------------
 
 
 @cache
@@ -187,7 +187,8 @@ def _values(random: Random, scene: Scene) -> Iterator[tuple[str, Any]]:
 def _damped(random: Random) -> Iterator[tuple[str, Any]]:
     """Iterate over values of grains with viscous damping or an asperity."""
     for name, low, high in (
-        ("viscous_time", 1e-15, 1e-6), ("reduced_mass", 1e-24, 1.0), ("sticking_energy", 1e-27, 1.0), ("asperity_radius", 1e-12, 1e-3),
+        ("viscous_time", 1e-15, 1e-6), ("reduced_mass", 1e-24, 1.0), ("sticking_energy", 1e-27, 1.0),
+        ("asperity_radius", 1e-12, 1e-3),
         ("pull_off_force_dmt", 1e-12, 1e3), ("poisson_ratio", 1e-6, 0.5), ("poisson_ratio2", 1e-6, 0.5),
     ):  # fmt: skip
         yield name, log_uniform(random, low, high)
@@ -216,7 +217,8 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     stress = 2 * modulus * length * transition / (3 * radius)
     for name, unit in (
         ("contact_radius", length), ("contact_radius_at_load", length), ("zone_span", length), ("zone_radius", length),
-        ("yield_displacement", length), ("atomic_spacing", length), ("radius", radius), ("yield_moment", force * length),
+        ("yield_displacement", length), ("atomic_spacing", length), ("radius", radius),
+        ("yield_moment", force * length),
         ("yield_force", force), ("pull_off_force", force), ("adhesive_force", force), ("load_factor", 1.0),
         ("rolling_stiffness", force * radius), ("rolling_mass", radius**3), ("adhesion_hysteresis", work / 1e3),
         ("tabor_parameter", transition), ("cohesive_stress", stress),
@@ -274,7 +276,7 @@ def test_formula_is_as_accurate_as_it_says(name: str) -> None:
     check_accuracy(FORMULAS[name], inside, partial(formula_error, name))
 
 
-# --- Seams between two forms --------------------------------------------------------------------------------------------
+# --- Seams between two forms ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -291,7 +293,7 @@ def test_states_at_neighbouring_approaches_do_not_jump(formula: Callable[..., An
     assert steps.min() >= -4 * np.spacing(values[0])
 
 
-# --- One place to add a quantity ----------------------------------------------------------------------------------------
+# --- One place to add a quantity --------------------------------------------------------------------------------------
 
 
 def test_every_formula_has_its_independent_equation() -> None:

@@ -118,7 +118,7 @@ def test_every_row_has_a_definition_and_a_source() -> None:
         assert quantity.equation or quantity.reference, name
 
 
-# --- Sliding ------------------------------------------------------------------------------------------------------------
+# --- Sliding ----------------------------------------------------------------------------------------------------------
 
 
 def test_shear_modulus_of_identical_solids() -> None:

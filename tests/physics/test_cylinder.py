@@ -112,7 +112,7 @@ def test_two_half_strips_have_the_load_and_the_moment_of_eqs_71_to_77(values: Va
     assert near(half(a - xi, 1) - half(a + xi, 1), of("half_strips_moment", values))
 
 
-# --- Relations ----------------------------------------------------------------------------------------------------------
+# --- Relations --------------------------------------------------------------------------------------------------------
 
 any_contact = st.fixed_dictionaries(
     {
@@ -182,7 +182,7 @@ def test_the_leading_edge_is_pressed_where_the_shift_is_too_large(values: Values
     assert abs(share - 1) < 1e-4 or (pressure > 0) == (share > 1)
 
 
-# --- Dimensions ---------------------------------------------------------------------------------------------------------
+# --- Dimensions -------------------------------------------------------------------------------------------------------
 
 UREG: Any = pint.UnitRegistry()
 

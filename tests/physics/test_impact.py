@@ -1,4 +1,4 @@
-"""Head-on collisions: restitution, and sticking with viscous damping, against the equation of motion on the JKR curve."""
+"""Head-on collisions: restitution, and sticking with viscous damping, against the motion on the JKR curve."""
 
 import math
 from typing import Any
@@ -15,7 +15,8 @@ from jkroll.scene.failures import Failure, MissingInput
 from relative import approx
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-6}
-# The motion in units of δ0 and √(P_cδ0/m): δ̂ = 3y⁴ − 2y with y = z/6^(1/3), dt = 2·6^(-1/3)(z³ − 1)dσ, which makes it polynomial.
+# The motion in units of δ0 and √(P_cδ0/m): δ̂ = 3y⁴ − 2y with y = z/6^(1/3), dt = 2·6^(-1/3)(z³ − 1)dσ, which makes it
+# polynomial.
 C = 6 ** (-1 / 3)
 
 
@@ -24,7 +25,7 @@ def acceleration(z: float, u: float, viscosity: float) -> float:
 
 
 def slowest_that_parts(viscosity: float) -> float:
-    """Return the speed at which grains meet that come to rest at the fold: the motion backwards in time, from there to where they met."""
+    """Return the speed at which grains meet that come to rest at the fold: the motion backwards in time from there."""
     growth, start = math.sqrt(10 * C / 3), 1e-5
 
     def backwards(_: float, state: Any) -> list[float]:
@@ -140,11 +141,11 @@ def test_what_an_impact_says(run: Run) -> None:
 
 @pytest.mark.parametrize("asperity", [0.2e-9, 1.5e-9, 5e-9])
 def test_rough_pull_off_by_the_pairwise_sum(asperity: float) -> None:
-    """A sphere on a plane, with a hemisphere of the same solid between: van der Waals' force is the sum over the volumes."""
+    """A sphere on a plane, with a hemisphere of the solid between: van der Waals' force is the sum over the volumes."""
     radius, gap = 1e-6, 1.65e-10
 
     def on_point(across: float, height: float) -> float:
-        """Return the force along the axis of a sphere, that rests on the asperity, on a point of the hemisphere, per Hamaker constant."""
+        """Return the axial force of a sphere on the asperity on a point of the hemisphere, per Hamaker constant."""
         up = asperity + gap + radius - height
         distance = math.hypot(across, up)
         field = 8 * radius**3 * distance / (distance**2 - radius**2) ** 4  # of the sphere, of 4π/3 R³/(d² − R²)³

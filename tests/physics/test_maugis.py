@@ -1,4 +1,4 @@
-"""Maugis' contact against his own two equations in 120 digits, against quadrature, limits, other theories and a 3-D solver."""
+"""Maugis' contact against his own equations in 120 digits, quadrature, limits, other theories and a 3-D solver."""
 
 import math
 import random
@@ -19,14 +19,27 @@ from relative import approx
 BOUND = 10.0  # ulp, times 1 plus the condition in the load or approach and in λ
 UNIT = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "contact_modulus": 0.75}  # all three units are 1
 
-# λ: −P̄ at pull-off; then Ā, δ̄, k̄ and −Φ̄ without load. Computed at 90 digits from Maugis' equations and the closed energy.
+# λ: −P̄ at pull-off; then Ā, δ̄, k̄ and −Φ̄ without load. Computed at 90 digits from Maugis' equations and the closed
+# energy.
 PRINTED = {
-    0.01: "1.9982877843215089083 1.2693666336872056853 1.4600454795258214652 1.8768996237088486450 65.427945895368515576",
-    0.1: "1.9505948921234289055 1.3361798084375040120 1.2924253454824103000 1.8073069117643995518 7.9887144690404900973",
-    0.3: "1.8155558270448521470 1.4418125525780610752 1.2007720436870045549 1.7368405246813545145 3.7161934249729344407",
-    1.0: "1.6007349112540914600 1.6360904896091255212 1.1298938914698703659 1.6665618613535844055 2.3098211117246998207",
-    3.0: "1.5167639000369277835 1.7749050688096475979 1.1057124031314381929 1.6407335729789905072 2.0288434778409739128",
-    10.0: "1.5016248604263581614 1.8126249543255590490 1.1011420871107963599 1.6359288470975518272 1.9856737533477376737",
+    0.01: (
+        "1.9982877843215089083 1.2693666336872056853 1.4600454795258214652 1.8768996237088486450 65.427945895368515576"
+    ),
+    0.1: (
+        "1.9505948921234289055 1.3361798084375040120 1.2924253454824103000 1.8073069117643995518 7.9887144690404900973"
+    ),
+    0.3: (
+        "1.8155558270448521470 1.4418125525780610752 1.2007720436870045549 1.7368405246813545145 3.7161934249729344407"
+    ),
+    1.0: (
+        "1.6007349112540914600 1.6360904896091255212 1.1298938914698703659 1.6665618613535844055 2.3098211117246998207"
+    ),
+    3.0: (
+        "1.5167639000369277835 1.7749050688096475979 1.1057124031314381929 1.6407335729789905072 2.0288434778409739128"
+    ),
+    10.0: (
+        "1.5016248604263581614 1.8126249543255590490 1.1011420871107963599 1.6359288470975518272 1.9856737533477376737"
+    ),
 }
 
 
@@ -92,7 +105,7 @@ _POWERS = {"load": 3, "approach": 2}  # of the contact radius, in the larger ter
 
 
 def check(solve: Any, transition: float, given: float, edge_ratio: float, names: str) -> None:
-    """Hold a state against the reference; its condition is that of the reference, of a difference that of its larger term too."""
+    """Hold a state against the reference, with the condition of that, and for a difference that of its larger term."""
     step = mpf(10) ** -18
     exact_transition, exact_given = mpf(transition), mpf(given)
     exact, *others = (

@@ -28,7 +28,7 @@ NAMES = [name for name in (*GIVEN, *OTHER) if not name.startswith("poisson")]
 
 
 def scenes(count: int) -> Iterator[dict[str, Any]]:
-    """Iterate over scenes with one or two inputs at the ends, and `count` with all, some of these with a state or an energy."""
+    """Iterate over scenes with one or two inputs at the ends, and `count` with all, some with a state or an energy."""
     ends = (LEAST, MOST)
     for name, end in product((*NAMES, *ENERGIES, *STATES), ends):
         yield {**GIVEN, name: end}
@@ -126,7 +126,7 @@ def test_an_element_that_leaves_the_doubles_leaves_the_others_alone() -> None:
     assert (energy[~np.isnan(energy)] == solve("sticking_energy", model="maugis", **{**given, "radius": 1e-7})).all()
 
 
-# --- Corners ------------------------------------------------------------------------------------------------------------
+# --- Corners ----------------------------------------------------------------------------------------------------------
 
 LARGEST = sys.float_info.max
 SIZES = [name for name in (*GIVEN, *OTHER, "atomic_spacing") if not name.startswith("poisson")]

@@ -158,7 +158,8 @@ PAIR: dict[str, Any] = {
     "youngs_modulus2": 210e9, "poisson_ratio": 0.17, "poisson_ratio2": 0.27, "density": 2600.0, "density2": 7700.0,
 }  # fmt: skip
 OF_THE_PAIR = [
-    "work_of_adhesion", "reduced_radius", "contact_modulus", "reduced_mass", "reduced_moment_of_inertia", "rolling_mass",
+    "work_of_adhesion", "reduced_radius", "contact_modulus", "reduced_mass", "reduced_moment_of_inertia",
+    "rolling_mass",
     "pull_off_force", "contact_radius", "approach", "yield_moment", "r_min", "vertical_frequency", "rolling_frequency",
     "rolling_frequency_no_slip",
 ]  # fmt: skip

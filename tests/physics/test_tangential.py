@@ -1,4 +1,4 @@
-"""Sliding, twisting and peeling: one strength for both thresholds, and Griffith's criterion by differences of energies."""
+"""Sliding, twisting and peeling: one strength for both thresholds; Griffith's criterion by differences of energies."""
 
 import math
 from collections.abc import Callable
@@ -14,20 +14,22 @@ from scenes import OTHER, QUARTZ
 PAIR: dict[str, Any] = {**QUARTZ, **OTHER}
 SHEAR_MODULUS = 54e9 / (2 * 1.17)
 NEW = [
-    "shear_strength", "sliding_force", "sliding_displacement", "sliding_energy", "twisting_stiffness", "twisting_moment",
-    "twisting_angle", "twisting_energy", "twisting_frequency", "peeling_force", "peeling_radius", "peeling_over_sliding",
+    "shear_strength", "sliding_force", "sliding_displacement", "sliding_energy", "twisting_stiffness",
+    "twisting_moment",
+    "twisting_angle", "twisting_energy", "twisting_frequency", "peeling_force", "peeling_radius",
+    "peeling_over_sliding",
     "sliding_or_peeling_force", "rolling_over_sliding",
 ]  # fmt: skip
 
 OF_ANY_LAW = ("twisting_stiffness", "twisting_frequency")  # by the radius of its contact
 
 
-# --- Thresholds ---------------------------------------------------------------------------------------------------------
+# --- Thresholds -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("ratio", [-0.9, 0.0, 5.0])
 def test_thresholds_of_identical_spheres_are_those_of_dust_codes(ratio: float) -> None:
-    """Lumajord/DustSimulation has s = (2 − ν)a/16π, φ = 1/16π, F = Ga²/4π and M = Ga³/6π, at the contact radius under the load."""
+    """Lumajord/DustSimulation has s = (2 − ν)a/16π, φ = 1/16π, F = Ga²/4π and M = Ga³/6π, a under the load."""
     load = ratio * solve("pull_off_force", **QUARTZ)
     a, *found = solve(["contact_radius_at_load", *NEW[1:8]], load=load, **QUARTZ).values()
     force, shift, slide_energy, stiffness, moment, angle, twist_energy = found
@@ -70,7 +72,7 @@ def test_a_plane_is_the_limit_of_a_large_sphere(name: str) -> None:
     assert math.isclose(solve(name, **{**PAIR, "radius2": 1e5}), plane, rel_tol=1e-11)
 
 
-# --- Stiffness of torsion, two ways -------------------------------------------------------------------------------------
+# --- Stiffness of torsion, two ways -----------------------------------------------------------------------------------
 
 
 def test_torsional_stiffness_is_the_moment_of_the_tractions() -> None:
@@ -95,7 +97,7 @@ def test_twisting_frequency_is_an_eigenvalue(radius2: float) -> None:
     assert math.isclose(frequency, highest, rel_tol=1e-12)
 
 
-# --- Peeling: energies of the contact at a load and a tangential force, as functions of its radius -----------------------
+# --- Peeling: energies of the contact at a load and a tangential force, as functions of its radius --------------------
 
 
 def energy(a: Any, load: float, force: Any, scene: dict[str, float]) -> Any:
@@ -181,7 +183,8 @@ def test_a_brittle_contact_slides_where_the_force_reaches_the_strength_of_its_ar
     scene: dict[str, Any] = {**QUARTZ, "radius": radius}
     scene["load"] = ratio * solve("pull_off_force", **scene)
     names = [
-        "reduced_radius", "contact_modulus", "contact_shear_modulus", "work_of_adhesion", "pull_off_force", "peeling_radius",
+        "reduced_radius", "contact_modulus", "contact_shear_modulus", "work_of_adhesion", "pull_off_force",
+        "peeling_radius",
         "contact_radius_at_load", "shear_strength", "peeling_over_sliding", "sliding_or_peeling_force",
     ]  # fmt: skip
     found = solve(names, **scene)
@@ -216,7 +219,7 @@ def test_any_strength_of_a_contact_gives_way_at_the_weaker_of_two() -> None:
     assert np.all(np.diff(first) >= 0)
 
 
-# --- Where there is none ------------------------------------------------------------------------------------------------
+# --- Where there is none ----------------------------------------------------------------------------------------------
 
 
 def test_beyond_pull_off_nothing_peels_at_a_fixed_load() -> None:

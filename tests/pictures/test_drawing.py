@@ -408,7 +408,7 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("width", [85, 180])
 def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width: int) -> None:
-    """No legend is half as high as its panel, no title of an axis ends a line with a comma, and texts keep off the frame."""
+    """No legend is half as high as its panel, no line of an axis' title ends with a comma, texts keep off the frame."""
     picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, None)
     with settings(PAPER):
         page = figure_of(picture, width / 25.4, PAPER, has_caption=True)
@@ -639,7 +639,7 @@ def test_a_million_points_take_less_than_importing_matplotlib() -> None:
     assert least["map"] < least["import"]
 
 
-# --- The pictures of the README: written anew by `PYTHONPATH=tests python tests/pictures/test_drawing.py` ---------------------------------------------
+# --- The pictures of the README: written anew by `PYTHONPATH=tests python tests/pictures/test_drawing.py` -------------
 
 README = Path(__file__).parents[2] / "README.md"
 KEPT = Path(__file__).parents[1] / "data"

@@ -1,4 +1,4 @@
-"""Maps and curves as data and in a terminal: they follow the formulas, and show what the paper's text reads off them."""
+"""Maps and curves as data and in a terminal: they follow the formulas, and show what the paper reads off them."""
 
 import csv
 import io
@@ -74,7 +74,7 @@ def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
     np.testing.assert_allclose(drawn.values / evaluate(drawn.scene, drawn.printed, drawn.x, drawn.y), 2.5, rtol=1e-12)
 
 
-# --- What the paper's text says one sees --------------------------------------------------------------------------------
+# --- What the paper's text says one sees ------------------------------------------------------------------------------
 
 
 def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
@@ -179,7 +179,7 @@ def test_materials_are_where_table_1_has_them() -> None:
     assert ratios["quartz"] == approx(54e9 / (2 * (1 - 0.17**2)) / 0.025)
 
 
-# --- Axes ---------------------------------------------------------------------------------------------------------------
+# --- Axes -------------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("most", [2, 3, 8])
@@ -245,7 +245,7 @@ def test_the_axis_around_the_largest_numbers_ends_among_them() -> None:
     assert axis.high == 1e308
 
 
-# --- In a terminal ------------------------------------------------------------------------------------------------------
+# --- In a terminal ----------------------------------------------------------------------------------------------------
 
 PICTURES = [
     *(f"figure {name}" for name in sorted(FILES)),
@@ -349,7 +349,7 @@ def test_a_limit_that_holds_all_over_hatches_nothing(run: Run) -> None:
     assert "x a/z0" not in out
 
 
-# --- The numbers, and what is refused -----------------------------------------------------------------------------------
+# --- The numbers, and what is refused ---------------------------------------------------------------------------------
 
 
 def test_the_numbers_go_where_no_value_is(run: Run, tmp_path: Path) -> None:
@@ -431,7 +431,10 @@ def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run
     small = " ".join(run("map v_stick quartz --x radius=1nm:2nm --model jkr,maugis").out.split())
     assert "No curve: quartz, Maugis–Dugdale: rests on z0; give --z0 4angstrom." in small
     assert "++" not in small
-    drawn = "map v_stick --x R1=10nm:10um --y gamma=1mJ/m2:1J/m2 --young 7GPa --poisson 0.25 --density 1g/cm3 --model maugis"
+    drawn = (
+        "map v_stick --x R1=10nm:10um --y gamma=1mJ/m2:1J/m2 --young 7GPa --poisson 0.25 --density 1g/cm3 --model "
+        "maugis"
+    )
     assert "No value where it rests on z0" in run(drawn).out
     assert "No value" not in run(f"{drawn} --z0 4angstrom").out
 
@@ -553,7 +556,8 @@ def test_no_value_anywhere_is_a_failure(run: Run) -> None:
 
 
 _EXAMPLES = {
-    "m": "1nm:1um", "J/m^2": "1mJ/m2:1J/m2", "Pa": "1GPa:100GPa", "1": "0.1:0.4", "kg/m^3": "1g/cm3:8g/cm3", "N": "-5nN:20nN:lin",
+    "m": "1nm:1um", "J/m^2": "1mJ/m2:1J/m2", "Pa": "1GPa:100GPa", "1": "0.1:0.4", "kg/m^3": "1g/cm3:8g/cm3",
+    "N": "-5nN:20nN:lin",
     "m/s^2": "1m/s2:10m/s2", "J": "1e-20J:1e-17J", "m/s": "1cm/s:10m/s", "kg": "1e-18kg:1e-15kg", "N/m": "1N/m:100N/m",
 }  # fmt: skip
 

@@ -25,8 +25,9 @@ from jkroll.quantities.values import (
 from jkroll.scene.solver import in_si
 from relative import approx
 
-SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%; 25 mJ/m2 ± 5 mJ/m2;
-25 mJ/m2 ± 5 erg/cm2; (25±5) mJ/m2; (25 +/- 5) mJ·m⁻²; (2.50+/-0.50)e-2 J/m2; 25e-3±5e-3 J/m2; 25(5)e-3 J/m2; 25 +5/-5 mJ/m2"""
+SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%;
+25 mJ/m2 ± 5 mJ/m2; 25 mJ/m2 ± 5 erg/cm2; (25±5) mJ/m2; (25 +/- 5) mJ·m⁻²; (2.50+/-0.50)e-2 J/m2; 25e-3±5e-3 J/m2;
+25(5)e-3 J/m2; 25 +5/-5 mJ/m2"""
 
 
 @pytest.mark.parametrize("text", [text.strip() for text in SPELLINGS.split(";")])

@@ -63,7 +63,10 @@ REFUSED = {
     "5mµm": "radius: '5mµm' has a µ that is not the first letter of a unit; expected a length such as 100nm",
     "5 N": "radius: '5 N' is a force; expected a length such as 100nm",
     "100": "radius: '100' has no unit; expected a length such as 100nm",
-    "5,5 nm": "radius: '5,5 nm' has a comma: write a decimal point, and no marks of thousands; expected a length such as 100nm",
+    "5,5 nm": (
+        "radius: '5,5 nm' has a comma: write a decimal point, and no marks of thousands; expected a length such as "
+        "100nm"
+    ),
     "nm": "radius: 'nm' does not begin with a number; expected a length such as 100nm",
     "": "radius: '' does not begin with a number; expected a length such as 100nm",
     "nan m": "radius: 'nan m' does not begin with a number; expected a length such as 100nm",

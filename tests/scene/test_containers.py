@@ -15,7 +15,7 @@ FORCES = jkroll.solve("pull_off_force", material="quartz", radius=numpy.array([1
 
 
 class Labelled(SimpleNamespace):
-    """What xarray has around an array: `data`, the names of its dimensions, and attributes; numpy drops the unit of the data."""
+    """What xarray has around an array: `data`, names of dimensions, attributes; numpy drops the unit of the data."""
 
     data: Any
 

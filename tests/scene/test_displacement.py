@@ -1,4 +1,4 @@
-"""What forces that were measured mean in place of the assumed yield displacement, and hysteresis of adhesion as a part of w."""
+"""What measured forces mean in place of the assumed yield displacement, and hysteresis of adhesion as a part of w."""
 
 import json
 import random
@@ -41,7 +41,7 @@ def ends(scene: Scene, name: str) -> tuple[float, float]:
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 @pytest.mark.parametrize("material", ["quartz", "silica-humid"])
 def test_at_the_spheres_that_were_rolled_stand_their_forces(material: str, model: str) -> None:
-    """With any surface energy: a displacement follows from the force and from γ, so that the force has no error bar from γ."""
+    """With any γ: a displacement follows from the force and from γ, so that the force has no error bar from γ."""
     scene = of(material, ROLLED["radius"]).replace(model=model)
     assert rolled_solid(scene) == "SiO2"
     assert ends(scene, "yield_force") == approx(FORCES)

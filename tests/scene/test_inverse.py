@@ -117,7 +117,7 @@ def test_two_solutions_between_two_points_of_the_scan_are_found() -> None:
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 @pytest.mark.parametrize("quantity", ["rolling_frequency", "n_grav", "sliding_frequency"])
 def test_two_solutions_between_pull_off_and_the_scan_are_found(quantity: str, model: str) -> None:
-    """Of a small sphere under tension: the quantity rises from pull-off to a maximum before the next value of the scan."""
+    """Of a small sphere in tension: the quantity rises from pull-off to a maximum before the scan's next value."""
     scene = Scene({"load": -5e-9}, known_materials()["quartz"], model=model)
     least = 4e-8 if model == "jkr" else 3e-8
     radii = numpy.geomspace(least, 1.3 * least, 4000)
@@ -224,7 +224,7 @@ def test_nothing_is_extrapolated() -> None:
 
 
 def test_where_no_usual_value_is_found_all_that_a_scene_takes_are_scanned() -> None:
-    """P_c = 3πγR of a sphere on a plane, and 2γ is the work of adhesion; a few of many values are beyond the usual ones."""
+    """P_c = 3πγR of a sphere on a plane, and w = 2γ; a few of many values are beyond the usual ones."""
     given: dict[str, Any] = {"radius": 2.5e-6, "radius2": math.inf}
     gamma = 21e-12 / (3 * math.pi * 2.5e-6)
     assert infer("gamma", measured={"pull_off_force": 21e-12}, **given) == approx(gamma, rel=1e-14)
@@ -460,7 +460,8 @@ def test_what_is_only_given_is_not_measured(run: Run, measured: str) -> None:
     name = measured.partition("=")[0]
     option = f"--{name.replace('_', '-')}"
     assert ran.err == (
-        f"jkroll: {name} is an input, and no formula gives it; give it as {option}, and ask for yield_displacement without infer\n"
+        f"jkroll: {name} is an input, and no formula gives it; give it as {option}, and ask for yield_displacement "
+        "without infer\n"
     )
     assert ran.code == 2
     assert run(f"report quartz 100nm --quantities xi {option} {measured.partition('=')[2]}").code == 0

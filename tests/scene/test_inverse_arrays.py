@@ -22,7 +22,8 @@ from scenes import OTHER, QUARTZ, log_uniform
 # Every input, with a value of it, and with quantities from which it is inferred under any law.
 TYPICAL = {
     "surface_energy": 0.03, "work_of_adhesion": 0.05, "yield_displacement": 2e-10, "adhesion_hysteresis": 5e-3,
-    "youngs_modulus": 5e10, "radius": 1e-7, "load": 1e-7, "hamaker": 1e-19, "shear_strength": 1e8, "viscous_time": 1e-12,
+    "youngs_modulus": 5e10, "radius": 1e-7, "load": 1e-7, "hamaker": 1e-19, "shear_strength": 1e8,
+    "viscous_time": 1e-12,
 }  # fmt: skip
 MEASURED = {
     "surface_energy": ("pull_off_force", "contact_radius_at_load"),

@@ -1,4 +1,4 @@
-"""Laws of attraction through the whole graph: Maugis' against his equations in 120 digits, and its limits JKR and DMT."""
+"""Laws of attraction through the whole graph: Maugis' against his equations in 120 digits, and its limits."""
 
 import json
 import math
@@ -109,7 +109,7 @@ def test_the_pull_off_force_of_random_pairs_is_that_of_maugis() -> None:
         assert abs(mpf(force) + least * units.force) <= mpf(10) ** -14 * units.force
 
 
-# --- What follows from the state ----------------------------------------------------------------------------------------
+# --- What follows from the state --------------------------------------------------------------------------------------
 
 
 def test_numbers_of_a_grain() -> None:
@@ -177,7 +177,7 @@ def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: floa
         assert math.isclose(between[name], limit[name], rel_tol=error), name
 
 
-# --- Hysteresis of adhesion ---------------------------------------------------------------------------------------------
+# --- Hysteresis of adhesion -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("model", "edge"), [("jkr", "contact_radius_at_load"), ("maugis", "zone_radius")])
@@ -205,7 +205,7 @@ def test_displacement_and_hysteresis_exclude_each_other() -> None:
         solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.01, yield_displacement=1e-10)
 
 
-# --- What there is not --------------------------------------------------------------------------------------------------
+# --- What there is not ------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
@@ -250,7 +250,7 @@ def test_an_unknown_law_is_refused() -> None:
         solve("pull_off_force", model="hertz", **QUARTZ)
 
 
-# --- Tables and arrays --------------------------------------------------------------------------------------------------
+# --- Tables and arrays ------------------------------------------------------------------------------------------------
 
 
 def test_every_route_leads_to_a_formula_of_the_nomenclature() -> None:
@@ -352,7 +352,7 @@ def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -
     assert (refused.code, "which are in: m, N, N/m" in refused.err) == (2, True)
 
 
-# --- What an answer says ------------------------------------------------------------------------------------------------
+# --- What an answer says ----------------------------------------------------------------------------------------------
 
 
 def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
@@ -540,7 +540,7 @@ def test_where_a_law_is_within_5_per_cent_depends_on_the_quantity(model: str, na
 @pytest.mark.parametrize("given", [{}, {"load": 1e-9}, {"approach_at_load": 1e-10}, {"adhesion_hysteresis": 0.01}])
 @pytest.mark.parametrize("model", LAWS)
 def test_a_formula_of_another_law_has_no_contact_of_this_one(model: str, given: dict[str, float]) -> None:
-    """What only one law has by some formula is under another law the same, or it is refused: approach_dmt took the radius of JKR."""
+    """What only one law has by a formula is the same under another law, or refused: approach_dmt took JKR's radius."""
     scene = Scene({"radius": 1e-7, **given}, known_materials()["quartz"], model=model)
     foreign = [name for name in NOMENCLATURE if NOMENCLATURE[name].variant_of and law_of(name) not in (None, model)]
     found = {name: value for name, value in scene.evaluate(foreign).items() if not isinstance(value, JkrollError)}

@@ -116,7 +116,10 @@ def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
 
 
 def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_the_yield_energy() -> None:
-    """The paper: "do not roll at all, if they are smaller than about 10 nm". By Eqs (1) and (3) its (2/7)P_cδ0 is 6πγξ² at 11 nm of quartz."""
+    """The paper: "do not roll at all, if they are smaller than about 10 nm".
+
+    By Eqs (1) and (3) its (2/7)P_cδ0 is 6πγξ² at 11 nm of quartz.
+    """
     gamma, modulus, shift = 0.025, 54e9 / (2 * (1 - 0.17**2)), 2e-10
     for share, names in (
         (2 / 7, ["n_roll"]),
@@ -149,7 +152,7 @@ def test_iron_of_100_nm_is_pressed_to_where_a_solid_yields() -> None:
 
 
 def test_the_largest_shear_below_a_hertz_contact_is_a_third_of_its_pressure() -> None:
-    """On the axis, of ν = 0.3: 0.31 p_H at 0.48a, by the stresses of Hertz' pressure; with Y of E/30, it yields at 0.1 E*."""
+    """On the axis, of ν = 0.3: 0.31 p_H at 0.48a, by the stresses of Hertz; with Y = E/30, it yields at 0.1 E*."""
     z = np.linspace(0.01, 2, 2000)
     along, across = -1 / (1 + z**2), -1.3 * (1 - z * np.arctan(1 / z)) + 0.5 / (1 + z**2)
     shear = (across - along) / 2

@@ -1,4 +1,4 @@
-"""Two unknowns against a dense scan of both, which is divided again and again where both quantities pass their measured values."""
+"""Two unknowns against a dense scan of both, divided again where both quantities pass their measured values."""
 
 import math
 from random import Random
@@ -19,10 +19,12 @@ PARTS = 5  # of each side of a cell, when it is divided
 ROUNDS = 12  # of dividing: a cell is then 1e-9 of its first width
 MANY = 3000  # cells that both quantities pass, of which so many are a curve and no point
 SPANS = {
-    "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3), "yield_displacement": (1e-11, 1e-8)
+    "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3),
+    "yield_displacement": (1e-11, 1e-8)
 }  # fmt: skip
 QUANTITIES = (
-    "pull_off_force", "contact_radius", "contact_radius_at_load", "approach", "approach_at_load", "stiffness", "hertz_pressure",
+    "pull_off_force", "contact_radius", "contact_radius_at_load", "approach", "approach_at_load", "stiffness",
+    "hertz_pressure",
     "tangential_stiffness", "sliding_force", "yield_force", "yield_moment", "vertical_frequency", "rolling_frequency",
     "tabor_parameter", "well_energy", "sticking_energy", "sticking_speed", "r_min", "n_grav",
 )  # fmt: skip
@@ -85,7 +87,10 @@ def solved(names: tuple[str, ...], measured: dict[str, float], scene: Scene) -> 
 
 
 def compared(random: Random) -> str:
-    """Return what became of a random problem. Fails where a pair that the scan finds is not named, or one that is no solution."""
+    """Return what became of a random problem.
+
+    Fails where a pair that the scan finds is not named, or one that is no solution.
+    """
     given: dict[str, Any] = {name: log_uniform(random, *span) for name, span in SPANS.items()}
     given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}
     law = random.choice([*LAWS])

@@ -48,7 +48,8 @@ def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
     values = scene.evaluate(("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
     kinds = {name: value.kind if isinstance(value, Failure) else type(value) for name, value in values.items()}
     assert kinds == {
-        "r_min": NO_CHAIN, "pull_off_force": float, "yield_force": BEYOND_PULL_OFF, "n_grav": BEYOND_PULL_OFF, "mass": float,
+        "r_min": NO_CHAIN, "pull_off_force": float, "yield_force": BEYOND_PULL_OFF, "n_grav": BEYOND_PULL_OFF,
+        "mass": float,
         "speed": MissingInput,
     }  # fmt: skip
     for name, kind in kinds.items():

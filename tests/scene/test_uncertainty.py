@@ -318,7 +318,7 @@ def test_the_face_of_python() -> None:
     assert isinstance(infer("xi", measured={"r_min": "50±5 um"}, radius=1e-7), Measured)
 
 
-# --- Measurements of pint -----------------------------------------------------------------------------------------------
+# --- Measurements of pint ---------------------------------------------------------------------------------------------
 
 
 def test_measurements_of_pint_are_read_in_any_unit() -> None:

@@ -1,4 +1,4 @@
-"""Two unknowns from two quantities: pairs come back, all that the scan finds are named, and what is not separated is refused."""
+"""Two unknowns from two quantities: pairs come back, all that a scan finds are named, others are refused."""
 
 # ruff: noqa: N803, N806  (the papers' symbols)
 
@@ -134,10 +134,12 @@ def test_pairs_come_back_from_exact_values(law: str, quantities: tuple[str, str]
 # --- Random pairs -----------------------------------------------------------------------------------------------------
 
 SPANS = {
-    "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3), "yield_displacement": (1e-11, 1e-8)
+    "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3),
+    "yield_displacement": (1e-11, 1e-8)
 }  # fmt: skip
 QUANTITIES = (
-    "pull_off_force", "contact_radius", "contact_radius_at_load", "approach", "approach_at_load", "stiffness", "hertz_pressure",
+    "pull_off_force", "contact_radius", "contact_radius_at_load", "approach", "approach_at_load", "stiffness",
+    "hertz_pressure",
     "tangential_stiffness", "sliding_force", "yield_force", "yield_moment", "vertical_frequency", "rolling_frequency",
     "tabor_parameter", "well_energy", "sticking_energy",
 )  # fmt: skip
@@ -215,8 +217,14 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
             )
             for force in (4e-7, 5e-7)  # what every pair gives, and what none does
         ),
-        (NAMES, {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}, PLANE, Unseparated, "they leave E1 open (κ is above 1e8)"),
-        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, "r_min depends on neither (κ is above 1e8)"),
+        (NAMES, {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}, PLANE, Unseparated, (
+            "they leave E1 open (κ is above "
+            "1e8)"
+        )),
+        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, (
+            "r_min depends on neither (κ is above "
+            "1e8)"
+        )),
         (
             NAMES,
             {"pull_off_force": 3e-7, "stiffness": 1e12},
@@ -229,7 +237,10 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
             {"pull_off_force": 3e-7, "stiffness": 1e7},
             PLANE,
             NoSolution,
-            "where pull_off_force = 300 nN, stiffness lies between 93.7726 µN/m and 937.726 kN/m for γ1 = 1 µJ/m² to 1 kJ/m² and E1 = 1 Pa to 1 PPa",
+            (
+                "where pull_off_force = 300 nN, stiffness lies between 93.7726 µN/m and 937.726 kN/m for γ1 = 1 µJ/m² "
+                "to 1 kJ/m² and E1 = 1 Pa to 1 PPa"
+            ),
         ),
         (
             ("youngs_modulus", "radius"),
@@ -295,7 +306,10 @@ def test_all_pairs_are_named(radius: float) -> None:
     assert first["radius"] != approx(second["radius"], rel=0.01)
     for pair in (first, second):
         assert Scene({**given, **pair}, model="dmt").numbers(*measured) == approx(measured, rel=1e-13)
-    words = f"surface_energy,radius: the pairs ({amount('surface_energy', first['surface_energy'])}, {amount('radius', first['radius'])}) and ("
+    words = (
+        f"surface_energy,radius: the pairs ({amount('surface_energy', first['surface_energy'])}, "
+        f"{amount('radius', first['radius'])}) and ("
+    )
     assert str(caught.value).startswith(words)
 
 
@@ -312,7 +326,7 @@ def test_pairs_are_found_next_to_pull_off(margin: float) -> None:
 
 
 def test_the_order_of_what_was_measured_hides_no_pair() -> None:
-    """Below some radius v_stick of Maugis' law does not change with the radius, so that two spheres have both values."""
+    """Below some radius v_stick of Maugis' law does not change with it, so that two spheres have both values."""
     measured = {"yield_force": 2.71151e-9, "sticking_speed": 4.24886}
     given = {"radius2": math.inf, "poisson_ratio": 0.17, "youngs_modulus": 54e9, "density": 2600.0}
     given |= {"load": 3.43e-7, "atomic_spacing": 4e-10, "yield_displacement": 2e-10}
@@ -472,7 +486,10 @@ def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
         (f"{COMMAND} --young 1GPa", 2, "youngs_modulus is given and asked for"),
         (COMMAND.replace(",young", ""), 2, "an input needs one measured quantity, and 2 are given: "),
         (COMMAND.replace("quartz", "grains.csv"), 2, "infer reads no tables, and batch infers one input"),
-        (COMMAND.replace("300nN", "1nN:1uN:1001"), 2, "1001 scenes are more than 1000, in which two inputs are looked for"),
+        (COMMAND.replace("300nN", "1nN:1uN:1001"), 2, (
+            "1001 scenes are more than 1000, in which two inputs are looked "
+            "for"
+        )),
         (COMMAND.replace("1kN", "1TN"), 1, "surface_energy,youngs_modulus: no pair of values gives "),
         ("batch grains.csv --infer gamma,young --measured P_c", 2, "batch infers one input"),
         ("batch grains.csv --infer gamma --measured P_c --measured stiffness", 2, "batch infers one input"),

@@ -2,10 +2,10 @@
 
     python tests/tools/fuzz.py quantity -max_total_time=600
 
-The targets are quantity, unit, materials and words. The options after the target are libFuzzer's, which writes a violation
-to the current directory as crash-*. Inputs that reach new code go to a temporary folder, jkroll-fuzz/TARGET;
-`python tests/tools/fuzz.py TARGET --keep` copies the small ones to tests/corpus, which a test replays.
-Needs `pip install jkroll[fuzz]`.
+The targets are quantity, unit, materials and words. The options after the target are libFuzzer's, which writes a
+violation to the current directory as crash-*. Inputs that reach new code go to a temporary folder, jkroll-fuzz/TARGET;
+`python tests/tools/fuzz.py TARGET --keep` copies the small ones to tests/corpus, which a test replays. Needs `pip
+install jkroll[fuzz]`.
 """
 
 import shutil

@@ -6,10 +6,10 @@
 The second makes a force curve as it is measured, with noise and an unknown zero of the approach.
 
 The gap is h/z0 = H = ρ²/2 − D + μ^(3/2) u(ρ), with ρ = r/√(Rz0) and a traction (8/3)(H^-3 − H^-9) w/z0 on an elastic
-half-space. Traction is constant on rings, whose displacement is the difference of that of two discs (elliptic integrals).
-Newton's method follows the curve by the gap at the centre, through the turning points of D; a parabola through the three
-largest tensions gives the pull-off force. The far traction is added in closed form.
-Above μ = 2 the gap at the centre no longer falls along the whole curve, so that the table ends there.
+half-space. Traction is constant on rings, whose displacement is the difference of that of two discs (elliptic
+integrals). Newton's method follows the curve by the gap at the centre, through the turning points of D; a parabola
+through the three largest tensions gives the pull-off force. The far traction is added in closed form. Above μ = 2 the
+gap at the centre no longer falls along the whole curve, so that the table ends there.
 """
 
 import sys
@@ -110,7 +110,7 @@ ZERO, NOISE = 12.3e-9, 3e-9  # of the approach, in m, and of the force, in N
 
 
 def force_curve(rings: int = 300) -> Iterator[tuple[float, float]]:
-    """Iterate over approach and force as the sphere is withdrawn, until it jumps off at the largest tension of a soft spring."""
+    """Iterate over approach and force as the sphere is withdrawn, until it jumps off at the largest tension."""
     modulus, w = YOUNGS_MODULUS / (1 - POISSON_RATIO**2), 2 * GAMMA
     tabor = float(numpy.cbrt(RADIUS * w**2 / (modulus**2 * SPACING**3)))
     gaps = [*numpy.linspace(3, 1.2, 19), *numpy.linspace(1.19, 1.02, 35), *numpy.linspace(1.019, 0.94, 80)]
@@ -122,7 +122,7 @@ def force_curve(rings: int = 300) -> Iterator[tuple[float, float]]:
 
 
 def main() -> None:
-    """Print a row for each μ: the pull-off force with two numbers of rings, extrapolated, in the table and by the fit."""
+    """Print a row for each μ: the pull-off force by two numbers of rings, extrapolated, in the table, by the fit."""
     if sys.argv[1:] == ["curve"]:
         print("approach [m],force [N]")
         for approach, force in force_curve():
@@ -132,7 +132,8 @@ def main() -> None:
         coarse, fine = pull_off(tabor, 300), pull_off(tabor, 600)
         value = fine + (fine - coarse) / 3
         print(
-            f"{tabor:6g} {coarse:.6f} {fine:.6f} {value:.5f} {TABLE.get(tabor, float('nan')):.5f} {fit(tabor) / value - 1:+.2%}"
+            f"{tabor:6g} {coarse:.6f} {fine:.6f} {value:.5f} {TABLE.get(tabor, float('nan')):.5f} "
+            f"{fit(tabor) / value - 1:+.2%}"
         )
 
 

@@ -1,4 +1,4 @@
-"""Write src/jkroll/__init__.pyi, by which editors and mypy know the public names and all formulas: python tests/tools/make_stub.py."""
+"""Write src/jkroll/__init__.pyi, by which editors and mypy know the public names: python tests/tools/make_stub.py."""
 
 from pathlib import Path
 

@@ -1,9 +1,10 @@
-"""Write src/jkroll/quantities/unit_table.py: the meanings, taken from pint, of the unit names that are used in this field.
+"""Write src/jkroll/quantities/unit_table.py: the meanings, from pint, of the unit names that are used in this field.
 
     python tests/tools/make_unit_table.py > src/jkroll/quantities/unit_table.py
 
-Names that take prefixes and names that do not are kept apart. Where a prefix and a name form a word to which pint gives another
-meaning (`hbar` is Planck's constant, not a hectobar), that word goes into PLAIN with pint's meaning, so that no such word is misread.
+Names that take prefixes and names that do not are kept apart. Where a prefix and a name form a word to which pint gives
+another meaning (`hbar` is Planck's constant, not a hectobar), that word goes into PLAIN with pint's meaning, so that no
+such word is misread.
 """
 
 import pint

@@ -1,9 +1,9 @@
-"""Measurements beside what this program computes for them: the data, and the table of them in `jkroll guide validation`.
+"""Measurements beside what this program computes for them: data, and the table in `jkroll guide validation`.
 
     python tests/tools/measurements.py
 
-writes the table into the page anew. A row has only what was read in the source itself or in a text that cites it, and says which. What was not stated there,
-such as the shape of the other body, is said in the remark.
+writes the table into the page anew. A row has only what was read in the source itself or in a text that cites it, and
+says which. What was not stated there, such as the shape of the other body, is said in the remark.
 """
 
 from collections.abc import Iterator, Mapping
@@ -91,7 +91,8 @@ MEASUREMENTS = (
     ),
     Measurement(
         "water ice", "yield_force", "11.48±2.38 nN", "ice-warm", {"radius": "1.45 um"},
-        _GUNDLACH, "abstract", "ξ; no second witness, as γ of ice-warm was itself scaled with this force, from that of SiO2",
+        _GUNDLACH, "abstract", "ξ; no second witness, as γ of ice-warm was itself scaled with this force, from that of "
+            "SiO2",
     ),
     Measurement(
         "SiO2", "break_energy_dust_simulation", "1.3e-15 J", "quartz", {"radius": "0.95 um"},
@@ -122,26 +123,31 @@ MEASUREMENTS = (
         Measurement(
             "silica", "sticking_speed", measured, "quartz", {"radius": radius, **_PLANE},
             "Comments in Lumajord/DustSimulation, which was fitted to it", "second hand",
-            "Plastic asperities (Paszun & Dominik 2008), or γ of dry silica, ten times larger (Kimura et al. 2015); a plane is taken",
+            "Plastic asperities (Paszun & Dominik 2008), or γ of dry silica, ten times larger (Kimura et al. 2015); a "
+                "plane is taken",
         )
         for radius, measured in (("0.76 um", "1.06 m/s"), ("0.25 um", "1.90 m/s"))
     ),
     Measurement(
         "silver on aluminium", "sticking_speed", "636", "iron", {"radius": "10 nm", **_PLANE},
         "Arffman et al. 2015, J. Aerosol Sci. 86, 32", "abstract",
-        "14 m/s at 20 nm over 0.022 m/s at 1 µm, diameters presumably: the speed goes as R^−1.6, by an elastic contact of any "
+        "14 m/s at 20 nm over 0.022 m/s at 1 µm, diameters presumably: the speed goes as R^−1.6, by an elastic contact "
+            "of any "
         "solids as R^(−5/6); plastic loss",
         beside="500 nm",
     ),
     Measurement(
-        "polystyrene on polyurethane", "contact_radius", "1.68±0.06", "polystyrene-glassy", {"radius": "6 um", **_PLANE},
+        "polystyrene on polyurethane", "contact_radius", "1.68±0.06", "polystyrene-glassy",
+        {"radius": "6 um", **_PLANE},
         "J. Appl. Phys. 1989, doi 10.1063/1.344087", "abstract",
         "For twice the radius: a goes as R^(0.75 ± 0.05), by JKR and DMT of any solids as R^(2/3)",
         beside="3 um",
     ),
     Measurement(
         "vitreous silica, closing cracks", "work_of_adhesion", "0.15 J/m2", "silica-humid", {},
-        _MICHALSKE, "abstract", "γ: freshly cracked glass at any humidity closes with twice the surface tension of water; silica-humid is a convention of simulations",
+        _MICHALSKE, "abstract",
+        "γ: freshly cracked glass at any humidity closes with twice the surface tension of water; silica-humid is "
+            "a convention of simulations",
     ),
     Measurement(
         "vitreous silica, closing cracks", "work_of_adhesion", "0.15 J/m2", "silica-dry", {},
@@ -154,7 +160,8 @@ MEASUREMENTS = (
     Measurement(
         "mica on mica, dry", "pull_off_force", "12 to 16 mN", "mica", {"radius": "1 cm", **_PLANE},
         "Christenson 1993, J. Phys. Chem. 97, 12034", "abstract",
-        "No second witness: γ of mica is from this, but cleavage of sheets agrees with it; 1.2 to 1.6 N/m, for crossed cylinders, which are a sphere on a plane, of any radius",
+        "No second witness: γ of mica is from this, but cleavage of sheets agrees with it; 1.2 to 1.6 N/m, for crossed "
+            "cylinders, which are a sphere on a plane, of any radius",
     ),
     *(
         Measurement(solids, "surface_energy", measured, material, {}, _LACTOSE, "abstract", _BY_GAS)
@@ -186,7 +193,10 @@ MEASUREMENTS = (
             ("SiO2, rms roughness 8 nm", "10 um", "350 nN", "Roughness"),
             ("SiO2, rms roughness 22 nm", "10 um", "120 nN", "Roughness"),
             ("SiO2, rms roughness 321 nm", "10 um", "20 to 60 nN", "Roughness"),
-            ("SiO2, 67 % humidity", "10 um", "1.2 to 1.9 uN", "Water between the bodies: dry, it was half, so that the ratio is near 1 by chance"),
+            ("SiO2, 67 % humidity", "10 um", "1.2 to 1.9 uN", (
+                "Water between the bodies: dry, it was half, so that the ratio is near 1 by "
+                "chance"
+            )),
         )
     ),
 )  # fmt: skip

@@ -1,9 +1,9 @@
-"""Run tests under every further CPython of this machine, and command lines with the lowest versions that pyproject.toml permits.
+"""Run tests under every further CPython of this machine, and command lines with the lowest permitted versions.
 
     python tests/tools/other_pythons.py
 
-Further CPythons are those of other versions than the one that runs this, on PATH and in ~/.pyenv/versions. Each gets an environment
-of its own outside of the checkout. Prints which ran, and ends with 1 at the first that fails.
+Further CPythons are those of other versions than the one that runs this, on PATH and in ~/.pyenv/versions. Each gets an
+environment of its own outside of the checkout. Prints which ran, and ends with 1 at the first that fails.
 """
 
 import os
@@ -35,7 +35,7 @@ def lowest_requirements() -> list[str]:
 
 
 def pythons() -> dict[Version, str]:
-    """Return the CPythons that work and that the project permits, by version: this one, else the first that is found."""
+    """Return the CPythons that work and are permitted, by version: this one, else the first that is found."""
     found: dict[Version, str] = {sys.version_info[:2]: sys.executable}
     folders = [*map(Path, os.get_exec_path()), *sorted(Path.home().glob(".pyenv/versions/*/bin"))]
     for path in [path for folder in folders for path in sorted(folder.glob("python3*"))]:

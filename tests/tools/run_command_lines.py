@@ -4,10 +4,11 @@
     python tests/tools/run_command_lines.py check [COUNT]
     python tests/tools/run_command_lines.py compare CHECKOUT [CHECKOUT]
 
-`random` checks the invariants of generated lines: see `check_call` of tests/invariants.py. `check` runs the corpus, or so many
-lines spread over it, and checks that each ends with the code that stands beside it, without a traceback, and that what
-`--json` prints is JSON. `compare` runs the corpus in two checkouts, a process each, and prints what differs in exit codes,
-streams and files that are written; the second is this one unless named. Each ends with 1 if a line is wrong or differs.
+`random` checks the invariants of generated lines: see `check_call` of tests/invariants.py. `check` runs the corpus, or
+so many lines spread over it, and checks that each ends with the code that stands beside it, without a traceback, and
+that what `--json` prints is JSON. `compare` runs the corpus in two checkouts, a process each, and prints what differs
+in exit codes, streams and files that are written; the second is this one unless named. Each ends with 1 if a line is
+wrong or differs.
 """
 
 import os

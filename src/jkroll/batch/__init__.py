@@ -2,7 +2,7 @@
 
 From the bottom up:
 
-lines                       what formats have in common: the head of a table, its blocks taken apart, the counts of a run
+lines                       what formats have in common: heads of tables, blocks taken apart, the counts of a run
 delimited, ndjson           the formats whose records are lines: CSV and TSV; NDJSON
 decimals                    decimal commas
 job                         the options of a run, and the table that they make of a header

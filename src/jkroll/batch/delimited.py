@@ -166,7 +166,8 @@ class Dialect:
         """Refuse a header that another separator divides, and the line that tells a spreadsheet its separator."""
         if line.casefold().startswith("sep="):
             raise BadTable(
-                f"header: {quoted(line.strip())} is for a spreadsheet; delete this line, and write --delimiter semicolon "
+                f"header: {quoted(line.strip())} is for a spreadsheet; delete this line, and write --delimiter "
+                "semicolon "
                 "if the columns have semicolons between them"
             )
         is_bare = len(names) == 1 and '"' not in line

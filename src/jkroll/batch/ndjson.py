@@ -72,8 +72,8 @@ class Ndjson:
 def _problem(line: bytes, members: Object | None, known: set[str], table: Table) -> str:
     """Return why a line is no row; an empty text if it is one.
 
-    It is none without an object, with a member twice, or with an input or result that the first line lacks. `known`: the
-    names in the first line.
+    It is none without an object, with a member twice, or with an input or result that the first line lacks. `known`:
+    the names in the first line.
     """
     if members is None:
         return "is not a JSON object"

@@ -1,4 +1,4 @@
-"""Parquet: batches of rows of a file, taken apart, and rows as batches, which a thread writes while others are computed."""
+"""Parquet: batches of rows of a file, taken apart; rows as batches, which a thread writes while others are computed."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -41,7 +41,13 @@ class Batches:
         """Return the batch without rows. `before`: the schema of the columns that stand before these."""
         return pyarrow.RecordBatch.from_pylist([], schema=self._schema(heads, before[0] if before else ()))
 
-    def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any = None, rest: bytes = b"") -> Any:  # noqa: ARG002
+    def rows(
+        self,
+        heads: Sequence[str],
+        columns: Sequence[Any],
+        before: Any = None,
+        rest: bytes = b"",  # noqa: ARG002
+    ) -> Any:
         """Return rows. `before`: the batch of the columns that stand before these."""
         every = [each for column in columns for each in (column if getattr(column, "ndim", 1) > 1 else [column])]
         arrays = [

@@ -139,8 +139,8 @@ def _converted(
 class Answering:
     """A function of a block, and then of the place at which its output begins.
 
-    It converts the block. When its turn comes, it writes the output there, or hands it over if there is no file: to send
-    a block to another process takes a third as long as to make it.
+    It converts the block. When its turn comes, it writes the output there, or hands it over if there is no file: to
+    send a block to another process takes a third as long as to make it.
     """
 
     def __init__(self, convert: Converter, path: str) -> None:

@@ -110,7 +110,10 @@ class Equations:
         return self.approach(R1, R2, w, E) / (14 * self.pi * self.factor(P, P_c) * xi)
 
     def contact_radius_maugis(self, R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
-        """Return a by Maugis' two equations for a and m = c/a at a load, solved in v = 1/√(m² − 1). Takes decimals alone."""
+        """Return a by Maugis' two equations for a and m = c/a at a load, solved in v = 1/√(m² − 1).
+
+        Takes decimals alone.
+        """
         R, K = self.reduced(R1, R2), 4 * E / 3
         unit_force = self.pi * w * R
         lambda_ = 2 * 16 * w / (9 * self.sqrt(Decimal(3)) * z0) / self.cbrt(self.pi * w * K**2 / R)
@@ -174,7 +177,10 @@ class Exact(NamedTuple):
 
 
 def digits(quantity: str, point: Mapping[str, float], moved: str = "") -> Decimal:
-    """Return the value of a quantity at a point of doubles, in 60 digits. An input is moved by a small step towards zero."""
+    """Return the value of a quantity at a point of doubles, in 60 digits.
+
+    An input is moved by a small step towards zero.
+    """
     equation = getattr(DECIMALS, quantity)
     with localcontext(_CONTEXT):
         given = {name: Decimal(point[name]) * (1 - _STEP * (name == moved)) for name in inputs_of(equation)}
@@ -183,7 +189,7 @@ def digits(quantity: str, point: Mapping[str, float], moved: str = "") -> Decima
 
 
 def exact(quantity: str, point: Mapping[str, float]) -> Exact:
-    """Return the exact value of a quantity at a point, and its condition in the state and, by Maugis, in λ, a multiple of 1/z0."""
+    """Return the exact value of a quantity at a point, and its condition in the state and, by Maugis, in λ."""
     value = digits(quantity, point)
     states = {"load", "approach_at_load", "atomic_spacing"}.intersection(inputs_of(getattr(DECIMALS, quantity)))
     with localcontext(_CONTEXT):

@@ -118,7 +118,7 @@ def regions(count: int) -> Mapping[str, Arrays]:
 
 
 def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
-    """Return points at approaches and, if there are any, at loads that are multiples of the pull-off force, as it is rounded."""
+    """Return points at approaches and, if there are any, at loads that are multiples of the rounded pull-off force."""
     points = {**sizes, "approach_at_load": approach_ratio, "approach": numpy.ones_like(approach_ratio)}
     if load_ratio is None:
         return points

@@ -1,4 +1,4 @@
-"""Ways to each headline quantity: the package's own, the paper's equations, and textbook inversions, tables and quadratures."""
+"""Ways to each headline quantity: the package's, the paper's equations, textbook inversions, tables and quadratures."""
 
 # ruff: noqa: N803, N806  (the paper's symbols)
 
@@ -51,7 +51,7 @@ def _by_radicals(delta: Any, delta0: Any) -> Any:
 
 
 def _by_quartic(delta: Any, delta0: Any) -> Any:
-    """Solve the quartic of the contact radius as programs for many particles do (Parteli et al., Sci. Rep. 4, 6227, 2014).
+    """Solve the quartic of the contact radius as codes of many particles do (Parteli et al., Sci. Rep. 4, 6227, 2014).
 
     Their a⁴ − 2Rδa² − 4πw(1−ν²)R²/E a + R²δ² = 0, here with a in units of a0: a0² = 3Rδ0 and 2πwR²/E* = 4a0³/9.
     """

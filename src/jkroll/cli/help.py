@@ -79,7 +79,7 @@ def _group(option: Option) -> str:
 
 
 def _rows(options: Iterable[Option]) -> list[Row]:
-    """Return options as they are typed, those with one text together, and the text; last the hidden ones, without texts.
+    """Return options as they are typed, those with one text together, and the text; last hidden ones, without a text.
 
     An option that the text of another one names has no row.
     """

@@ -25,7 +25,8 @@ def run_infer(call: Call) -> int:
     if tables := [word for word in call.words if is_table(word)]:
         if len(names) > 1:
             raise BadRequest(
-                "infer reads no tables, and batch infers one input only; write the rows as lists (1nm,2nm) or ranges (1nm:1um:5)"
+                "infer reads no tables, and batch infers one input only; write the rows as lists (1nm,2nm) or ranges "
+                "(1nm:1um:5)"
             )
         quantity = (call.measured[0] if call.measured else "QUANTITY").partition("=")[0]
         line = f"jkroll batch {tables[0]} --infer {call.subject} --measured {quantity}"

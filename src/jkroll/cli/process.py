@@ -70,7 +70,10 @@ def _report(error: Exception) -> int:
         message, code = f"cannot write{file}: {error.strerror or error}", CANNOT_WRITE
         _discard(sys.stdout)
     else:
-        message = f"{type(error).__name__}: {shown(str(error))}; this is a bug in jkroll: run it with {DEBUG.flag} to see where"
+        message = (
+            f"{type(error).__name__}: {shown(str(error))}; this is a bug in jkroll: run it with {DEBUG.flag} to see "
+            "where"
+        )
         code = UNFORESEEN
     try:
         say_wrapped(f"jkroll: {message}", sys.stderr)

@@ -122,7 +122,7 @@ def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
 
 
 def deliver(call: Call, wanted: Wanted, notes: note_lines.OfRows, blocks: Iterable[Columns], form: Format) -> bool:
-    """Write columns to stdout, as a table on a terminal or as lines of text, or to a file; return whether it was a table."""
+    """Write columns to stdout, as a table or as lines of text, or to a file; return whether it was a table."""
     every = notes.watch(blocks)
     if call.target is not None:
         from ..batch.run import write_columns as write_file
@@ -222,7 +222,10 @@ def run_contact(call: Call) -> int:
 
 
 def _write_curve(call: Call) -> int:
-    """Write the force curve of every scene; return the exit code. Raises the failure of the first state if each has one."""
+    """Write the force curve of every scene; return the exit code.
+
+    Raises the failure of the first state if each has one.
+    """
     from ..answers.curve import FORCE_CURVE, AtState, OfCurve, at_states
 
     check_format(call)

@@ -256,7 +256,10 @@ class UnknownCommand(JkrollError):
     def __str__(self) -> str:
         name = self.word.replace("-", "_").casefold()
         if name in NOMENCLATURE:
-            return f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} lists the commands that show it"
+            return (
+                f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} lists the commands that "
+                "show it"
+            )
         return f"no such command {quoted(self.word)}; {_hint(name)}"
 
 
@@ -305,7 +308,10 @@ class UnknownOption(JkrollError):
             return f"{guess} goes behind a command: jkroll {takers[guess]} ... {guess}"
         others = [command.name for command in COMMANDS.values() if guess in command.flags()]
         more = ", ..." if len(others) > MAX_OTHERS else ""
-        return f"{self.command} takes no {quoted(self.flag)}; {guess} is an option of {', '.join(others[:MAX_OTHERS])}{more}"
+        return (
+            f"{self.command} takes no {quoted(self.flag)}; {guess} is an option of "
+            f"{', '.join(others[:MAX_OTHERS])}{more}"
+        )
 
 
 def _meant(name: str, flags: Iterable[str]) -> str | None:

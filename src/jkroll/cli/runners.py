@@ -129,7 +129,10 @@ def run_verify(_: Call) -> int:
 
 
 def run_bench(call: Call) -> int:
-    """Measure speed against error; return the exit code. Whatever prevents a plot is reported before anything is measured."""
+    """Measure speed against error; return the exit code.
+
+    Whatever prevents a plot is reported before anything is measured.
+    """
     from .map import check_picture, draw_into
 
     check_picture(call, call.plot, "--plot", numbers="--csv > FILE")

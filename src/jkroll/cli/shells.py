@@ -1,4 +1,4 @@
-"""The program as a typer application of every command and option: for shells that complete, `typer ... utils docs` and CliRunner.
+"""The program as a typer application: for shells that complete, `typer ... utils docs` and CliRunner.
 
 Typer reads a line only to complete it, as it then forgives mistakes. What is to be run goes, untouched, to our own
 reader.

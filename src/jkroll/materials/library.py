@@ -139,7 +139,7 @@ class Origin(NamedTuple):
 
 
 class Displacement(NamedTuple):
-    """A yield displacement with its ends, in SI units, and the radius of the identical pairs with which it was measured."""
+    """A yield displacement with its ends, in SI units, and the radius of the identical pairs that were measured."""
 
     measured: Interval
     radius: float
@@ -180,12 +180,12 @@ class Material(NamedTuple):
         return self.path, self.name
 
     def with_properties(self, values: Mapping[str, Any]) -> "Material":
-        """Return the material with other values of properties, of which None takes one away, and which are not its data."""
+        """Return the material with other values of properties, which are not its data; None takes one away."""
         properties = {name: value for name, value in {**self.properties, **values}.items() if value is not None}
         return self._replace(properties=properties, replaced=self.replaced | values.keys())
 
     def sources_of(self, name: str) -> list[Mapping[str, str]]:
-        """Return the references of a property: its own if one is stated, else those that belong to no other property."""
+        """Return the references of a property: its own, or else those that belong to no other property."""
         of_properties = {name: origin.reference for name, origin in self.origins.items() if origin.reference}
         if name in of_properties:
             return [entry for entry in self.references if entry["key"] == of_properties[name]]
@@ -209,7 +209,7 @@ def _of_fields(*fields: Any) -> Material:
     return Material._make(MappingProxyType(field) if isinstance(field, dict) else field for field in fields)
 
 
-# --- A file: its names are read at once, and a material when it is used -------------------------------------------------
+# --- A file: its names are read at once, and a material when it is used -----------------------------------------------
 
 
 def materials_in(path: str) -> list[Material]:
@@ -250,7 +250,10 @@ def _shipped_data() -> Mapping[str, Any]:
 
 
 def _aliases_in(tables: Mapping[str, Any]) -> dict[str, tuple[str, ...]]:
-    """Return the aliases of all materials of a file. Several may have one alias, which is then refused when it is used."""
+    """Return the aliases of all materials of a file.
+
+    Several may have one alias, which is then refused when it is used.
+    """
     names: dict[str, str] = {}
     for name in tables:
         names.setdefault(name.casefold(), name)
@@ -268,7 +271,7 @@ def _aliases_in(tables: Mapping[str, Any]) -> dict[str, tuple[str, ...]]:
 
 
 def read(material: Material) -> Material:
-    """Return a material with what its table says, checked; one with which something is wrong has no properties, but its mistake."""
+    """Return a material with what its table says, checked; a wrong one has its mistake in place of properties."""
     if material.unread is None:
         return material
     table, references = material.unread
@@ -360,7 +363,10 @@ def _as_text(number: float, where: str) -> str:
 
 
 def _property(key: str, value: object, name: str, where: str) -> float | Uncertain:
-    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number. `where`: its place in the file."""
+    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number.
+
+    `where`: its place in the file.
+    """
     if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
         value = _as_text(value, where)
     text = checked_text(value, where)
@@ -401,7 +407,10 @@ class UnclearMaterial(JkrollError):
 
 
 class Materials:
-    """All known materials, by name or alias in any case. A name that stands for several of them is refused when it is used."""
+    """All known materials, by name or alias in any case.
+
+    A name that stands for several of them is refused when it is used.
+    """
 
     def __init__(self, paths: Path | Iterable[Path] = (), *, added: Iterable[Path] = ()) -> None:
         """Read the shipped file, then `added`, then that of `paths`, or each of them.
@@ -526,7 +535,7 @@ def _clash(name: str, shipped: Material, added: Material) -> UnclearMaterial:
 
 
 def _choice(materials: Sequence[Material]) -> str:
-    """Return the materials that a name stands for, with their surface energies and states, or their sets if they differ."""
+    """Return the materials that a name stands for, with surface energies and states, or sets where these differ."""
     from ..quantities.formatting import amount
 
     has_sets = len({material.title for material in materials}) > 1
@@ -571,7 +580,10 @@ def _is_same(path: str, other: str | None) -> bool:
 
 
 def _exists(path: str) -> bool:
-    """Return whether something is at a path. A file that cannot be reached counts, so that it is reported as unreadable."""
+    """Return whether something is at a path.
+
+    A file that cannot be reached counts, so that it is reported as unreadable.
+    """
     try:
         os.lstat(path)
     except (FileNotFoundError, NotADirectoryError, ValueError):

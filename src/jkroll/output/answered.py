@@ -50,7 +50,8 @@ class Answered:
     """The answer to a question about one scene.
 
     `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
-    not hold, `alternatives` what may stand in place of the values, `notes` the other sentences. `as_dict()` is the object of `--json`.
+    not hold, `alternatives` what may stand in place of the values, `notes` the other sentences. `as_dict()` is the
+    object of `--json`.
     """
 
     def __init__(self, found: Answer) -> None:
@@ -93,7 +94,7 @@ class Answered:
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, float | Uncertain | None]]:
-        """The values that may stand in place of these: "maugis", by the law that holds there, "data", by measured forces."""
+        """The values that may stand in place of these: "maugis", by the law that holds, "data", by measured forces."""
         return {one.key: one.values for one in self._found.alternatives}
 
     @cached_property

@@ -20,7 +20,7 @@ from .sources import bibtex, docstring_fields
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named: bool) -> None:
-    """Write materials in a format; of those that were `named`, one with its notes and references, or all values of several."""
+    """Write materials in a format; of those that were `named`, one in full, or all values of several."""
     whole = named and len(chosen) == 1
     if kind == "cite":
         entries = {entry["key"]: entry for material in chosen for entry in material.references}
@@ -98,7 +98,7 @@ def _keys(material: Material) -> str:
 
 
 def material_as_object(material: Material) -> dict[str, Any]:
-    """Return the JSON object of a material; a property that it does not have is null, and a displacement that it has not is left out."""
+    """Return the JSON object of a material; a property that it lacks is null, and a displacement left out."""
     found = material.displacement
     measured = (
         {} if found is None else {XI: {"radius": found.radius, "value": found.measured.value, **found.measured.sides}}
@@ -184,7 +184,10 @@ _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint",
 def _stated(material: Material, name: str) -> str:
     """Return a property with its uncertainty, if it has one, and its unit."""
     if name == XI and material.displacement is not None:
-        return f"{amount(name, material.displacement.measured)}, spheres of {amount('radius', material.displacement.radius)}"
+        return (
+            f"{amount(name, material.displacement.measured)}, spheres of "
+            f"{amount('radius', material.displacement.radius)}"
+        )
     if name not in material.properties:
         return f"none in {material.title}"
     return amount(name, material.uncertainties.get(name) or in_words(name, material.properties[name]))

@@ -38,33 +38,57 @@ _REMARKS = (
     "# Without _rescale, the spring of sliding gives energy to spheres that collide.",
     "# rolling sds: stiffness [N/m], damping 0, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls.",
     "# E = 2E*, nu = 0: only E* enters the normal force. The tangential constant is 8G*, Mindlin's for these solids.",
-    "# neighbor: the skin [m] is a fifth of the smallest radius, and at least 0.4 delta0. With less, LAMMPS 22Jul2025 without",
+    (
+        "# neighbor: the skin [m] is a fifth of the smallest radius, and at least 0.4 delta0. With less, LAMMPS "
+        "22Jul2025 without"
+    ),
     "# its updates lets JKR contacts go before the pull-off force. These lines were run with 22Jul2025 update 4.",
-    "# The time step is a twentieth of the period of sliding with rotation, stable up to 40 contacts a sphere, at the P above.",
+    (
+        "# The time step is a twentieth of the period of sliding with rotation, stable up to 40 contacts a sphere, at "
+        "the P above."
+    ),
     "# A harder impact is stiffer: for its time step give its largest force as --load.",
     "# Damping is left out. No damping coeff_restitution here: with adhesion it gives nan (LAMMPS issue 4180).",
 )
 _REMARKS_ON = {
     "jkr": (
         "# twisting sds: stiffness [N m], damping 0, coefficient M_twist/(P + 2P_c) [m]. timestep in s.",
-        "# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to the fold, where fixed grips let go. So a",
+        (
+            "# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to the fold, where fixed "
+            "grips let go. So a"
+        ),
         "# collision loses 0.3814 P_c delta0 in LAMMPS, for 0.7722 here: its grains stick only below 0.7028 v_stick.",
-        "# LAMMPS has one stiffness of rolling and of twisting for all loads, and thresholds linear in P: jkroll's at the P above.",
-        "# It slides at pi a^2 tau and twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}; a contact may peel before.",
-        "# The friction is adhesion's at the P above, and LAMMPS multiplies it with every load: where contacts are pushed",
+        (
+            "# LAMMPS has one stiffness of rolling and of twisting for all loads, and thresholds linear in P: jkroll's "
+            "at the P above."
+        ),
+        (
+            "# It slides at pi a^2 tau and twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}; a contact "
+            "may peel before."
+        ),
+        (
+            "# The friction is adhesion's at the P above, and LAMMPS multiplies it with every load: where contacts are "
+            "pushed"
+        ),
         "# harder, give their --load, or write your solid's coefficient of friction.",
     ),
     "dmt": (
         "# P_c is 4 pi gamma R here. timestep in s.",
-        "# The force is (4/3) E* sqrt(R delta^3) - 4 pi gamma R while the spheres touch; jkroll's JKR has another contact radius.",
-        "# The rolling moment is 4 pi gamma R xi at any load; LAMMPS has a yield force linear in P, which is right at the P above.",
+        (
+            "# The force is (4/3) E* sqrt(R delta^3) - 4 pi gamma R while the spheres touch; jkroll's JKR has another "
+            "contact radius."
+        ),
+        (
+            "# The rolling moment is 4 pi gamma R xi at any load; LAMMPS has a yield force linear in P, which is right "
+            "at the P above."
+        ),
         "# The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.",
     ),
 }
 
 
 def lammps_input(scene: Scene) -> Iterator[str]:
-    """Iterate over the lines of an input: coefficients of each pair of types or of a wall, a time step, and what they stand on."""
+    """Iterate over the lines of an input: coefficients of pairs of types or a wall, a time step, what they stand on."""
     thresholds = (*THRESHOLDS, "shear_strength") if scene.law.is_default else ()
     whole = scene.evaluate((*QUANTITIES, *thresholds, "contact_shear_modulus", "density", "density2"))
     for value in whole.values():
@@ -120,7 +144,10 @@ def _rayleigh(grains: Iterable[Scene]) -> Iterator[str]:
     """Iterate over the comment on the other time step in use, a fifth of the shortest Rayleigh time."""
     times = [time for grain in grains for time in grain.numbers("rayleigh_time").values() if time]
     if times:
-        yield f"# A fifth of the Rayleigh time, which needs no load, is {min(times) / 5:.3g} s: take the shorter of the two where grains collide."
+        yield (
+            f"# A fifth of the Rayleigh time, which needs no load, is {min(times) / 5:.3g} s: take the shorter of the "
+            "two where grains collide."
+        )
 
 
 def _skin(scene: Scene, pairs: Iterable[Scene]) -> float:
@@ -158,9 +185,11 @@ def _coefficients(pair: Scene) -> str:
 
 _DAMPING = ("1e-06", "1.25e-11")
 _ABOUT_DUST_SIMULATION = (
-    "the lines are version, name, R1 [cm], density [g/cm³], γ per surface [mJ/m²], Poisson's ratio, Young's modulus [dyn/cm²], ξ [cm], damping "
+    "the lines are version, name, R1 [cm], density [g/cm³], γ per surface [mJ/m²], Poisson's ratio, Young's modulus "
+    "[dyn/cm²], ξ [cm], damping "
     "factor, viscous time [s], and the modifiers of rolling, sliding and twisting; "
-    f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat, whose grains have 0.6 µm; "
+    f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat, whose "
+    "grains have 0.6 µm; "
     "rolling, sliding and twisting modifiers are 1"
 )
 
@@ -206,7 +235,7 @@ def dust_simulation_material(scene: Scene) -> Iterator[str]:
 
 
 def _about_dust_simulation(scene: Scene) -> Iterator[str]:
-    """Iterate over the notes on a material file: its lines, and which grains stick at every speed by its viscous time."""
+    """Iterate over the notes on a material file: its lines, and which grains stick at every speed."""
     yield _ABOUT_DUST_SIMULATION
     ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
     largest = amount("radius", scene["radius"] * (ratio / ALL_STICK) ** (6 / 7), Format(digits=3))
@@ -214,7 +243,8 @@ def _about_dust_simulation(scene: Scene) -> Iterator[str]:
     sticks = f"{here}: these grains stick at every speed, as all below {largest} do with this viscous time"
     bounces = f"{here}; grains below {largest} stick at every speed with this viscous time"
     yield (
-        f"viscous damping: {sticks if ratio > ALL_STICK else bounces}, where T* = (T_vis/ν²)√(E*a0/m) is above {ALL_STICK:.4f}; "
+        f"viscous damping: {sticks if ratio > ALL_STICK else bounces}, where T* = (T_vis/ν²)√(E*a0/m) is above "
+        f"{ALL_STICK:.4f}; "
         "the viscous time is fitted to measured sticking at a size: fit yours"
     )
 
@@ -228,7 +258,10 @@ def dust_collider_material(scene: Scene) -> Iterator[str]:
     name = scene.material.name if scene.material else "jkroll"
     yield f'<material id = "1"> "{name}"{_words(iter(numbers))} 0'
     yield "# gamma [J/m^2], Young's modulus [Pa], Poisson's ratio, density [kg/m^3], xi [m], viscous time [s]."
-    yield "# The viscous time is yours to write: 0 is no damping. It is fitted to measured sticking of grains of one size."
+    yield (
+        "# The viscous time is yours to write: 0 is no damping. It is fitted to measured sticking of grains of one "
+        "size."
+    )
 
 
 def liggghts_input(scene: Scene) -> Iterator[str]:
@@ -253,13 +286,28 @@ def liggghts_input(scene: Scene) -> Iterator[str]:
     yield "pair_style gran model hertz tangential history cohesion sjkr2"
     yield "pair_coeff * *"
     if steps := [step for pair in pairs for step in pair.numbers("time_step").values()]:
-        yield f"# timestep {min(steps):.12g}: a twentieth of the period of sliding with rotation of a JKR contact without load, in s."
+        yield (
+            f"# timestep {min(steps):.12g}: a twentieth of the period of sliding with rotation of a JKR contact "
+            "without load, in s."
+        )
     grains = (1,) if at_wall else spheres
     yield from _rayleigh([scene if scene.is_identical else pair_of(scene, grain) for grain in grains])
-    yield "# m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N."
-    yield "# coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting."
-    yield "# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this."
-    yield "# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are others."
+    yield (
+        "# m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces "
+        "in N."
+    )
+    yield (
+        "# coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or "
+        "twisting."
+    )
+    yield (
+        "# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall "
+        "this."
+    )
+    yield (
+        "# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are "
+        "others."
+    )
 
 
 def _words(numbers: Iterator[float]) -> str:

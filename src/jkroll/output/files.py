@@ -25,7 +25,7 @@ def naming(path: str) -> Iterator[None]:
 
 @contextmanager
 def whole_file(path: str) -> Iterator[BinaryIO]:
-    """Open a temporary file that replaces `path` when it is complete; write to a device, a pipe or an open file directly."""
+    """Open a temporary file that replaces `path` when it is complete; or a device, a pipe or an open file itself."""
     with naming(path):
         descriptor = _descriptor(path)
         if descriptor is not None or (os.path.exists(path) and not os.path.isfile(path)):
@@ -49,7 +49,7 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
 
 
 def _descriptor(path: str) -> int | None:
-    """Return the number of the open file that a path such as /dev/stdout or /dev/fd/63 stands for; None for other paths."""
+    """Return the number of the open file that a path such as /dev/stdout or /dev/fd/63 stands for, or None."""
     if found := re.fullmatch(_OPEN, path):
         return int(found["number"] or _STREAMS.index(found["stream"]))
     return None

@@ -33,7 +33,7 @@ def write_methods(answers: Iterable[Answer], out: TextIO) -> None:
 
 
 def _computed(answer: Answer, sources: Sources) -> str:
-    """Return the sentence with the program, the equations, the references of laws and conventions, and the quantities."""
+    """Return the sentence with the program, the equations, the laws and conventions, and the quantities."""
     paper = f"Dominik \\& Tielens{_cite([PAPER])}"
     ways = [f"{cited_equations(sources.equations).replace('. ', '.~', 1)} of {paper}" if sources.equations else paper]
     ways += [f"the {answer.scene.law.title} theory{_cite(sources.law)}"] if sources.law else []

@@ -1,4 +1,4 @@
-"""The notes of a call as the lines below its results: a matter each, the most important first, and where there are more."""
+"""The notes of a call as lines below its results: a matter each, the most important first, and where there are more."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
@@ -25,7 +25,7 @@ _FIRST_DOUBT, _AFTER_ERROR_BARS = "displacement", "assumed"  # the kinds in whos
 
 
 def of_answer(answer: Answer, *, has_head: bool = False, quiet: bool = False) -> list[str]:
-    """Return the lines below an answer: what was assumed unless a head has it, the first notes, and whether there are more.
+    """Return the lines below an answer: what was assumed unless a head has it, the first notes, and if there are more.
 
     `quiet`: whether warnings alone are wanted.
     """
@@ -80,7 +80,7 @@ def every_line(answer: Answer) -> list[str]:
 
 
 class OfRows:
-    """The notes of rows: empty cells, and doubts with the number of their rows, counted while the columns are written."""
+    """The notes of rows: empty cells, and doubts with their numbers of rows, counted while columns are written."""
 
     def __init__(self, kinds: Iterable[tuple[Scene, Sequence[str]]]) -> None:
         """`kinds`: a scene of each kind of rows, with the quantities that it shows."""

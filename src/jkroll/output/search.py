@@ -47,7 +47,7 @@ def materials_with(words: Sequence[str], materials: Iterable[Material]) -> list[
 
 
 def quantities_named(words: Sequence[str]) -> list[str]:
-    """Return the quantities that words stand for: all without words, one by its name or symbol, or a list with commas."""
+    """Return the quantities that words stand for: all without words, one by name or symbol, or a list with commas."""
     if not words:
         return list(NOMENCLATURE)
     several = [named(word.strip()) for word in " ".join(words).split(",")]
@@ -58,7 +58,7 @@ def quantities_named(words: Sequence[str]) -> list[str]:
 
 
 def _quantities_with(words: Sequence[str], *, only_by_name: bool) -> list[str]:
-    """Return the quantity that others call so, those that have the words in their names, and those that have them in their meaning.
+    """Return the quantity that others call so, those with the words in their names, and those with them in meaning.
 
     The last are left out with `only_by_name` if there are no others. Variants stand last, and only where their quantity
     is not found.

@@ -1,4 +1,4 @@
-"""The sources of a number: `--explain` words its derivation from the docstrings of the formulas, `--cite` writes BibTeX."""
+"""The sources of a number: `--explain` words its derivation from the formulas' docstrings, `--cite` writes BibTeX."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -112,7 +112,7 @@ def _readings(result: Result, answer: Answer, form: Format) -> list[str]:
 
 
 def _found(result: Result, form: Format) -> list[str]:
-    """Return the lines with the value of a result, the shares of its uncertainty, and what is known of an inferred one."""
+    """Return the lines with the value of a result, the shares of its uncertainty, and what an inferred one has."""
     found, shown = result.propagated, result.measure
     assert shown is not None
     lines = [f"  result    {NOMENCLATURE[result.name].symbol} = {amount(result.name, shown, form)}"]
@@ -244,8 +244,14 @@ _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
         "doi": "10.1051/0004-6361:20079262",
     },
     "Wada et al. 2007": {
-        "key": "wada-2007", "type": "article", "author": "Wada, K. and Tanaka, H. and Suyama, T. and Kimura, H. and Yamamoto, T.",
-        "title": "Numerical simulation of dust aggregate collisions. I. Compression and disruption of two-dimensional aggregates",
+        "key": "wada-2007", "type": "article", "author": (
+            "Wada, K. and Tanaka, H. and Suyama, T. and Kimura, H. and Yamamoto, "
+            "T."
+        ),
+        "title": (
+            "Numerical simulation of dust aggregate collisions. I. Compression and disruption of two-dimensional "
+            "aggregates"
+        ),
         "journal": "The Astrophysical Journal", "volume": "661", "pages": "320", "year": "2007",
         "doi": "10.1086/514332",
     },
@@ -267,14 +273,15 @@ _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
     },
     "Phantom": {"key": "phantom", "type": "misc", "url": "https://github.com/danieljprice/phantom"},
     **{
-        repository: {"key": repository.replace("/", "-").lower(), "type": "misc", "url": f"https://github.com/{repository}"}
+        repository: {"key": repository.replace("/", "-").lower(), "type": "misc",
+        "url": f"https://github.com/{repository}"}
         for repository in ("Lumajord/DustSimulation", "pencil-code/pencil-code", "StephaneMichoulier/Pamdeas")
     },
 }  # fmt: skip
 
 
 class Sources:
-    """What the results of an answer rest on: equations of the paper, and references of the law, the conventions and the data."""
+    """What an answer's results rest on: equations of the paper, references of the law, conventions and data."""
 
     def __init__(self, answer: Answer) -> None:
         self.names = [result.name for result in answer.results if result.value is not None]

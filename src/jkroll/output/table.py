@@ -99,7 +99,7 @@ def _beside(answer: "Answer") -> "list[Alternative]":
 
 
 def _result_cells(result: "Result", answer: "Answer", beside: Sequence[Alternative], form: Format) -> dict[str, str]:
-    """Return the cells of a result by the heads of their columns, and of what may stand in its place, all in one unit."""
+    """Return the cells of a result and of what may stand in its place, by the heads of columns, all in one unit."""
     name, own, value = result.name, head_of(answer.scene.law.name), result.measure
     others = {one.head: one.values.get(name, None if value is None else f"as {own}") for one in beside}
     numbers = [each for each in (value, *others.values()) if each is not None and not isinstance(each, str)]
@@ -111,7 +111,7 @@ def _result_cells(result: "Result", answer: "Answer", beside: Sequence[Alternati
 
 
 def _print_grid(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> bool:
-    """Print the table of a grid if it fits, and return whether it did; the quantities of a cell stand below each other."""
+    """Print the table of a grid if it fits; return whether it did. Quantities of a cell stand below each other."""
     measures: dict[str, Any] = {**answer.inputs, **answer.uncertain}
     measures |= {result.name: result.measure for result in answer.results}
 
@@ -203,7 +203,7 @@ class _Pairs:
         return f"{len(self.columns)} pairs" + (" of equal spheres (R2 = R1)" if is_equal else "")
 
     def is_implied(self, name: str) -> bool:
-        """Return whether an input repeats another: sphere 2 is as large as sphere 1, or the material sets a property."""
+        """Return whether an input repeats another: spheres of one radius, or a property of the material."""
         if name == "energy":
             return "energy_ratio" in self.inputs
         if name == "radius2":
@@ -259,7 +259,7 @@ class _Pairs:
         return print_table(heads, rows, out, right=right, anyway=anyway)
 
     def is_printed_across(self, leading: Sequence[str], results: Sequence[str], out: TextIO) -> bool:
-        """Print a table with a column for each pair and a row for each result, with the words for it or without, if it fits."""
+        """Print a table with a column for each pair and a row for each result, with words or without, if it fits."""
         numbers = ["pair", *(str(number) for number in range(1, len(self.columns) + 1))]
         heads = ["\n".join(texts) for texts in zip(*([*map(self.column, leading)] or [numbers]), strict=True)]
         rows = [self.column(key) for key in results]
@@ -271,7 +271,7 @@ class _Pairs:
 
 
 def column(name: str, values: Sequence[Any], form: Format, symbol: str) -> list[str]:
-    """Return the head and the cells of a column of inputs, with all their digits; the head has the unit, if one suits all values."""
+    """Return the head and the cells of a column of inputs, with all digits; the head has a unit that suits all."""
     numbers = [value for value in values if value is not None and not isinstance(value, str)]
     if not (unit := form.common_unit(name, numbers)):
         return [symbol, *(_NONE if value is None else amount(name, value, form) for value in values)]
@@ -346,8 +346,8 @@ def print_table(
 ) -> bool:
     """Print a table of texts if the terminal is wide enough for it, or anyway, and return whether it was printed.
 
-    The columns named in `right` are set to the right; the last may be broken into lines, within a word that is too long.
-    `styles`: of each row.
+    The columns named in `right` are set to the right; the last may be broken into lines, within a word that is too
+    long. `styles`: of each row.
     """
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, show_edge=False)
     console = Console(file=out, width=terminal_width(), highlight=False, markup=False, emoji=False)

@@ -36,7 +36,7 @@ class Lines:
         has_quotes: bool = True,
         has_commas: bool = False,
     ) -> None:
-        """`has_remarks`: whether doubts and status of rows are written; `has_quotes`: whether cells may stand in quotes.
+        """`has_remarks`: whether doubts and status of rows are written; `has_quotes`: whether cells may have quotes.
 
         `has_commas`: whether decimal marks are commas.
         """

@@ -1,7 +1,8 @@
-"""The formulas of Dominik & Tielens, and those of other laws of attraction: plain functions of SI numbers, floats or arrays.
+"""The formulas of Dominik & Tielens, and of other laws of attraction: plain functions of SI numbers, floats or arrays.
 
 A formula's name and its parameters' names are names of the nomenclature, but for a few that only derivations use: that
-is all the wiring there is. Parameters are passed by name, because three radii, two energies per area (γ and w = 2γ) and five forces are easily exchanged.
+is all the wiring there is. Parameters are passed by name, because three radii, two energies per area (γ and w = 2γ) and
+five forces are easily exchanged.
 
 A formula gives a float for floats, and an array for arrays, which broadcast. Its annotations have the units, by their
 names in `dimensions`. Its arguments are positive, but for those that have a line in its docstring.

@@ -1,4 +1,4 @@
-"""The accuracy of every formula: its error in units of the last place, above what the errors of its arguments make of it.
+"""The accuracy of every formula: its error in units of the last place, above what those of its arguments make of it.
 
 The tests hold each formula to it, by floats and by arrays, against references of 50 to 120 digits.
 """

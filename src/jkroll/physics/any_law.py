@@ -1,8 +1,8 @@
 """Rolling under any law of attraction, from one force: F_a = P_H − P, Hertz' load at the contact radius less the load.
 
 The moment of a contact whose attraction lags behind by ξ is F_aξ to first order in ξ, whatever the law: 4P_c â^(3/2) ξ
-in JKR, which is Eq (25), and 2πwRξ in DMT at every load. Below: the parameter of the transition from JKR to DMT, the strength
-of attraction, a fit of the pull-off force, and what follows from a Hamaker constant and a cutoff distance.
+in JKR, which is Eq (25), and 2πwRξ in DMT at every load. Below: the parameter of the transition from JKR to DMT, the
+strength of attraction, a fit of the pull-off force, and what follows from a Hamaker constant and a cutoff distance.
 """
 
 from __future__ import annotations
@@ -193,11 +193,13 @@ def pull_off_force_rough(
 
         F = P_DMT (s/(s + R) + 1/(1 + s/D0)²)
 
-    Source:   Rumpf 1990, as MFiX (des) cites and codes it for a wall: van der Waals' force on the asperity and on the sphere behind it.
-    Valid:    Nothing deforms; one asperity, on the line of centres, s well below R. Within 3 % of the pairwise sum on a plane.
-              It is P_DMT for s → 0.
+    Source:   Rumpf 1990, as MFiX (des) cites and codes it for a wall: van der Waals' force on the asperity and on the
+              sphere behind it.
+    Valid:    Nothing deforms; one asperity, on the line of centres, s well below R. Within 3 % of the pairwise sum on a
+              plane. It is P_DMT for s → 0.
 
-    >>> round(pull_off_force_rough(pull_off_force_dmt=1.0, reduced_radius=1e-6, asperity_radius=3.63e-9, cutoff=1.65e-10), 5)
+    >>> sizes = {"reduced_radius": 1e-6, "asperity_radius": 3.63e-9, "cutoff": 1.65e-10}
+    >>> round(pull_off_force_rough(pull_off_force_dmt=1.0, **sizes), 5)
     0.00551
     """
     gap = 1 + asperity_radius / cutoff
@@ -210,7 +212,8 @@ def work_of_adhesion_of_hamaker(*, hamaker: Energy, hamaker2: Energy, cutoff: Le
         w = A/(12πD0²), A = √(A1A2)
 
     Source:   Hamaker's energy of two half-spaces at the distance D0, pairwise sum; D0 = 0.165 nm is in common use.
-    Valid:    Dispersion forces alone: no water, no hydrogen bonds, no metals. It goes with D0⁻²: at 0.4 nm, w is 5.9 times less.
+    Valid:    Dispersion forces alone: no water, no hydrogen bonds, no metals. It goes with D0⁻²: at 0.4 nm, w is 5.9
+              times less.
 
     >>> f"{work_of_adhesion_of_hamaker(hamaker=6.5e-20, hamaker2=6.5e-20, cutoff=1.65e-10):.4f}"
     '0.0633'

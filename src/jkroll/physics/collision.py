@@ -72,7 +72,7 @@ def n_roll_energy_balance(*, energy: Energy, mean_rolling_moment: Moment) -> Num
 
 
 def n_roll_after_impact(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
-    """Return the number of full turns of a sphere that arrives along the surface without spin, and then rolls without slip.
+    """Return the number of full turns of a sphere that arrives along the surface without spin, then rolls without slip.
 
         n = (5/7)W0/(2π⟨M⟩), which is 5/2 of Eq (48)
 

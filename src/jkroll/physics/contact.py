@@ -110,7 +110,8 @@ def contact_radius_at_load(
     Source:   Eq (5).
     Valid:    As Eq (2); the stable branch.
 
-    >>> a = contact_radius_at_load(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load_factor=1.0)
+    >>> pair = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
+    >>> a = contact_radius_at_load(load_factor=1.0, **pair)
     >>> f"{a * 1e9:.3f} nm"
     '3.991 nm'
     """

@@ -93,7 +93,8 @@ def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
 
         E_stick = 2·9.6 γ^(5/3) R^(4/3)/E*^(2/3) = 0.6585 P_cδ0
 
-    Source:   As coded in pencil-code/pencil-code, dustvelocity.f90, which has the 2 from Dominik & Tielens 1997, Sect. 3.2.
+    Source:   As coded in pencil-code/pencil-code, dustvelocity.f90, which has the 2 from Dominik & Tielens 1997, Sect.
+              3.2.
     Valid:    Equal spheres.
 
     >>> round(sticking_energy_pencil_code(adhesion_energy=1.0), 4)

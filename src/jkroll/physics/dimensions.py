@@ -1,9 +1,9 @@
 """The dimension of every parameter and result, as an annotation that carries the SI unit.
 
 A value is a float, or an array of floats; floats give a float, and arrays broadcast. The annotation is for the reader,
-for type checkers, for the help texts and for the tests, which feed each formula pint Quantities and compare the units of
-the nomenclature: at run time it costs nothing.
-The formulas import `annotations` from `__future__`, so that `help` shows the dimension by its name.
+for type checkers, for the help texts and for the tests, which feed each formula pint Quantities and compare the units
+of the nomenclature: at run time it costs nothing. The formulas import `annotations` from `__future__`, so that `help`
+shows the dimension by its name.
 """
 
 from typing import TYPE_CHECKING, Annotated

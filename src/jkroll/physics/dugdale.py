@@ -4,8 +4,9 @@ The traction σ0 acts for a < r < c, where the gap is below w/σ0. Lengths along
 (πwR²/K)^(1/3), approaches of (π²w²R/K²)^(1/3), loads of πwR, with K = 4E*/3; λ = 2σ0/(πwK²/R)^(1/3).
 
 Maugis (J. Colloid Interface Sci. 150, 243, 1992) has two equations for a and c at a load. Here one variable describes a
-state, the edge ratio v = a/√(c² − a²): it is large where the ring is narrow (JKR), small where the ring is wide (DMT), and
-0 where the spheres do not touch. All else is explicit in v, and so are both extremes of the curve and the state without load:
+state, the edge ratio v = a/√(c² − a²): it is large where the ring is narrow (JKR), small where the ring is wide (DMT),
+and 0 where the spheres do not touch. All else is explicit in v, and so are both extremes of the curve and the state
+without load:
 
     T = √(c² − a²) = 1/(⅔λ²G2 + √((⅔λ²G2)² + λG1/2))    a = vT    c = nT    q = 4λ/(3T)
     P = a³ − λT²G3    δ = a² − (4/3)λT    dP/dδ = (3/2)T(vG3 − qD)/(G3 − qh)
@@ -14,8 +15,8 @@ state, the edge ratio v = a/√(c² − a²): it is large where the ring is narr
     n = √(1 + v²)    θ = arctan(1/v)    h = tan(θ/2) = 1/(n + v)
     G1 = v + (1 − v²)θ    G2 = θ − h    G3 = v + n²θ    D = vh + n²θ²
 
-At these, at a load and at an approach, v is the root of a smooth function, found by Newton's method from a start that is near
-enough for a fixed number of steps.
+At these, at a load and at an approach, v is the root of a smooth function, found by Newton's method from a start that
+is near enough for a fixed number of steps.
 """
 
 from __future__ import annotations
@@ -133,7 +134,7 @@ def approach_apart(transition: FloatOrArray, span: FloatOrArray) -> FloatOrArray
 
 
 def stiffness_ratio(at: Shape, q: FloatOrArray) -> FloatOrArray:
-    """Return dP/dδ over that of a flat punch of radius T, in contact or apart: v without attraction, 0 at pull-off, −∞ at the fold."""
+    """Return dP/dδ over that of a flat punch of radius T: v without attraction, 0 at pull-off, −∞ at the fold."""
     give = at.g3 - q * at.h
     at_fold = absolute(give) <= _ROUNDING * at.g3  # as near as doubles come, where the sign is chance
     return where(at_fold, -math.inf, (at.v * at.g3 - q * at.d) / where(at_fold, 1.0, give))
@@ -301,8 +302,8 @@ def _root(
 ) -> FloatOrArray:
     """Return the v where the root of a curve is `aim`, by Newton's method in v^(1/power).
 
-    The curve is the load or the approach above its least. Its root has a slope at the least as well, and under a load is
-    almost a straight line over v^(1/power). The bounds matter where rounding has the last word.
+    The curve is the load or the approach above its least. Its root has a slope at the least as well, and under a load
+    is almost a straight line over v^(1/power). The bounds matter where rounding has the last word.
     """
     v, most = start, start + (start - least)
     for _ in range(_STEPS):

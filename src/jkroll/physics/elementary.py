@@ -1,7 +1,8 @@
 """Elementary functions for numbers and arrays: `math` for a number, numpy for anything else.
 
 The type of the value decides, so that a float needs no import of numpy, and an array (or a pint Quantity, which follows
-numpy's protocol) no loop. Both take the same operations in the same order, and agree to the last digit or the one before.
+numpy's protocol) no loop. Both take the same operations in the same order, and agree to the last digit or the one
+before.
 """
 
 from __future__ import annotations
@@ -129,7 +130,10 @@ def where(condition: Condition, value: FloatOrArray, otherwise: FloatOrArray) ->
 
 
 def within(condition: Condition, value: FloatOrArray) -> FloatOrArray:
-    """Return a value that is defined under a condition. Elsewhere a number raises ValueError, and an array holds nan."""
+    """Return a value that is defined under a condition.
+
+    Elsewhere a number raises ValueError, and an array holds nan.
+    """
     if isinstance(condition, bool) and not condition:
         raise ValueError("outside the domain of the formula")
     return where(condition, value, math.nan)

@@ -1,8 +1,8 @@
 """The JKR contact at any state that fixed grips hold, and the energies between its states.
 
-One variable describes a state: x = â^(3/2) (`load_factor`). It is 1 without load, 1/2 at pull-off, 1/6 at the fold where
-fixed grips let go, and runs down to 0 on the unstable branch. Loads have two states for −P_c < P < 0, approaches have
-two between the fold and 0.
+One variable describes a state: x = â^(3/2) (`load_factor`). It is 1 without load, 1/2 at pull-off, 1/6 at the fold
+where fixed grips let go, and runs down to 0 on the unstable branch. Loads have two states for −P_c < P < 0, approaches
+have two between the fold and 0.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ STICKING: float = 2 / 15 / CBRT_6 + 4 / 5 * (2 / 3) ** (1 / 3)
 
 
 def load_margin_of_factor(*, load_factor: Number) -> Number:
-    """Return √(1 + P/P_c) on the stable branch, and its negative beyond pull-off, where only fixed grips hold the contact.
+    """Return √(1 + P/P_c) on the stable branch, and its negative beyond pull-off, where only fixed grips hold.
 
         s = 2x − 1
 
@@ -51,7 +51,8 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
     approach_at_load  [m]  any
 
-    Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ − δ̂_fold).
+    Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ −
+              δ̂_fold).
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
 
     >>> load_factor_at_approach(approach_at_load=1.0, approach=1.0)
@@ -67,7 +68,8 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
     approach_at_load  [m]  any
 
-    Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1 loses.
+    Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1
+              loses.
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
     """
     return (1 + 2 * _approach_over_root(approach_at_load / approach)) / 3
@@ -198,7 +200,7 @@ def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, 
 
 
 def well_energy(*, adhesion_energy: Energy) -> Energy:
-    """Return the energy that binds the two spheres: released from first touch to equilibrium along the whole of the curve.
+    """Return the energy that binds the spheres: released from first touch to equilibrium along the whole curve.
 
         (6/5) P_cδ0
 

@@ -1,8 +1,8 @@
 """A contact between JKR and DMT: Maugis' theory, in SI units.
 
-A constant stress σ0 pulls in a ring around the contact circle, a < r < c, up to a gap w/σ0. Two numbers describe a state:
-the edge ratio v = a/√(c² − a²), found at a load or at an approach, and the span T = √(c² − a²) of the ring. Where the
-spheres attract without contact, v is 0 and T is c. `dugdale` has the same curve in dimensionless form.
+A constant stress σ0 pulls in a ring around the contact circle, a < r < c, up to a gap w/σ0. Two numbers describe a
+state: the edge ratio v = a/√(c² − a²), found at a load or at an approach, and the span T = √(c² − a²) of the ring.
+Where the spheres attract without contact, v is 0 and T is c. `dugdale` has the same curve in dimensionless form.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def edge_ratio_at_approach(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Number:
-    """Return the edge ratio of the contact that fixed grips hold at an approach; 0 where the spheres attract without contact.
+    """Return the edge ratio of the contact that fixed grips hold at an approach; 0 without contact.
 
         v = a/√(c² − a²)
 
@@ -239,7 +239,7 @@ def stiffness_maugis(
 
 
 def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_stress: Stress) -> Force:
-    """Return Hertz' load at the contact radius less the load: the rolling moment per displacement of the ring of attraction.
+    """Return Hertz' load at the contact radius less the load: the rolling moment per displacement of the ring.
 
         F_a = 4E*a³/(3R) − P = 2σ0(aT + c²θ), θ = arctan(1/v)
 

@@ -136,7 +136,7 @@ def sticking_energy_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Return the largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
+    """Return the largest energy of a head-on collision after which spheres stick: what jump-in and the fold take.
 
         U = Φ(fold) − Φ(δ = −w/σ0); (17/24)πλb⁴ πwR(π²w²R/K²)^(1/3), b = 8λ/3π, if λ < (9/32)^(1/3) = 0.655
 

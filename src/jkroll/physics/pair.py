@@ -62,7 +62,8 @@ def contact_modulus(
     Source:   Text below Eq (2).
     Valid:    Isotropic, linear elastic solids; one may be rigid (E infinite).
 
-    >>> round(contact_modulus(youngs_modulus=54e9, poisson_ratio=0.17, youngs_modulus2=54e9, poisson_ratio2=0.17) / 1e9, 3)
+    >>> quartz = {"youngs_modulus": 54e9, "poisson_ratio": 0.17}
+    >>> round(contact_modulus(**quartz, youngs_modulus2=54e9, poisson_ratio2=0.17) / 1e9, 3)
     27.804
     """
     compliance = (1 - poisson_ratio) * (1 + poisson_ratio) / youngs_modulus

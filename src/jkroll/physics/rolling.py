@@ -23,7 +23,7 @@ from .elementary import cube, pi, sqrt, within
 
 
 def yield_moment(*, adhesive_force: Force, yield_displacement: Length) -> Moment:
-    """Return the moment with which a contact resists when its attraction lags behind by ξ; at the yield displacement, the largest.
+    """Return the moment of a contact whose attraction lags behind by ξ; at the yield displacement, the largest.
 
         M = F_aξ, which is 4 P_c â^(3/2) ξ = 2 P_c ξ (1 + s) in JKR
 
@@ -74,7 +74,7 @@ def rolling_friction_coefficient(
 
 
 def rolling_resistance_coefficient(*, yield_moment: Moment, reduced_radius: Length, load: Force) -> Number:
-    """Return the coefficient with which a code that multiplies the load by it and by R rolls a contact at its yield moment.
+    """Return the coefficient of codes that multiply it by load and R, with which a contact rolls at its yield moment.
 
         μ_r = M/(RP)
 
@@ -115,7 +115,8 @@ def yield_force_fixed_load(
     radius2  [m]  > 0; infinite for a plane
 
     Source:   The moments about the contact; Eq (26) has a load that turns with the line of centres.
-    Valid:    As Eq (25), with body 2 held. On a plane it is M/R1. It is negative where the load alone overturns sphere 1.
+    Valid:    As Eq (25), with body 2 held. On a plane it is M/R1. It is negative where the load alone overturns sphere
+              1.
     """
     return yield_moment / radius - load * yield_displacement / radius2
 

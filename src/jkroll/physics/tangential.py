@@ -20,9 +20,10 @@ def shear_strength(
     youngs_modulus2  [Pa]  > 0; infinite for a rigid body
     poisson_ratio2   [1]   −1 to 1/2
 
-    Source:   Lumajord/DustSimulation, whose thresholds of sliding and of twisting are both this strength; for unlike solids,
-              the softer one is a rule of this program.
-    Valid:    An order of magnitude: 9 to 15 MPa were measured for polystyrene on glass (Sümer & Sitti), where this is 29 MPa.
+    Source:   Lumajord/DustSimulation, whose thresholds of sliding and of twisting are both this strength; for unlike
+              solids, the softer one is a rule of this program.
+    Valid:    An order of magnitude: 9 to 15 MPa were measured for polystyrene on glass (Sümer & Sitti), where this is
+              29 MPa.
 
     >>> quartz = {"youngs_modulus": 54e9, "poisson_ratio": 0.17, "youngs_modulus2": 54e9, "poisson_ratio2": 0.17}
     >>> f"{shear_strength(**quartz) / 1e6:.1f} MPa"
@@ -95,8 +96,8 @@ def twisting_moment(*, shear_strength: Stress, contact_radius_at_load: Length) -
         M_twist = (2/3)πa³τ, which is Ga³/(6π) with the default τ
 
     Source:   Lumajord/DustSimulation, without load.
-    Valid:    A contact that does not peel before. For nm-thick contacts of ice, larger torques were measured than scaled-down
-              models predict (arXiv:1311.1957).
+    Valid:    A contact that does not peel before. For nm-thick contacts of ice, larger torques were measured than
+              scaled-down models predict (arXiv:1311.1957).
     """
     return 2 / 3 * pi * shear_strength * cube(contact_radius_at_load)
 
@@ -133,8 +134,9 @@ def peeling_force(
     load_margin  [1]  ≥ 0
 
     Source:   Griffith: the release rates T²/(32πG*a³) and (P_H − P)²/(8πE*a³), means over the edge, add up to w.
-    Valid:    JKR, P ≥ −P_c, and a work of adhesion that does not depend on the direction of loading: measured contacts shrink
-              much less under a tangential force. Beyond pull-off, a float raises ValueError and an array holds NaN.
+    Valid:    JKR, P ≥ −P_c, and a work of adhesion that does not depend on the direction of loading: measured contacts
+              shrink much less under a tangential force. Beyond pull-off, a float raises ValueError and an array holds
+              NaN.
     """
     margin = within(load_margin >= 0, load_margin)
     return 4 * pull_off_force * margin * sqrt(contact_shear_modulus / contact_modulus)
@@ -143,7 +145,7 @@ def peeling_force(
 def peeling_radius(
     *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress, load_margin: Number
 ) -> Length:
-    """Return the radius to which a contact has shrunk when it peels off under a tangential force, at a fixed normal load.
+    """Return the radius to which a contact has shrunk when it peels off under a tangential force, at a fixed load.
 
         a_T = (3R(P + 2P_c)/(4E*))^(1/3) = a0((1 + s²)/4)^(1/3)
 
@@ -161,7 +163,8 @@ def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peelin
 
         T/(πa_T²τ)
 
-    Source:   While T rises, the contact shrinks and T/(πa²τ) grows: it slides first if that reaches 1 before the contact peels.
+    Source:   While T rises, the contact shrinks and T/(πa²τ) grows: it slides first if that reaches 1 before the
+              contact peels.
     Valid:    As the peeling force.
     """
     return peeling_force / (pi * shear_strength * peeling_radius**2)
@@ -176,10 +179,12 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
     peeling_over_sliding  [1]  ≥ 0
     load_margin           [1]  ≥ 0
 
-    Source:   Griffith, as the peeling force: the contact shrinks while T rises, until T reaches the strength of the area that is left.
+    Source:   Griffith, as the peeling force: the contact shrinks while T rises, until T reaches the strength of the
+              area that is left.
     Valid:    As the peeling force. A contact that keeps its area slides at F_slide, which is larger.
     """
-    # With T = T_peel √(1 − c²), the area left is (1 + ec)^(2/3) times that of the peeled contact: c lies between 0 and 1.
+    # With T = T_peel √(1 − c²), the area left is (1 + ec)^(2/3) times that of the peeled contact: c lies between 0 and
+    # 1.
     e = 2 * load_margin / (1 + load_margin**2)
     ratio = at_least(peeling_over_sliding, 1.0)
     share, rest = 1 / ratio**2, (ratio - 1) / ratio * ((ratio + 1) / ratio)

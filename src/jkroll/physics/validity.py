@@ -14,8 +14,8 @@ def tabor_parameter(
         μ = (4Rγ²/(E*²z0³))^(1/3) = (Rw²/(E*²z0³))^(1/3)
 
     Source:   Tabor; text below Eq (1) on Muller, Yushenko and Derjaguin.
-    Valid:    JKR is within 5 % of Maugis' law above 0.5 for δ0, 1.1 for P_c, 1.7 for a0, 3.3 for M and 12 for U_stick; DMT below
-              0.14 for P_c, 0.07 for a0, 0.02 for M and 0.002 for δ0.
+    Valid:    JKR is within 5 % of Maugis' law above 0.5 for δ0, 1.1 for P_c, 1.7 for a0, 3.3 for M and 12 for U_stick;
+              DMT below 0.14 for P_c, 0.07 for a0, 0.02 for M and 0.002 for δ0.
 
     >>> mu = tabor_parameter(
     ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, atomic_spacing=0.4e-9)
@@ -26,7 +26,7 @@ def tabor_parameter(
 
 
 def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length:
-    """Return the displacement of the contact circle beyond which the model has no meaning: the leading edge would interpenetrate.
+    """Return the displacement of the contact circle beyond which its leading edge would interpenetrate.
 
         a0/(3√â)
 
@@ -64,16 +64,17 @@ def hertz_pressure_over_modulus(*, hertz_pressure: Stress, contact_modulus: Stre
 
     hertz_pressure  [Pa]  ≥ 0
 
-    Source:   A crystal without flaws yields under a shear of about G/30 ("Yield (engineering)", Wikipedia), so that its yield stress Y,
-              twice that, is about E/30. The largest shear below a Hertz contact is 0.31 p_H, 0.48a deep (ν = 0.3), so that the
-              contact yields at p_H = 1.6Y (Tresca; Johnson, Contact Mechanics, 1985): for like solids, about 0.1 E*.
+    Source:   A crystal without flaws yields under a shear of about G/30 ("Yield (engineering)", Wikipedia), so that its
+              yield stress Y, twice that, is about E/30. The largest shear below a Hertz contact is 0.31 p_H, 0.48a deep
+              (ν = 0.3), so that the contact yields at p_H = 1.6Y (Tresca; Johnson, Contact Mechanics, 1985): for like
+              solids, about 0.1 E*.
     Valid:    An upper bound: with flaws, solids yield at far less. The pull at the rim is left out.
     """
     return hertz_pressure / contact_modulus
 
 
 def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Length) -> Number:
-    """Return how far the paraboloids of the model are from the spheres at the edge of the contact, relative to their depth.
+    """Return how far the model's paraboloids are from the spheres at the edge of the contact, relative to their depth.
 
         a²(R1⁻³ + R2⁻³)/(4(R1⁻¹ + R2⁻¹)) = a²(R1⁻² − R1⁻¹R2⁻¹ + R2⁻²)/4
 
@@ -124,8 +125,8 @@ def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
         W0/(3πw â^(3/2) ξ²)
 
     Source:   As the yield energy.
-    Valid:    Without slip, it rolls where this is above 1. Of a sphere that arrives without spin 5/7 of W0 is left, so that this is
-              to be above 7/5; of one that spins in place, which is the paper's Eq (47), 2/7 and 7/2.
+    Valid:    Without slip, it rolls where this is above 1. Of a sphere that arrives without spin 5/7 of W0 is left, so
+              that this is to be above 7/5; of one that spins in place, which is the paper's Eq (47), 2/7 and 7/2.
     """
     return energy / yield_energy
 

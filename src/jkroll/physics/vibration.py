@@ -121,7 +121,8 @@ def rayleigh_time(*, radius: Length, density: Density, youngs_modulus: Stress, p
     poisson_ratio  [1]  -1 < ν ≤ 1/2
 
     Source:   LIGGGHTS, fix check/timestep/gran. Its linear form is Rayleigh's root within 0.3 % for 0 ≤ ν ≤ 1/2.
-    Valid:    A free sphere: neither the contact nor its adhesion enters. Codes take a tenth to a fifth of it for a step.
+    Valid:    A free sphere: neither the contact nor its adhesion enters. Codes take a tenth to a fifth of it for a
+              step.
     """
     slowness = sqrt(2 * (1 + poisson_ratio) * (density / youngs_modulus))
     return pi * radius * slowness / (0.8766 + 0.1631 * poisson_ratio)

@@ -22,7 +22,7 @@ from .curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
 from .maps import Curve, Map, Mark, Panel, Picture, Region, limits_of_paper, solved
 from .request import PlotRequest, map_of, mark_at
 
-# --- Maps: Figs. 3, 6 and 8 ---------------------------------------------------------------------------------------------
+# --- Maps: Figs. 3, 6 and 8 -------------------------------------------------------------------------------------------
 
 
 class PaperMap(NamedTuple):
@@ -47,12 +47,15 @@ _LIGHT = {**_SOFT, "density": 2000.0}
 
 PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
     {
-        "3a": PaperMap("pull_off_force", _ENERGIES, _SOFT, "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧: JKR; small, hard spheres tend to ⟦4πγR⟧."),
+        "3a": PaperMap("pull_off_force", _ENERGIES, _SOFT,
+        "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧: JKR; small, hard spheres tend to "
+            "⟦4πγR⟧."),
         "3b": PaperMap(
             "yield_force_ratio",
             _ENERGIES,
             _SOFT,
-            "It does not depend on ⟦γ⟧. The forces are equal (contour 0) at ⟦R1 = 4ξ⟧ = 0.8 nm; the text has 1 nm. There, "
+            "It does not depend on ⟦γ⟧. The forces are equal (contour 0) at ⟦R1 = 4ξ⟧ = 0.8 nm; the text has 1 nm. "
+                "There, "
             "as the text warns, elasticity holds no longer.",
             guide=(1e-9, "1 nm"),
         ),
@@ -67,7 +70,8 @@ PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
             "n_grav",
             _ENERGIES,
             _LIGHT,
-            "About a thousand (contour 3) spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 0) rolls from "
+            "About a thousand (contour 3) spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 0) rolls "
+                "from "
             "8 µm (polystyrene) to 52 µm (iron) on; the text has about 100 µm.",
             guide=(1e-4, "100 µm"),
             point=(0.025, 1e-7, "1071"),
@@ -76,13 +80,15 @@ PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
             "vertical_frequency",
             _ENERGIES,
             _LIGHT,
-            "GHz (contour 9) at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of ⟦γ⟧, which enters by its power 1/6.",
+            "GHz (contour 9) at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of ⟦γ⟧, which "
+                "enters by its power 1/6.",
         ),
         "6b": PaperMap(
             "rolling_frequency",
             _ENERGIES,
             _LIGHT,
-            "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At ⟦R1⟧ = 100 nm and "
+            "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At ⟦R1⟧ = "
+                "100 nm and "
             "⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the vertical vibration; the text has one to two orders.",
             printed="rolling_frequency_as_printed",
         ),
@@ -90,7 +96,8 @@ PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
             "n_roll",
             Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
             {},
-            "For ⟦W0 = P_cδ0⟧; in general these are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 of Eq (49). Below 10 nm, spheres "
+            "For ⟦W0 = P_cδ0⟧; in general these are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 of Eq (49). Below "
+                "10 nm, spheres "
             "with ⟦E*/γ⟧ above 9·10¹¹ m⁻¹ do not roll; below 100 nm a full turn takes ⟦E*/γ⟧ below 1.5·10⁹ m⁻¹.",
             has_log_labels=False,
             guide=(1e-8, "10 nm"),
@@ -167,9 +174,12 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     left, right = across(-a - shift, 0.0), across(0.0, a - shift)
     at = {"approach_at_load": state["approach_at_load"], **given}
     curves = [
-        Curve("exact", shifted, exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **parts, **given), 0),
-        Curve("half-circle ⟦a + ξ⟧", left, half_circle_pressure(distance=-left, half_circle_radius=a + shift, **at), 1, is_dashed=True),
-        Curve("half-circle ⟦a − ξ⟧", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2, is_dashed=True),
+        Curve("exact", shifted,
+        exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **parts, **given), 0),
+        Curve("half-circle ⟦a + ξ⟧", left, half_circle_pressure(distance=-left, half_circle_radius=a + shift, **at), 1,
+        is_dashed=True),
+        Curve("half-circle ⟦a − ξ⟧", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2,
+        is_dashed=True),
         Curve("not shifted", centred, pressure(distance=abs(centred), **parts), 3),
     ]  # fmt: skip
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
@@ -181,7 +191,8 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     remarks = (
         "The circle stays behind the contact point.",
         (
-            "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load. Half-circles: Eq (16) at a fixed approach, "
+            "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load. Half-circles: Eq (16) at a "
+            "fixed approach, "
             "not continuous at ⟦x = 0⟧. Ahead the pull at the rim is weaker, behind it is stronger."
         ),
     )
@@ -217,12 +228,16 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     ]
     caption = (
         (
-            f"Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = {amount('yield_displacement', shift)}: "
+            "Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = "
+            f"{amount('yield_displacement', shift)}: "
             "exact, Eq (64), and two halves of symmetric strips, Eq (71)."
         ),
     )
     remarks = (
-        f"Griffith's criterion gives ⟦a⟧ = {amount('contact_radius', a)}. The half-strips are not continuous at ⟦x = 0⟧.",
+        (
+            f"Griffith's criterion gives ⟦a⟧ = {amount('contact_radius', a)}. The half-strips are not continuous at ⟦x "
+            "= 0⟧."
+        ),
         (
             f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected; "
             f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, ⟦π/2⟧ where ⟦ξ⟧ ≪ ⟦a⟧."
@@ -241,7 +256,7 @@ _UNIT = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}  # in which forces a
 
 
 def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
-    """Return the pull-off force over πwR against μ by JKR, DMT, Maugis' law and that of Lennard-Jones, with grains as marks."""
+    """Return the pull-off force over πwR against μ by JKR, DMT, Maugis and Lennard-Jones, with grains as marks."""
     import numpy
 
     tabor, near = _TABOR.values(), _LENNARD_JONES.values()
@@ -257,7 +272,10 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
     points = tuple(mark_at(text, materials, Scene({}, model="maugis"), _TABOR, _RATIO) for text in marks)
     spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
     caption = (
-        "Pull-off force over ⟦πwR⟧ by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧.",
+        (
+            "Pull-off force over ⟦πwR⟧ by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % for "
+            "⟦0.01 ≤ μ ≤ 2⟧."
+        ),
         *((f"Grains at Maugis–Dugdale with ⟦z0⟧ = {spacing}: ⟦μ⟧ falls as ⟦1/z0⟧.",) if points else ()),
     )
     return Picture("", (Panel(_TABOR, _RATIO, curves, points),), caption)

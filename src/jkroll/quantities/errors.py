@@ -12,7 +12,7 @@ class QuantityError(JkrollError):
     """Error raised when a text or a number is not a value of the quantity that it was given for."""
 
     def __init__(self, name: str, value: object, reason: str, remedy: str = "", place: Sequence[int] = ()) -> None:
-        """`reason` follows the value; `remedy` says what to type instead of a text, by default an example of the quantity.
+        """`reason` follows the value; `remedy` says what to type instead, by default an example of the quantity.
 
         `place`: the index of a number in an array.
         """
@@ -78,7 +78,8 @@ _SYNONYMS = {
 }
 QUANTITY_SYNONYMS = {word: name for name, words in _SYNONYMS.items() for word in words.split()}
 
-ALIKE = 0.65  # from here on, a word may be meant for another: "moment" for "yield_moment", but not "restitution" for "friction"
+# from here on, a word may be meant for another: "moment" for "yield_moment", but not "restitution" for "friction"
+ALIKE = 0.65
 
 
 def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:

@@ -1,4 +1,4 @@
-"""Values as text: rounded and with a suitable prefix to be read, or as the shortest text that parses back to the same value."""
+"""Values as text: rounded and with a suitable prefix, or as the shortest text that parses back to the same value."""
 
 from collections.abc import Mapping, Sequence
 from math import floor, isinf, log10
@@ -61,7 +61,7 @@ class Format(NamedTuple):
         return engineering(value, NOMENCLATURE[name].unit, digits)
 
     def common_unit(self, name: str, values: "Sequence[float | Uncertain]") -> tuple[str, Unit] | None:
-        """Return the unit that suits the middle one of the values; None if others are long numbers in it, or if it is 1."""
+        """Return the unit that suits the middle one of values; None if others are long numbers in it, or it is 1."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
@@ -166,7 +166,7 @@ def span(name: str, low: float, high: float) -> str:
 
 
 def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
-    """Return a range, whose ends are rounded to two digits of the distance between them unless there is a number of digits.
+    """Return a range, whose ends are rounded to two digits of their distance unless there is a number of digits.
 
     Both ends have as many decimals as the one that needs more. Ends that are the same in these digits are one number.
     """

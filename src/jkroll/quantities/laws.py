@@ -89,7 +89,8 @@ _JKR = Law(
     },
     routes={
         "zone_radius": "contact_radius_at_load",
-        "edge_ratio": "edge_ratio_at_load",  # of Maugis' law: its quantities are known by their own names under any other
+        # of Maugis' law: its quantities are known by their own names under any other
+        "edge_ratio": "edge_ratio_at_load",
     },
     given={
         **_GIVEN,
@@ -231,7 +232,7 @@ BETWEEN = _MAUGIS.name  # the law that holds between JKR and DMT
 
 
 def other_law(name: str) -> str:
-    """Return the law whose results may stand in place of those of a law: the one between JKR and DMT, or under that one JKR."""
+    """Return the law whose results may stand in place of a law's: the one between JKR and DMT, or under that JKR."""
     return DEFAULT_LAW if name == BETWEEN else BETWEEN
 
 

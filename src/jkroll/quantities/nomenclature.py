@@ -101,17 +101,22 @@ _WADA = "Wada et al. 2007"
 _E_ROLL = "E_roll is that of 90 degrees, 6π²γRξ"
 
 OF_DEM: Mapping[str, Quantity] = {
-    "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff", example="0.165nm"),
-    "viscous_time": Quantity("T_vis", "s", "viscous time of the damping of codes for dust", range=POSITIVE, option="--viscous-time", example="12.5ps"),
-    "asperity_radius": Quantity("s", "m", "radius of one asperity between the spheres", range=POSITIVE, option="--asperity-radius", example="5nm"),
+    "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff",
+        example="0.165nm"),
+    "viscous_time": Quantity("T_vis", "s", "viscous time of the damping of codes for dust", range=POSITIVE,
+        option="--viscous-time", example="12.5ps"),
+    "asperity_radius": Quantity("s", "m", "radius of one asperity between the spheres", range=POSITIVE,
+        option="--asperity-radius", example="5nm"),
     # sliding and twisting
-    "shear_strength": Quantity("τ", "Pa", "shear strength of the contact (friction)", range=POSITIVE, option="--shear-strength", example="12MPa"),
+    "shear_strength": Quantity("τ", "Pa", "shear strength of the contact (friction)", range=POSITIVE,
+        option="--shear-strength", example="12MPa"),
     "sliding_force": Quantity("F_slide", "N", "shear force that slides all of it"),
     "sliding_displacement": Quantity("s_slide", "m", "displacement at which sliding begins"),
     "sliding_energy": Quantity("E_slide", "J", "energy to begin sliding"),
     "peeling_force": Quantity("T_peel", "N", "shear force that peels it off", may_be_zero=True),
     "peeling_radius": Quantity("a_peel", "m", "contact radius at which it peels off"),
-    "peeling_over_sliding": Quantity("T/F_slide", "1", "peeling force over the force to slide the contact as it peels", may_be_zero=True),
+    "peeling_over_sliding": Quantity("T/F_slide", "1", "peeling force over the force to slide the contact as it peels",
+        may_be_zero=True),
     "sliding_or_peeling_force": Quantity(
         "T_first", "N", "force that slides or peels it first", may_be_zero=True
     ),
@@ -125,14 +130,18 @@ OF_DEM: Mapping[str, Quantity] = {
     "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
     "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
     "rolling_resistance_coefficient": Quantity(
-        "μ_r", "1", "rolling moment over the load and R", note="for codes that multiply the load by it, at this load alone"
+        "μ_r", "1", "rolling moment over the load and R", note="for codes that multiply the load by it, at this load "
+            "alone"
     ),
     "sliding_friction_coefficient": Quantity("μ_slide", "1", "coefficient of sliding friction in LAMMPS"),
     "twisting_friction_coefficient": Quantity("μ_twist", "m", "coefficient of twisting friction in LAMMPS, a length"),
     # aggregates
-    "monomers": Quantity("N", "1", "number of grains of an aggregate or a chain", range=SEVERAL, option="--monomers", example="1000"),
-    "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range=POSITIVE, option="--contacts", example="2500"),
-    "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range=LOOSE, option="--filling-factor", example="0.1"),
+    "monomers": Quantity("N", "1", "number of grains of an aggregate or a chain", range=SEVERAL, option="--monomers",
+        example="1000"),
+    "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range=POSITIVE, option="--contacts",
+        example="2500"),
+    "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range=LOOSE, option="--filling-factor",
+        example="0.1"),
     "restructuring_energy": Quantity(
         "E_restr", "J", "energy to restructure, Dominik & Tielens", note=_E_ROLL,
         definition="5E_roll(π/2)", of_identical=True, reference="Dominik & Tielens 1997",
@@ -230,19 +239,27 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "material": Quantity("", "", "material of sphere 1", sphere=1, twin="material2"),
         "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
         "state": Quantity("state", "", "state on the force curve"),
-        "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2, twin="material"),
+        "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2,
+            twin="material"),
         **_BOTH_SPHERES,
-        "yield_displacement": Quantity("ξ", "m", "critical rolling displacement", range=POSITIVE, option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
-        "load": Quantity("P", "N", "load; a pull is negative", "5", range=FINITE, option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
+        "yield_displacement": Quantity("ξ", "m", "critical rolling displacement", range=POSITIVE, option="--xi",
+            example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
+        "load": Quantity("P", "N", "load; a pull is negative", "5", range=FINITE, option="--load", example="-5nN",
+            may_be_zero=True, shown_with=STATE),
         "gravity": Quantity("g", "m/s^2", "gravity", range=POSITIVE, option="--gravity", example="1.62m/s2"),
-        "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range=POSITIVE, option="--energy", example="1e-18J"),
-        "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1"),
+        "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range=POSITIVE, option="--energy",
+            example="1e-18J"),
+        "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio",
+            example="1"),
         "speed": Quantity("v", "m/s", "impact speed of sphere 1", range=POSITIVE, option="--speed", example="10cm/s"),
         # the pair
-        "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE, option="--work-of-adhesion", example="50mJ/m2"),
+        "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE,
+            option="--work-of-adhesion", example="50mJ/m2"),
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
-        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE, option="--reduced-radius", example="50nm"),
-        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE, option="--contact-modulus", example="30GPa"),
+        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE, option="--reduced-radius",
+            example="50nm"),
+        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE, option="--contact-modulus",
+            example="30GPa"),
         "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
         "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range=POSITIVE),
         "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
@@ -254,7 +271,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "pull_off_force_rough": Quantity(
             "P_rough", "N", "pull-off force with one asperity between",
-            note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is an asperity's own radius, no rms height",
+            note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is an asperity's "
+                "own radius, no rms height",
             shown_with=["asperity_radius"],
         ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range=POSITIVE),
@@ -274,15 +292,20 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "contact_radius_at_pull_off": Quantity("a_pull", "m", "contact radius at pull-off", "5"),
         "approach_at_pull_off": Quantity("δ_pull", "m", "approach at pull-off", "6"),
         "contact_area_at_pull_off": Quantity("A_pull", "m^2", "area of the contact at pull-off", "5"),
-        "contact_radius_at_fold": Quantity("a_fold", "m", "contact radius where fixed grips let go", "6", may_be_zero=True),
+        "contact_radius_at_fold": Quantity("a_fold", "m", "contact radius where fixed grips let go", "6",
+            may_be_zero=True),
         "approach_at_fold": Quantity("δ_fold", "m", "approach where fixed grips let go", "6"),
         "contact_area_at_fold": Quantity("A_fold", "m^2", "its area where fixed grips let go", "6", may_be_zero=True),
-        "load_ratio": Quantity("P/P_c", "1", "load over the pull-off force", "4", range=FINITE, may_be_zero=True, shown_with=STATE_OR_LOAD),
-        "contact_radius_ratio": Quantity("a/a0", "1", "contact radius over that without load", "4", may_be_zero=True, shown_with=STATE_OR_LOAD),
-        "approach_ratio": Quantity("δ/δ0", "1", "approach over that without load", "4", range=FINITE, may_be_zero=True, shown_with=STATE_OR_LOAD),
+        "load_ratio": Quantity("P/P_c", "1", "load over the pull-off force", "4", range=FINITE, may_be_zero=True,
+            shown_with=STATE_OR_LOAD),
+        "contact_radius_ratio": Quantity("a/a0", "1", "contact radius over that without load", "4", may_be_zero=True,
+            shown_with=STATE_OR_LOAD),
+        "approach_ratio": Quantity("δ/δ0", "1", "approach over that without load", "4", range=FINITE, may_be_zero=True,
+            shown_with=STATE_OR_LOAD),
         "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True, variant_of="load"),
         "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True, variant_of="load_margin"),
-        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True, variant_of="load_margin"),
+        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True,
+            variant_of="load_margin"),
         "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
         "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load", may_be_zero=True),
@@ -310,7 +333,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "yield_force": Quantity("Q", "N", "force that starts rolling", "26"),
         "yield_force_fixed_load": Quantity(
             "Q_P", "N", "the same under a load of fixed direction", "26",
-            note="for a load that keeps its direction; that of Q turns with the line of centres", shown_with=STATE_OR_LOAD,
+            note="for a load that keeps its direction; that of Q turns with the line of centres",
+            shown_with=STATE_OR_LOAD,
         ),
         "yield_force_ratio": Quantity("Q/P_c", "1", "force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle where rolling starts", "28"),
@@ -351,8 +375,10 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
-        "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2", may_be_zero=True),
-        "hertz_pressure_over_modulus": Quantity("p_H/E*", "1", "Hertz part of the pressure over the contact modulus", "8", may_be_zero=True),
+        "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2",
+            may_be_zero=True),
+        "hertz_pressure_over_modulus": Quantity("p_H/E*", "1", "Hertz part of the pressure over the contact modulus",
+        "8", may_be_zero=True),
         "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", may_be_zero=True),
         "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
         "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
@@ -376,7 +402,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "restitution": Quantity(
             "e", "1", "coefficient of restitution, at most", may_be_zero=True,
-            note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only losses",
+            note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only "
+                "losses",
         ),
         "lost_energy": Quantity("W_lost", "J", "energy lost head-on, at least"),
         "viscosity_number": Quantity("T*", "1", "viscous time over time of collision", shown_with=["viscous_time"]),
@@ -387,12 +414,16 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "break_energy_dust_simulation": Quantity(
             "E_break", "J", "energy to break it, DustSimulation",
-            note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J",
+            note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 "
+                "(Icarus 143, 138) use a measured 1.3e-15 J",
             definition="1.8 F_cδ_c = 1.4859 P_cδ0", reference="code Lumajord/DustSimulation",
         ),
-        "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range=POSITIVE, option="--angle", example="90deg"),
+        "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range=POSITIVE, option="--angle",
+            example="90deg"),
         "roll_energy": Quantity(
-            "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26",
+            "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ",
+            reference="work of the moment of Eq "
+                "26",
             shown_with=["rolling_angle"],
         ),
         "roll_energy_quarter_turn": Quantity(
@@ -401,7 +432,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "roll_energy_half_turn": Quantity(
             "E_roll(π)", "J", "energy to roll by 180 degrees", note=_TRAILING,
-            definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas", hidden_with=["rolling_angle"],
+            definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
+            hidden_with=["rolling_angle"],
         ),
         "sticking_energy_paszun_dominik": Quantity(
             "E_stick(1.07)", "J", "energy that sticks, Paszun & Dominik",
@@ -431,7 +463,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     }
 )  # fmt: skip
 
-# A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the paper.
+# A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the
+# paper.
 _BY_A_LAW = {
     route: Quantity(
         quantity.symbol, quantity.unit, quantity.sentence, may_be_zero=quantity.may_be_zero, variant_of=name
@@ -474,7 +507,7 @@ def canonical(word: str) -> str:
 
 
 def as_input(word: str) -> str:
-    """Return a word for an input as one that means the same among all quantities: approach is that of an option, and else a result.
+    """Return a word for an input as one for any quantity: approach is that of an option, and else a result.
 
     >>> as_input("approach"), as_input("radius")
     ('approach_at_load', 'radius')
@@ -502,7 +535,7 @@ def header(name: str, unit: str | None = None) -> str:
 
 
 def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
-    """Return the quantity among `names` that a word stands for: a name or the word of an option, in any case, or a symbol.
+    """Return the quantity among `names` that a word stands for: a name or an option's word, in any case, or a symbol.
 
     A word that stands for nothing, or is the symbol of several quantities, is returned as it is.
 

@@ -93,7 +93,7 @@ _MICRO_INSIDE = r"[^\W\d_][µμ]"  # mµm was once the nanometre, and is a micro
 
 
 def normalized(text: str) -> str:
-    """Return a text with one spelling for signs, spaces and letters; BadUnit if it is long, or µ is not the first letter of a unit."""
+    """Return a text with one spelling of signs, spaces and letters; BadUnit if it is long or µ stands within a unit."""
     if len(text) > MAX_TEXT:
         raise BadUnit(f"is longer than {MAX_TEXT} characters")
     if ("µ" in text or "μ" in text) and re.search(_MICRO_INSIDE, text):
@@ -141,10 +141,10 @@ def kind_of(dimension: Dimension) -> str:
 
 @cache
 def _kinds() -> dict[Dimension, str]:
-    kinds = """1: a number; m: a length; kg: a mass; s: a time; K: a temperature; A: an electric current; rad: an angle; V: a voltage;
-    m^2: an area; m^3: a volume; m^-1: a reciprocal length; m/s: a speed; m/s^2: an acceleration; rad/s: an angular speed;
-    Hz: a frequency; kg/m^3: a mass density; kg m^2: a moment of inertia; N: a force; N m/rad: a moment per angle; J: an energy;
-    W: a power; Pa: a pressure; J/m^2: a surface energy"""
+    kinds = """1: a number; m: a length; kg: a mass; s: a time; K: a temperature; A: an electric current; rad: an angle;
+    V: a voltage; m^2: an area; m^3: a volume; m^-1: a reciprocal length; m/s: a speed; m/s^2: an acceleration;
+    rad/s: an angular speed; Hz: a frequency; kg/m^3: a mass density; kg m^2: a moment of inertia; N: a force;
+    N m/rad: a moment per angle; J: an energy; W: a power; Pa: a pressure; J/m^2: a surface energy"""
     return {dimension_of(unit.strip()): kind for unit, kind in (pair.split(": ") for pair in kinds.split(";"))}
 
 
@@ -265,7 +265,7 @@ def _in_table(name: str) -> Unit | None:
 
 @lru_cache(maxsize=1000)
 def _in_pint(name: str) -> Unit | None:
-    """Return pint's meaning of a unit name; None for a long name, and for one that pint does not know as a plain factor."""
+    """Return pint's meaning of a unit name; None for a long one, and for one that is no plain factor for pint."""
     if len(name) > MAX_NAME:
         return None
     found = lookup(name)
@@ -290,11 +290,11 @@ def registry(number: type = float) -> Any:
 
 
 def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
-    """Return numerator, denominator and dimension of a unit name in SI base units; None if pint has no plain factor for it.
+    """Return numerator, denominator and dimension of a unit name in SI base units; None if it is no plain factor.
 
     A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
-    Names that pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour), the
-    yarn count Nm, the px of a screen, and gr and ton, which are the grain and the short ton there.
+    Names that pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour),
+    the yarn count Nm, the px of a screen, and gr and ton, which are the grain and the short ton there.
 
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))

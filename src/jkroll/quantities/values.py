@@ -7,7 +7,7 @@ mJ/m2. There are lists and ranges of values: "1nm,1um" and "1nm:1um:50".
 
 import re
 from collections.abc import Collection, Iterator, Mapping
-from math import isnan
+from math import isnan, nan
 from typing import Any, Literal, NamedTuple, Self, TypeGuard
 
 from ..errors import BadRequest
@@ -85,7 +85,10 @@ def written(text: str) -> str:
 
 
 def unit_of(text: str, name: str) -> Unit:
-    """Read a unit for a quantity of the nomenclature. Raises a `QuantityError`; a unit of another dimension is not an error."""
+    """Read a unit for a quantity of the nomenclature.
+
+    Raises a `QuantityError`; a unit of another dimension is not an error.
+    """
     try:
         return _unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
     except BadUnit as error:
@@ -120,8 +123,8 @@ def unit_in(text: str, dimension: Dimension) -> Unit:
 def has_uncertainty(text: str) -> bool:
     """Return whether a text may state an uncertainty or a range.
 
-    >>> has_uncertainty("25±5 mJ/m2"), has_uncertainty("20 to 30 nm"), has_uncertainty("25 mJ/m2"), has_uncertainty("1e+3 nm")
-    (True, True, False, False)
+    >>> [has_uncertainty(text) for text in ("25±5 mJ/m2", "20 to 30 nm", "25 mJ/m2", "1e+3 nm")]
+    [True, True, False, False]
     """
     return any(mark in text for mark in _MARKS)
 
@@ -301,7 +304,8 @@ def _checked_number(owner: str, value: object) -> float:
     """Return a number as a float; raise BadRequest for anything else."""
     may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
     try:
-        if not isinstance(value, str | bytes) and not may_have_unit and not isnan(number := float(value)):  # type: ignore[arg-type]
+        number = nan if isinstance(value, str | bytes) or may_have_unit else float(value)  # type: ignore[arg-type]
+        if not isnan(number):
             return number
     except (TypeError, ValueError, OverflowError):
         pass
@@ -351,7 +355,7 @@ _TWO_SIDES = rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_
 
 
 def _read(text: str, dimension: Dimension) -> Uncertain | None:
-    """Read a text in one of the forms above, or in one of 25±5 mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2; None for any other."""
+    """Read a text in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2; None for any other."""
     if "(" in text:
         return _with_brackets(text, dimension)
     if "+" in text and (match := re.fullmatch(_TWO_SIDES, text)):
@@ -474,7 +478,7 @@ class Spread:
         return iter([self.uncertainty]) if self.uncertainty is not None else map(self.value, range(self.size))
 
     def value(self, place: int) -> float:
-        """Return the value at a place, rounded to 15 digits: the values between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
+        """Return the value at a place, with 15 digits: between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
         if place in (0, self.size - 1):
             return self.high if place else self.low
         part = place / (self.size - 1)
