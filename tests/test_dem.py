@@ -142,7 +142,7 @@ def test_what_an_aggregate_lacks_is_said(run: Run) -> None:
     assert ran.code == 0
     assert "give --monomers 1000" in ran.err
     assert "give --filling-factor 0.1" in ran.err
-    assert "n_c = N (--contacts)" in run("aggregates quartz 100nm --monomers 10 --explain").out
+    assert "n_c = N = 10 (--contacts)" in run("aggregates quartz 100nm --monomers 10 --explain").out
     assert "(--contacts)" not in run("aggregates quartz 100nm --monomers 10 --contacts 12 --explain").out
     for words, message in {
         "--radius2 1um": "identical",

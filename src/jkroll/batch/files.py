@@ -142,7 +142,7 @@ def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]
 
 
 def _decompressor(compression: str) -> tuple[Callable[[], Any], type[Exception]]:
-    """Return the maker of what decompresses a file, or each of several behind each other, and the error of a damaged one."""
+    """Return the maker of what decompresses files, one or several behind each other, and the error of a damaged one."""
     if compression == "gzip":
         return partial(zlib.decompressobj, zlib.MAX_WBITS | 16), zlib.error
     with missing_extra("zstd"):
