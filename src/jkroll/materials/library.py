@@ -250,10 +250,7 @@ def _shipped_data() -> Mapping[str, Any]:
 
 
 def _aliases_in(tables: Mapping[str, Any]) -> dict[str, tuple[str, ...]]:
-    """Return the aliases of all materials of a file.
-
-    Several may have one alias, which is then refused when it is used.
-    """
+    """Return the aliases of all materials of a file. One that several have is refused when it is used."""
     names: dict[str, str] = {}
     for name in tables:
         names.setdefault(name.casefold(), name)
@@ -407,10 +404,7 @@ class UnclearMaterial(JkrollError):
 
 
 class Materials:
-    """All known materials, by name or alias in any case.
-
-    A name that stands for several of them is refused when it is used.
-    """
+    """All known materials, by name or alias in any case. A name that stands for several is refused when used."""
 
     def __init__(self, paths: Path | Iterable[Path] = (), *, added: Iterable[Path] = ()) -> None:
         """Read the shipped file, then `added`, then that of `paths`, or each of them.
@@ -580,10 +574,7 @@ def _is_same(path: str, other: str | None) -> bool:
 
 
 def _exists(path: str) -> bool:
-    """Return whether something is at a path.
-
-    A file that cannot be reached counts, so that it is reported as unreadable.
-    """
+    """Return whether something is at a path. What cannot be reached counts, to be reported as unreadable."""
     try:
         os.lstat(path)
     except (FileNotFoundError, NotADirectoryError, ValueError):
