@@ -78,7 +78,7 @@ def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) ->
     assumed, directory, doubtful, not_judged, *gaps, failed = said.splitlines()
     assert assumed == "note: assumed g = 9.80665 m/s² (--gravity): 4 of 5 files"
     assert (ran.code, directory) == (2, f"jkroll: '{grains[3]}': Is a directory")
-    assert doubtful.startswith("note: 58 of 87 rows are doubtful (law-off-2x in 34, ")
+    assert doubtful.startswith("note: 66 of 87 rows are doubtful (law-off-2x in 34, ")
     assert not_judged.startswith("note: unchecked in ")
     assert len(gaps) == 5
     assert failed == "jkroll: 18 of 87 rows failed; column status says why"

@@ -5,13 +5,15 @@ import random
 from math import pi, sqrt
 from typing import Any
 
+import numpy as np
 import pytest
 
 from harness import Run
-from jkroll.answers.alternatives import about_displacement, by_data, displacement_in_full
+from jkroll.answers.alternatives import about_unmeasured, by_data, displacement_in_full, in_words
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import Interval, value_of
 from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, rolled_solid
+from jkroll.scene.limits import bits_of, codes, doubts
 from jkroll.scene.scene import Scene
 from relative import approx
 from tools.measurements import MEASUREMENTS
@@ -105,10 +107,8 @@ def test_where_nothing_of_the_solid_was_measured(material: str, radius: float, g
 
 
 def words(scene: Scene, *names: str) -> str:
-    note = about_displacement(scene, names)
-    assert note is not None
-    assert note.kind == "displacement"
-    return note.text
+    found = [doubt for doubt in doubts(scene, names) if doubt.code == "xi-off-data"]
+    return in_words(found[0], scene, names, names) if found else about_unmeasured(scene)
 
 
 def test_words() -> None:
@@ -121,8 +121,8 @@ def test_words() -> None:
         "ξ is assumed (--xi): none of ice-warm was measured at this size"
     )
     assert "polystyrene has 42 nm at 5 µm" in words(of("quartz", 1e-5), "r_min")
-    assert about_displacement(of("quartz", 5e-8), ["yield_force"]) is None
-    assert about_displacement(of("quartz", 1e-6), ["pull_off_force"]) is None
+    assert words(of("quartz", 5e-8), "yield_force") == ""
+    assert not any(doubt.code == "xi-off-data" for doubt in doubts(of("quartz", 1e-6), ["pull_off_force"]))
 
 
 def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
@@ -131,13 +131,23 @@ def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
     assert lead in run("yield-force quartz 0.95um --explain").out
     assert run("yield-force quartz,iron 0.95um --csv").err.count("forces on SiO2 of 1 µm mean 1.8–2.6 nm") == 1
     found = json.loads(run("yield-force quartz 0.95um --json").out)
-    assert any(text.startswith(lead.removeprefix("note: ")) for text in found["notes"])
+    (assumed,) = [one for one in found["validity"] if one["code"] == "xi-off-data"]
+    assert assumed["text"].startswith(lead.removeprefix("note: "))
+    assert assumed["factor"] == approx(FORCES[1] / 94.2478e-12, rel=1e-5)
     assert found["displacement"]["values"]["yield_force"] == approx(FORCES)
     over = found["displacement"]["over_assumed"]["yield_force"]
     assert over == approx([force / 94.2478e-12 for force in FORCES], rel=1e-5)
     assert found["displacement"]["here"] == approx(found["displacement"]["at_pair"])
     assert displacement_in_full(of("ice-warm", 1e-6), ["yield_force"]) is not None
     assert "displacement" not in json.loads(run("pull-off quartz 0.95um --json").out)
+
+
+def test_rows_have_its_code_where_the_solid_was_measured() -> None:
+    radii = [5e-8, 1e-7, 1e-6, 3e-6, 4e-6]
+    together = bits_of(doubts(of("quartz", np.array(radii)), ["yield_force"]))  # type: ignore[arg-type]
+    one_by_one = [bits_of(doubts(of("quartz", radius), ["yield_force"])) for radius in radii]
+    assert together.tolist() == one_by_one
+    assert ["xi-off-data" in codes(bits).split() for bits in one_by_one] == [False, True, True, True, False]
 
 
 # --- Hysteresis as a part ---------------------------------------------------------------------------------------------

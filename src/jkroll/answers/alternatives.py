@@ -1,7 +1,6 @@
 """Alternatives to the results of one scene: by another law of attraction, or by forces that were measured."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from math import log
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
@@ -24,13 +23,12 @@ from ..scene.alternatives import (
     is_at_displacement,
     ratio,
     rolled_solid,
+    rolling,
     solid_of_kind,
     uses_law,
 )
-from ..scene.limits import JUMP, LAW_MATTERS, Doubt
+from ..scene.limits import JUMP, LAW_MATTERS, OF_LAW, Doubt, codes_of
 from ..scene.scene import Scene
-from ..scene.wiring import depends_on
-from .results import Note
 
 # Below the Tabor parameter of a jump, Maugis' law is no correction to energies: a well of Lennard-Jones' law is deeper still, and its
 # contacts form and open without a jump.
@@ -86,12 +84,12 @@ def by_other_law(scene: Scene, names: Sequence[str]) -> Alternative:
 
 def by_data(scene: Scene, names: Sequence[str]) -> Alternative:
     """Return the answers with the displacements that forces measured on the same solid mean, as ranges."""
-    following = [name for name in names if name != XI and XI in depends_on([name], [scene.law.name])]
+    rolled = rolling(names, scene.law.name)
     ends = []
     for end in (at_least_measured, at_most_measured):
-        numbers = end(scene).numbers(*following)
+        numbers = end(scene).numbers(*rolled)
         ends.append({**numbers, **_error_bars(scene, numbers, end)})
-    values = {name: between(ends[0].get(name), ends[1].get(name)) for name in following}
+    values = {name: between(ends[0].get(name), ends[1].get(name)) for name in rolled}
     size = "1 µm" if rolled_solid(scene) == SIO2 else "5 µm"
     return Alternative("data", f"by {size} data", values, "no data")
 
@@ -133,9 +131,9 @@ def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, f
     between, missing = scene if law == BETWEEN else other, other.missing([*known])
     values = other.evaluate([name for name in known if name in missing or uses_law(between, name)])
     half = {} if law == BETWEEN else at_half_spacing(other).numbers(*values)
-    rolling = [name for name in values if XI in depends_on([name], [BETWEEN])]
-    reading = at_other_reading(scene) if rolling else None
-    readings = reading.numbers(*rolling) if reading is not None else {}
+    rolled = rolling(values, BETWEEN)
+    reading = at_other_reading(scene) if rolled else None
+    readings = reading.numbers(*rolled) if reading is not None else {}
     found: dict[str, dict[str, float | None]] = {}
     for name, value in values.items():
         own = known[name]
@@ -160,15 +158,15 @@ def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] |
 
     None where it is not assumed, enters no result, or the spheres are small.
     """
-    following = [name for name in names if name != XI and XI in depends_on([name], [scene.law.name])]
-    if not following or not assumes_displacement(scene) or _radius(scene) < _SMALLEST:
+    rolled = rolling(names, scene.law.name)
+    if not rolled or not assumes_displacement(scene) or _radius(scene) < _SMALLEST:
         return None
     found: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
     if rolled_solid(scene):
         ends = at_least_measured(scene), at_most_measured(scene)
-        own, low, high = (each.numbers(*following) for each in (scene, *ends))
+        own, low, high = (each.numbers(*rolled) for each in (scene, *ends))
         found["here"] = [end[XI] for end in ends]
-        both = [name for name in following if own.get(name) and name in low and name in high]
+        both = [name for name in rolled if own.get(name) and name in low and name in high]
         found["over_assumed"] = {name: [low[name] / own[name], high[name] / own[name]] for name in both}
         found["values"] = {name: [low[name], high[name]] for name in both}
     return found
@@ -182,9 +180,20 @@ def _radius(scene: Scene) -> float:
 # --- In words ---------------------------------------------------------------------------------------------------------
 
 
-def about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
+def in_words(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:
+    """Return what follows from a limit for results: of one that is exceeded, the values that may stand in their place if there are some.
+
+    `headline`: the results that a command is named after; `known`: all of them.
+    """
+    words = _WORDS.get(doubt.code)
+    return words(doubt, scene, headline or known, known) if words is not None else doubt.text
+
+
+def _about_law(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:  # noqa: ARG001
     """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law"."""
-    told = [text for name in names if doubt.value >= JUMP or name not in _OF_ENERGY for text in _advised(scene, name)]
+    told = [
+        text for name in headline if doubt.value >= JUMP or name not in _OF_ENERGY for text in _advised(scene, name)
+    ]
     spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
     inexact = f"{scene.law.title} is inexact here, and Maugis' law, too"
     lead = ", ".join(told[:MAX_TOLD]) + f" by Maugis' law, better here than {scene.law.title}" if told else inexact
@@ -209,33 +218,37 @@ def _advised(scene: Scene, name: str) -> Iterator[str]:
         yield f"{symbol} = {span(name, min(found), max(found))}"
 
 
-def about_displacement(scene: Scene, names: Sequence[str]) -> Note | None:
-    """Return the note on a displacement that is assumed for quantities; None where nothing was measured near their size."""
-    following = [name for name in names if name != XI and XI in depends_on([name], [scene.law.name])]
+def _about_displacement(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:  # noqa: ARG001
+    """Return what stands in place of answers with the assumed displacement: "Q = 89–270 pN by forces on SiO2 of 1 µm"."""
+    names = rolling(headline, scene.law.name) or rolling(known, scene.law.name)
+    values = by_data(scene, names[:MAX_TOLD]).values
+    told = (f"{NOMENCLATURE[name].symbol} = {span(name, one.low, one.high)}" for name, one in values.items() if one)
+    return f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi){_beyond_hysteresis(scene)}"
+
+
+def _about_roughness(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:  # noqa: ARG001
+    """Return what was measured where the pull-off force is that of smooth spheres."""
+    force = scene.numbers("pull_off_force").get("pull_off_force", 0.0)
+    smooth, rough = (span("pull_off_force", force / most, force / least) for most, least in ((4, 2), (100, 10)))
+    return f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 ({rough})"
+
+
+def about_unmeasured(scene: Scene) -> str:
+    """Return that no displacement of a solid was measured near the size of a scene, where ξ is assumed; empty where it was."""
     radius = _radius(scene)
-    if not following or not assumes_displacement(scene) or radius < _SMALLEST:
-        return None
-    solid = rolled_solid(scene)
-    if not solid:
-        of_solid = f" of {scene.material.name}" if scene.material is not None and scene.material2 is None else ""
-        near = "" if radius < _LARGE else f"; {_ELSEWHERE}"
-        return Note("displacement", f"ξ is assumed (--xi): none{of_solid} was measured at this size{near}")
-    values = by_data(scene, following[:MAX_TOLD]).values
-    own = scene.numbers(*values)
-    size = log(farthest(ratio(end, own[name]) for name, one in values.items() if one for end in (one.low, one.high)))
-    told = ", ".join(
-        f"{NOMENCLATURE[name].symbol} = {span(name, one.low, one.high)}" for name, one in values.items() if one
-    )
-    text = f"{told} by {_forces(solid, radius)}; ξ is assumed (--xi){_beyond_hysteresis(scene)}"
-    return Note("displacement", text, size=size)
+    if not assumes_displacement(scene) or radius < _SMALLEST or rolled_solid(scene):
+        return ""
+    of_solid = f" of {scene.material.name}" if scene.material is not None and scene.material2 is None else ""
+    near = "" if radius < _LARGE else f"; {_ELSEWHERE}"
+    return f"ξ is assumed (--xi): none{of_solid} was measured at this size{near}"
 
 
-def _forces(solid: str, radius: float) -> str:
+def _forces(scene: Scene) -> str:
     """Return what was measured, and how it was brought to the size of a scene."""
-    if solid != SIO2:
+    if rolled_solid(scene) != SIO2:
         return "displacements of polystyrene on glass at 5 µm, scaled to this size"
     text = f"forces on {SIO2} of 1 µm"
-    if abs(radius / ROLLED["radius"] - 1) < _ALIKE:
+    if abs(_radius(scene) / ROLLED["radius"] - 1) < _ALIKE:
         return text
     return f"{text} ({span('yield_force', *FORCES)}), scaled to this size"
 
@@ -249,11 +262,16 @@ def _beyond_hysteresis(scene: Scene) -> str:
     return f"; above Q = {span('yield_force', force, force)}, adhesion cannot lose enough"
 
 
-def note_of_rows(scene: Scene) -> Note:
-    """Return the note where ξ is assumed for rows of a kind, of which the scene is one."""
+_WORDS = {
+    **dict.fromkeys(codes_of(OF_LAW), _about_law),
+    "xi-off-data": _about_displacement,
+    "rough-matters": _about_roughness,
+}
+
+
+def about_displacement_of_rows(scene: Scene) -> str:
+    """Return what was measured where ξ is assumed for rows of a kind, of which the scene is one."""
     if scene.material is not None and not solid_of_kind(scene):
-        return Note("displacement", f"ξ is assumed (--xi): none of {scene.material.name} was measured")
+        return f"ξ is assumed (--xi): none of {scene.material.name} was measured"
     ends = span(XI, *displacements_where_measured(scene))
-    return Note(
-        "displacement", f"ξ is assumed (--xi): forces on {SIO2} of 1 µm mean {ends}, and it grows with the sphere"
-    )
+    return f"ξ is assumed (--xi): forces on {SIO2} of 1 µm mean {ends}, and it grows with the sphere"

@@ -1,6 +1,6 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property
 from math import log
 from typing import TYPE_CHECKING, Any
@@ -22,7 +22,6 @@ from ..scene.failures import (
 )
 from ..scene.limits import Doubt, doubts, not_judged
 from ..scene.scene import Scene
-from ..scene.wiring import depends_on
 from .notes import (
     about_given,
     about_limits,
@@ -31,9 +30,8 @@ from .notes import (
     about_results,
     about_uncertainties,
     assumed,
+    entering,
     model_error,
-    with_limits,
-    with_spacing,
 )
 from .questions import Question
 from .results import Note, Result, over_spacing, propagated_of, with_law
@@ -171,13 +169,9 @@ class Answer:
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
         return [
-            Note("warning" if doubt.limit.ends_meaning else "doubt", self.sentence(doubt), doubt.code, doubt.excess)
+            Note("warning" if doubt.limit.ends_meaning else "doubt", self.about(doubt), doubt.code, doubt.excess)
             for doubt in self.exceeded
         ]
-
-    def sentence(self, doubt: Doubt) -> str:
-        """Return what follows from a limit with its number."""
-        return doubt.sentence if doubt.limit.factor is None else self.about(doubt)
 
     @property
     def exceeded(self) -> list[Doubt]:
@@ -185,13 +179,11 @@ class Answer:
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=lambda doubt: -doubt.excess)
 
     def about(self, doubt: Doubt) -> str:
-        """Return what follows from a limit for these results: of a law that is not exact, what stands in their place."""
-        if not doubt.is_exceeded or doubt.limit.factor is None:
-            return doubt.text
-        from .alternatives import about_law
+        """Return what follows from a limit for these results, with the values that may stand in their place."""
+        from .alternatives import in_words
 
-        names = [name for name in self._known if name in self.question.headline]
-        return about_law(doubt, self.scene, names or self._known)
+        headline = [name for name in self._known if name in self.question.headline]
+        return in_words(doubt, self.scene, headline, self._known)
 
     @property
     def width(self) -> float:
@@ -199,18 +191,13 @@ class Answer:
         return min(map(_width, self.results), default=0.0)
 
     @cached_property
-    def _of_limits(self) -> Sequence[str]:
-        return self.scene.inputs_of(*(doubt.limit.name for doubt in self.validity if doubt.error is None))
-
-    @cached_property
-    def _entering(self) -> set[str]:
-        """The inputs of the results, with the atomic spacing if it enters a limit."""
-        return with_spacing(self.inputs, self._of_limits)
+    def _entering(self) -> tuple[set[str], set[str]]:
+        return entering(self.scene, self.shown)
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
         """What was assumed, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
-        return assumed(self.scene, self._entering, self._possible)
+        return assumed(self.scene, self._entering[0], self._possible)
 
     @cached_property
     def _possible(self) -> list[str]:
@@ -221,16 +208,11 @@ class Answer:
         """The sentences about the answer, but for doubts."""
         scene = self.scene
         found, sources = self._uncertainties
-        lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
-        unjudged = not_judged(self.validity)
-        lacking += [name for names in unjudged.values() for name in names]
-        displaced = self._about_displacement()
-        entering = with_limits(self.inputs, self._of_limits) | depends_on(lacking, [scene.law.name])
         return (
-            *about_given(scene, self._possible, self._entering, entering, displaced),
+            *about_given(scene, self._possible, *self._entering),
             *about_results([*self.results], scene),
             *about_missing([*self.results], self.errors),
-            *about_limits(unjudged),
+            *about_limits(not_judged(self.validity)),
             *(about_uncertainties(found, sources) if sources is not None else ()),
             *(about_lost_contacts(scene, sources) if sources is not None and self._has_bars_at_load else ()),
         )
@@ -240,15 +222,6 @@ class Answer:
         """True if results that depend on the load have error bars, all of them."""
         found, _ = self._uncertainties
         return "load" in self.inputs and bool(found) and not any(isinstance(one, JkrollError) for one in found.values())
-
-    def _about_displacement(self) -> list[Note]:
-        if XI not in self.inputs or XI in self.scene.given:
-            return []
-        from .alternatives import about_displacement
-
-        headline = [name for name in self._known if name in self.question.headline]
-        note = about_displacement(self.scene, headline) or about_displacement(self.scene, self._known)
-        return [] if note is None else [note]
 
     @cached_property
     def failure(self) -> JkrollError | None:

@@ -13,7 +13,7 @@ from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, sizes_in_words
-from ..scene.limits import Doubt
+from ..scene.limits import OF_LAW, Doubt
 from ..scene.scene import Scene
 from ..text import listed
 from .alternatives import Alternative, head_of
@@ -130,12 +130,15 @@ class Inferred(Answer):
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for what was measured; of a law that is not exact, the values by Maugis' law."""
-        if doubt.is_exceeded and doubt.limit.factor is not None and BETWEEN in self._by_law:
+        symbols = {name: symbol_beside(name, {*self.inputs, *self.assumed}) for name in self.problem.unknowns}
+        if doubt.bits & OF_LAW and BETWEEN in self._by_law:
             values = self._by_law[BETWEEN].values
-            symbols = {name: symbol_beside(name, {*self.inputs, *self.assumed}) for name in values}
             told = listed(f"{symbols[name]} = {span(name, one, one)}" for name, one in values.items())
             better = f"by Maugis' law, better here than {self.scene.law.title}"
             return f"{told} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
+        if doubt.code == "rough-matters":
+            unknowns = listed(symbols.values())
+            return f"{unknowns}: of smooth spheres; what rough ones give is an effective value, of this size alone"
         return self.forward.about(doubt)
 
     @cached_property
@@ -146,7 +149,7 @@ class Inferred(Answer):
         found, sources = self._uncertainties
         notes = (
             *self._proofs(self.solution),
-            *(note for note in self.forward.notes if note.kind != "roughness"),
+            *self.forward.notes,
             *about_missing([*self.results], {}),
             *(about_uncertainties(found, sources) if sources is not None else ()),
         )

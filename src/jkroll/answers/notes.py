@@ -2,20 +2,19 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from math import log
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
-from ..materials.library import Material
 from ..quantities.formatting import Format, amount, significant, span
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, of_sphere
+from ..scene.alternatives import assumes_displacement, is_at_displacement, rolling
 from ..scene.failures import NO_END, MissingInput, grouped, without_value
 from ..scene.limits import IMPACT, doubts, not_judged, touched
-from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
+from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
-from .results import Note, Result
+from .results import Kind, Note, Result
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -27,37 +26,31 @@ MAX_NAMES = 3  # of quantities in a note
 LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
 UNLIKE = 3.0  # ratio of two surface energies from which on a note has their harmonic mean
-ROUGH = 1e-6  # radius from which most spheres are rough
-_SMOOTH = 4.0  # the factor by which forces on smooth glass lie below the computed ones
-_OF_ROUGH = 100.0  # and those on rough grains in air, at most
 _STICKING = "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, of silica-dry 1.7 m/s"
-_ELASTIC = ("youngs_modulus", "poisson_ratio")
+_OF_TURNING = ("yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment")
 # The models of the rolling moment.
 MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 
 
 def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     """Return the notes that follow from what is given, and not from numbers: they are the same for all rows of a kind."""
-    possible = scene.possible(names)
-    if not possible:
+    if not (possible := scene.possible(names)):
         return []
-    inputs, entering = _entering_rows(scene, names)
-    displaced = []
-    if XI in inputs and XI not in scene.given:
-        from .alternatives import note_of_rows
-
-        displaced = [note_of_rows(scene)]
-    left_out: list[Note] = []
+    notes: list[Note] = []
     if scene.is_uncertain:
         from ..scene.uncertainty import sources_of_results
 
         with suppress(JkrollError):  # each row says which kinds do not go together
-            notes = about_uncertainties({}, sources_of_results(scene, possible))
-            left_out = [note._replace(kind="caveat") for note in notes]  # that of some rows
-    given = about_given(scene, possible, inputs, entering, displaced)
+            bars = about_uncertainties({}, sources_of_results(scene, possible))
+            notes += [note._replace(kind="caveat") for note in bars]  # that of some rows
+    if rolling(possible, scene.law.name) and assumes_displacement(scene):
+        from .alternatives import about_displacement_of_rows
+
+        notes.append(Note("displacement", about_displacement_of_rows(scene)))
+    inputs, needed = entering(scene, names)
     return [
-        *left_out,
-        *(note for note in given if note.kind not in ("material", "assumed")),
+        *notes,
+        *(note for note in about_given(scene, possible, inputs, needed) if note.kind not in ("material", "assumed")),
         *about_conventions(scene, possible),
         *about_limits(not_judged(doubts(scene, possible))),
     ]
@@ -65,42 +58,31 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
 
 def assumed_of_rows(scene: Scene, names: Sequence[str]) -> dict[str, str]:
     """Return what was assumed for rows of a kind, each with the option that sets it, by name."""
-    possible = scene.possible(names)
-    return assumed(scene, _entering_rows(scene, names)[0], possible, has_values=False) if possible else {}
+    return assumed(scene, entering(scene, names)[0], scene.possible(names), has_values=False)
 
 
-def _entering_rows(scene: Scene, names: Sequence[str]) -> tuple[set[str], set[str]]:
-    """Return the inputs of rows of a kind, and those on which anything depends, or would if more were given."""
+def entering(scene: Scene, names: Sequence[str]) -> tuple[set[str], set[str]]:
+    """Return the inputs of quantities, and those on which anything depends, or would if more were given.
+
+    The atomic spacing is among the former if it enters a limit, as it enters few answers. A load that enters limits
+    alone is not among the latter: it was meant for more.
+    """
     possible = scene.possible(names)
     every = [*names, *(limit.name for limit in touched(scene, possible))]
-    of_limits = scene.inputs_of(*scene.possible(every))
-    inputs = with_spacing(scene.inputs_of(*possible), of_limits)
-    return inputs, with_limits(inputs, of_limits) | depends_on(scene.missing(every), [scene.law.name])
+    own, of_limits = {*scene.inputs_of(*possible)}, {*scene.inputs_of(*scene.possible(every))}
+    needed = (own | of_limits) - (STATE_OR_LOAD - own) | depends_on(scene.missing(every), [scene.law.name])
+    return own | of_limits.intersection(["atomic_spacing"]), needed
 
 
-def with_spacing(inputs: Collection[str], of_limits: Collection[str]) -> set[str]:
-    """Return the inputs of some results, with the atomic spacing if it enters a limit: it enters few answers."""
-    return {*inputs, *{"atomic_spacing"}.intersection(of_limits)}
-
-
-def with_limits(inputs: Collection[str], of_limits: Collection[str]) -> set[str]:
-    """Return the inputs of some results, with those of limits. A load that enters limits alone is told as idle: it was meant for more."""
-    return {*inputs, *of_limits} - (STATE_OR_LOAD - {*inputs})
-
-
-def about_given(
-    scene: Scene, names: list[str], inputs: Collection[str], entering: Collection[str], displaced: Sequence[Note] = ()
-) -> list[Note]:
-    """Return the notes that follow from what is given, with those on the displacement that is assumed first.
-
-    `inputs`: on which the quantities depend; `entering`: on which anything depends, or would if more were given.
-    """
+def about_given(scene: Scene, names: list[str], inputs: Collection[str], needed: Collection[str]) -> list[Note]:
+    """Return the notes that follow from what is given; `inputs` and `needed`: as from `entering`."""
     texts = assumed(scene, inputs, names).values()
+    steps = {step.name for step in scene.plan(*names).steps}
     return [
-        *displaced,
         *([Note("assumed", f"assumed: {', '.join(texts)}")] if texts else []),
-        *assumptions(scene, inputs, names),
-        *about_idle(scene, entering),
+        *(Note("result", text) for text in _about_work(scene, inputs, steps)),
+        *(Note("assumption", text) for text in _about_shear(scene, steps)),
+        *about_idle(scene, needed),
         *about_data(scene, inputs),
     ]
 
@@ -135,41 +117,25 @@ def parts_of_assumed(names: Collection[str]) -> list[str]:
     ]
 
 
-def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
-    """Return notes on what was assumed about the bodies."""
-    steps = {step.name for step in scene.plan(*names).steps}
-    notes = []
+def _about_work(scene: Scene, inputs: Collection[str], steps: Collection[str]) -> Iterator[str]:
+    """Iterate over what a Hamaker constant stands for, also at another cutoff, and the harmonic mean of two unlike surface energies."""
     if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
-        notes.append(_about_hamaker(scene))
-    if "work_of_adhesion" in steps and "surface_energy2" in inputs and (text := _of_unlike(scene)):
-        notes.append(Note("result", text))
-    return notes + [Note("assumption", text) for text in _about_shear(scene, steps)]
-
-
-def _of_unlike(scene: Scene) -> str:
-    """Return the work of adhesion by the harmonic mean, where two surface energies are unlike: the geometric one is an upper estimate."""
+        values = ((name, scene[name]) for name in ("work_of_adhesion", "atomic_spacing"))
+        here = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in values)
+        other = next(cutoff for cutoff in CUTOFFS if cutoff != scene["cutoff"])
+        work = amount("work_of_adhesion", scene.replace(cutoff=other)["work_of_adhesion"])
+        yield f"{here}; at D0 = {amount('cutoff', other)}, w = {work}"
     energies: list[Any] = [scene.values.get(name) for name in ("surface_energy", "surface_energy2")]
-    if not all(isinstance(energy, float) for energy in energies) or max(energies) <= UNLIKE * min(energies):
-        return ""
-    work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
-    return f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike: --work-of-adhesion"
-
-
-def _about_hamaker(scene: Scene) -> Note:
-    """Return the work of adhesion and the atomic spacing that a Hamaker constant stands for, and the former at another cutoff."""
-    found = ", ".join(
-        f"{symbol_of(name)} = {amount(name, scene[name])}" for name in ("work_of_adhesion", "atomic_spacing")
-    )
-    other = next(one for one in CUTOFFS if one != scene["cutoff"])
-    far = amount("work_of_adhesion", scene.replace(cutoff=other)["work_of_adhesion"])
-    return Note("result", f"{found}; at D0 = {amount('cutoff', other)}, w = {far}")
+    is_mixed = "work_of_adhesion" in steps and "surface_energy2" in inputs
+    if is_mixed and all(isinstance(one, float) for one in energies) and max(energies) > UNLIKE * min(energies):
+        work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
+        yield f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike: --work-of-adhesion"
 
 
 def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
     """Iterate over what is assumed of the contact under shear, given the quantities on the way to the results."""
-    are_alike = all(
-        scene.given.get(of_sphere(2, name), one) == one for name, one in scene.given.items() if name in _ELASTIC
-    )
+    of_1 = {name: scene.given.get(name) for name in ("youngs_modulus", "poisson_ratio")}
+    are_alike = all(scene.given.get(of_sphere(2, name), value) == value for name, value in of_1.items())
     if "shear_strength" in steps:
         softer = "" if are_alike else " of the softer solid, a rule of this program"
         yield f"sliding and twisting are known to an order of magnitude: τ = G/4π²{softer} (--shear-strength)"
@@ -199,84 +165,76 @@ def idle_in_words(names: Sequence[str]) -> str:
 def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
     """Return notes on the material data that were used, those on shadowed materials first."""
     used = scene.data_used(inputs)
-    shadows = [Note("material", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
-    remarks = [
-        # A property whose origin is stated says what is against it.
-        Note(
-            "caveat" if name in material.origins else "data",
-            f"{symbol_of(name).rstrip('12')} of {material.name}: {material.notes[name]}",
-        )
-        for material, name in used
-        if name in material.notes
-    ]
-    return [*dict.fromkeys(shadows + remarks), *_about_own_displacement(used)]
-
-
-def _about_own_displacement(used: Iterable[tuple[Material, str]]) -> Iterator[Note]:
-    """Iterate over the note on a yield displacement that is a material's, measured with spheres of one radius."""
+    notes = [Note("material", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
     for material, name in used:
+        if name in material.notes:
+            # A property whose origin is stated says what is against it.
+            kind: Kind = "caveat" if name in material.origins else "data"
+            notes.append(Note(kind, f"{symbol_beside(name, ())} of {material.name}: {material.notes[name]}"))
         if name == XI and material.displacement is not None:
-            measured = (
-                f"{material.name}: ξ was measured with spheres of {amount('radius', material.displacement.radius)}"
-            )
-            yield Note("data", f"{measured}; elsewhere it is the range between our scalings, R^(2/3) to R")
+            radius = amount("radius", material.displacement.radius)
+            text = f"{material.name}: ξ was measured with spheres of {radius}; elsewhere it is the range between our scalings, R^(2/3) to R"
+            notes.append(Note("data", text))
+    return [*dict.fromkeys(notes)]
 
 
-def about_results(results: list[Result], scene: Scene) -> list[Note]:
+def about_results(results: Sequence[Result], scene: Scene) -> list[Note]:
     """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
     names = [result.name for result in known]
-    notes: list[Note] = []
-    if not scene.is_identical and (unlike := [name for name in names if NOMENCLATURE[name].of_identical]):
-        text = f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone"
-        notes.append(Note("warning", text))
-    notes += about_conventions(scene, names)
-    if "n_grav" in names and not scene.is_identical:
-        carried = f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}"
-        notes.append(Note("caveat", carried))
+    errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
+    return [
+        *about_conventions(scene, names),
+        *_about_impact(scene, names),
+        *_about_contact(scene, names),
+        *([Note("model", f"off the exact moment of this contact: {errors}")] if errors else []),
+    ]
+
+
+def _about_impact(scene: Scene, names: Collection[str]) -> Iterator[Note]:
+    """Iterate over notes on what happens in a collision."""
+    if "sticking_speed" in names and "viscous_time" not in scene.stated:
+        yield Note("result", _STICKING)
+    if scene.values.get("restitution") == 0 and "restitution" in names:
+        speed = amount("sticking_speed", scene["sticking_speed"])
+        yield Note("result", f"e = 0: they stick, as v_stick = {speed} is not below v")
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
         whose = "" if scene.law.is_default else " of JKR"
         ratios = scene.numbers("energy_over_sticking").values()  # none in a law without U_stick
         size = "".join(f" is {one:.3g} U_stick, the largest energy that sticks" for one in ratios)
-        notes += [Note("result", f"W0 = P_cδ0{whose}{size}")] if whose or size else []
-    if {"yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment"} <= {*names}:
-        notes.append(_first_to_yield(scene))
-    if not {"pull_off_force", "bond_number"}.isdisjoint(names) and scene.values.get("radius", 0.0) >= ROUGH:
-        notes.append(Note("roughness", _about_roughness(scene), size=log(_SMOOTH)))
-    if scene.values.get("restitution") == 0 and "restitution" in names:
-        speed = amount("sticking_speed", scene["sticking_speed"])
-        notes.insert(0, Note("result", f"e = 0: they stick, as v_stick = {speed} is not below v"))
-    if "sticking_speed" in names and "viscous_time" not in scene.stated:
-        notes.insert(0, Note("result", _STICKING))
-    notes += about_law(scene, names)
-    notes += _about_hysteresis(scene, names)
-    errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
-    return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
+        if whose or size:
+            yield Note("result", f"W0 = P_cδ0{whose}{size}")
 
 
-def _about_hysteresis(scene: Scene, names: Collection[str]) -> list[Note]:
-    """Return a note on the part of the work of adhesion that a displacement stands for, or on the displacement for which a part stands."""
-    if not any(name != XI and XI in depends_on([name], [scene.law.name]) for name in names):
-        return []
-    if scene.given.keys().isdisjoint(IN_ITS_PLACE[1:]):
-        ratio = scene.numbers("hysteresis_ratio").get("hysteresis_ratio", 1.0)
-        lost = f"{significant(100 * ratio, 2)} % of w must be lost where the contact opens and closes"
-        text = f"to roll so, {lost}" if ratio < 1 else ""
-    else:
-        found = scene.numbers(XI) if XI not in names else {}
-        text = "".join(f"this Δw stands for ξ = {amount(XI, value)}" for value in found.values())
-    return [Note("model", text)] if text else []
-
-
-def about_law(scene: Scene, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over the notes on results under a law other than JKR, most of them on Maugis'."""
+def _about_contact(scene: Scene, names: Collection[str]) -> Iterator[Note]:
+    """Iterate over notes on what a contact is, what gives way first in it, and what the displacement stands for."""
+    unlike = [] if scene.is_identical else [name for name in names if NOMENCLATURE[name].of_identical]
+    if unlike:
+        yield Note("warning", f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone")
+    if "n_grav" in names and not scene.is_identical:
+        yield Note("caveat", f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
+    if {*_OF_TURNING} <= {*names}:
+        yield _first_to_yield(scene)
     of_jkr = [name for name in ("sticking_energy_paszun_dominik", "sticking_energy_pencil_code") if name in names]
     if of_jkr and not scene.law.is_default:
         yield Note("result", f"{', '.join(map(symbol_of, of_jkr))}: multiples of P_cδ0 and F_cδ_c of JKR")
-    if scene.law.name != BETWEEN:
-        return
-    if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
+    if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
         yield Note("result", "a: the spheres are bound without touching")
+    if rolling(names, scene.law.name):
+        from .alternatives import about_unmeasured
+
+        texts: dict[Kind, str] = {"displacement": about_unmeasured(scene), "model": _about_hysteresis(scene, names)}
+        yield from (Note(kind, text) for kind, text in texts.items() if text)
+
+
+def _about_hysteresis(scene: Scene, names: Collection[str]) -> str:
+    """Return the part of the work of adhesion that a displacement stands for, or the displacement for which a part stands."""
+    if is_at_displacement(scene):
+        ratio = scene.numbers("hysteresis_ratio").get("hysteresis_ratio", 1.0)
+        lost = f"{significant(100 * ratio, 2)} % of w must be lost where the contact opens and closes"
+        return f"to roll so, {lost}" if ratio < 1 else ""
+    found = scene.numbers(XI) if XI not in names else {}
+    return "".join(f"this Δw stands for ξ = {amount(XI, value)}" for value in found.values())
 
 
 def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
@@ -293,17 +251,6 @@ def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
         text = f"a sphere that arrives at a speed does not spin yet and turns n_imp times; {listed(spinning)} {are} of one that rolls from the start"
         notes.insert(0, Note("caveat", text))
     return notes
-
-
-def _about_roughness(scene: Scene) -> str:
-    """Return what was measured where the pull-off force is that of smooth spheres."""
-    forces = scene.numbers("pull_off_force").values()
-    ends = ((_SMOOTH, 2.0), (_OF_ROUGH, 10.0))
-    smooth, rough = (
-        "".join(f" ({span('pull_off_force', force / most, force / least)} here)" for force in forces)
-        for most, least in ends
-    )
-    return f"on smooth glass 1/2 to 1/4 of P_c was measured{smooth}, of rough grains in air 1/10 to 1/100{rough}"
 
 
 def _first_to_yield(scene: Scene) -> Note:

@@ -82,7 +82,7 @@ class Answered:
         """The limits of the model that do not hold, the one that is exceeded most first."""
         return tuple(
             Exceeded(
-                self._found.sentence(doubt),
+                self._found.about(doubt),
                 doubt.code,
                 doubt.limit.name,
                 doubt.value,

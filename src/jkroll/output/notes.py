@@ -10,7 +10,7 @@ from ..answers.results import Kind, Note
 from ..errors import JkrollError
 from ..rows.columns import Columns
 from ..rows.reasons import Tally
-from ..scene.limits import ENDING_MEANING, MEANINGS, OF_LAW, codes_of
+from ..scene.limits import ENDING_MEANING, IN_COLUMNS, MEANINGS, OF_LAW, codes_of
 from ..scene.scene import Scene
 from ..text import first_of
 
@@ -21,7 +21,7 @@ _MORE = "more: --explain"
 _OF_ROWS = "jkroll guide models"
 _BEHIND = ("model", "data")  # kinds that change nothing that a reader does: in explanations
 _KINDS = get_args(Kind)
-_FIRST_DOUBT, _AFTER_ERROR_BARS = "displacement", "assumed"  # the kinds in whose place doubts stand
+_FIRST_DOUBT, _AFTER_ERROR_BARS = "doubt", "assumed"  # the kinds in whose place doubts stand
 
 
 def of_answer(answer: Answer, *, has_head: bool = False, quiet: bool = False) -> list[str]:
@@ -79,6 +79,9 @@ def every_line(answer: Answer) -> list[str]:
     ]
 
 
+_WORST_FIRST = tuple(code for code in CODES if code not in codes_of(OF_LAW))
+
+
 class OfRows:
     """The notes of rows: empty cells, and doubts with their numbers of rows, counted while columns are written."""
 
@@ -106,10 +109,10 @@ class OfRows:
 
         It has columns beside the values of a law that is not exact, too.
         """
-        codes, of_law = self.tally.codes, codes_of(OF_LAW)
+        of_law, left_out = codes_of(OF_LAW), codes_of(IN_COLUMNS) if has_table else ()
+        codes = sorted(self.tally.codes, key=of_law.__contains__)  # those of the law last
         ending = [code for code in codes if code in ENDING_MEANING]
-        others = [code for code in codes if code not in (*ENDING_MEANING, *of_law)]
-        doubts = [*others, *([] if has_table else [code for code in reversed(of_law) if code in codes])]
+        doubts = [code for code in codes if code not in (*ending, *left_out)]
         found = [Note("warning", self._counted(ending, "numbers have no meaning"))] if ending else []
         if quiet:
             return _lines(found)

@@ -19,7 +19,7 @@ from ..quantities.units import Unit, convert
 from ..quantities.values import of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA
-from ..scene.limits import OF_LAW, codes_of
+from ..scene.limits import IN_COLUMNS, OF_LAW, codes_of
 from ..text import NO_BREAK_SPACE, fitting, say, terminal_width, wrapped
 
 if TYPE_CHECKING:
@@ -188,10 +188,10 @@ class _Pairs:
 
     @cached_property
     def doubts(self) -> list[str]:
-        """The worst doubt of each pair, with the number of others; one about the law has a column of values."""
+        """The worst doubt of each pair, with the number of others; one about the law or the displacement has a column of values."""
         texts = []
         for bits in as_list(self.columns.doubts):
-            codes = codes_of(bits & ~OF_LAW)
+            codes = codes_of(bits & ~IN_COLUMNS)
             texts.append(codes[0] + (f" ({len(codes) - 1} more)" if codes[1:] else "") if codes else "")
         return texts
 

@@ -9,12 +9,12 @@ from math import log, log10
 from typing import Any, NamedTuple
 
 from ..materials.library import Materials
-from ..quantities.formatting import in_units
+from ..quantities.formatting import AS_USUAL, in_units
 from ..quantities.laws import DEFAULT_LAW, LAWS, Law
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..scene.failures import MissingInput
-from ..scene.limits import LIMITS, Doubt, Limit, judged, touched
+from ..scene.limits import LIMITS, OF_LAW, Doubt, Limit, judged, percent, touched
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..scene.wiring import has_law
@@ -229,10 +229,13 @@ def beyond(doubt: Doubt, law: Law, known: Any) -> Iterator[tuple[float, str, Any
 
 def _beyond(limit: Limit, threshold: float, law: Law) -> str:
     """Return what holds beyond a threshold."""
-    condition, _, consequence = limit.text(threshold).partition(": ")
+    if limit.bits & OF_LAW:
+        return f"{law.title} is off by more than {percent(threshold)}"
+    meaning = limit.consequence.partition(";")[0]
     if limit.factor is not None:
-        return f"{law.title} is {condition}"
-    return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {threshold:g}⟧: {consequence.partition(';')[0]}"
+        return meaning
+    number, unit = AS_USUAL.rounded(limit.name, threshold)
+    return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧{unit and f' {unit}'}: {meaning}"
 
 
 def limits_on_map(

@@ -39,6 +39,11 @@ def at_half_spacing(scene: Scene) -> Scene:
     return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
 
 
+def rolling(names: Iterable[str], law: str) -> list[str]:
+    """Return those of some quantities that follow from the yield displacement under a law."""
+    return [name for name in names if name != XI and XI in depends_on([name], [law])]
+
+
 def is_at_displacement(scene: Scene) -> bool:
     """Return whether equal inputs are equal displacements, and not equal hystereses."""
     return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
@@ -88,12 +93,17 @@ _SIZES = {
 
 def rolled_solid(scene: Scene) -> str:
     """Return the solid on which rolling was measured, if both spheres are of it, near enough in size, and ξ is assumed; else an empty text."""
-    if not (solid := solid_of_kind(scene)):
-        return ""
+    solid = solid_of_kind(scene)
+    return solid if solid and _is_near(scene, solid) else ""
+
+
+def _is_near(scene: Scene, solid: str) -> Any:
+    """Return whether spheres of a solid have the size and the surface energy of those that were rolled, by element for arrays."""
     known = scene.numbers("surface_energy", "reduced_radius")
-    has_energy = solid != SIO2 or _OF_SPHERES[0] <= known["surface_energy"] <= _OF_SPHERES[1]
-    has_size = _SIZES[solid][0] <= 2 * known.get("reduced_radius", 0.0) <= _SIZES[solid][1]
-    return solid if has_energy and has_size else ""
+    least, most = _SIZES[solid]
+    low, high = _OF_SPHERES if solid == SIO2 else (0.0, INFINITY)
+    radius, energy = 2 * known.get("reduced_radius", 0.0), known["surface_energy"]
+    return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
 
 
 def solid_of_kind(scene: Scene) -> str:
@@ -148,6 +158,13 @@ def at_most_measured(scene: Scene) -> Scene:
     return scene.replace(**{XI: _measured(scene).high}).with_results_of(scene, IN_ITS_PLACE)
 
 
+def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
+    """Return how far the assumed displacement is from what forces on the same solid mean, as the larger factor; 1 where none is near enough."""
+    measured, solid = _measured(scene), solid_of_kind(scene)
+    factor = farthest(end / scene[XI] for end in (measured.low, measured.high))
+    return where(_is_near(scene, solid), factor, 1.0)
+
+
 # --- Columns of rows --------------------------------------------------------------------------------------------------
 
 DATA = ("data_low", "data_high")  # the ends of what measured forces mean
@@ -198,11 +215,11 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     other = by_law(scene)
     missing = other.missing([*names])
     own = scene.numbers(*(name for name in names if name not in missing and uses_law(other, name)))
-    rolling = [name for name in own if XI in depends_on([name], [BETWEEN])]
-    reading = at_other_reading(scene) if rolling else None
+    rolled = rolling(own, BETWEEN)
+    reading = at_other_reading(scene) if rolled else None
     compared = [*other.evaluate([*own]).items()]
     if reading is not None:
-        compared += reading.evaluate(rolling).items()
+        compared += reading.evaluate(rolled).items()
     if "pull_off_force" in own:
         fit = scene.evaluate(["pull_off_force_lennard_jones"])
         compared += (("pull_off_force", value) for value in fit.values())

@@ -8,9 +8,10 @@ from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import ln, where
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD
-from .alternatives import factor_of_law
+from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
+from .alternatives import factor_of_data, factor_of_law, solid_of_kind
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
 
@@ -28,15 +29,14 @@ class Limit(NamedTuple):
     touches: frozenset[str]
     sign: Literal["<", "<=", ">", ">="]
     codes: Mapping[float, str]  # by threshold
-    condition: str  # of a number beyond the threshold, which may stand in it as {}
-    consequence: str
+    consequence: str  # for a number beyond the threshold
     fine: str
-    stated: frozenset[str] = frozenset()  # inputs; unless one of them was stated, the limit is not judged
+    applies: Callable[[Scene, Collection[str]], bool] | None = None  # to some answers of a scene; None: to all
     laws: tuple[str, ...] = ()  # of attraction, under which alone the limit is judged
     ends_meaning: bool = False  # a number that is said to be in doubt has no meaning
     conclusion: str = ""  # the name of what follows, if it is not that of the number
     factor: Callable[[Scene, Collection[str]], Any] | None = (
-        None  # what is judged, if it is not the number beside which it is told
+        None  # between answers and what may stand in their place, which is judged in place of the number
     )
 
     def level(self, number: Any) -> Any:
@@ -65,10 +65,6 @@ class Limit(NamedTuple):
     def bits(self) -> int:
         """All codes as bits."""
         return (1 << len(self.codes)) - 1 << self.place
-
-    def text(self, threshold: float) -> str:
-        """Return what a number beyond a threshold is, and what follows for an answer."""
-        return f"{self.condition}: {self.consequence}".replace("{}", in_words(threshold))
 
 
 class Doubt(NamedTuple):
@@ -115,14 +111,11 @@ class Doubt(NamedTuple):
 
     @property
     def text(self) -> str:
-        """The consequence of the number for an answer."""
-        level: int = self.level
-        return self.limit.text([*self.limit.codes][level - 1]) if level else self.limit.fine
-
-    @property
-    def sentence(self) -> str:
-        """The consequence with the number: "contact radius below 3 atoms (a/z0 = 2.15)"."""
-        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {self.value:.3g})"
+        """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
+        if not self.is_exceeded:
+            return self.limit.fine
+        number = amount(self.limit.name, self.value, _SHORT)
+        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number})"
 
     @property
     def bits(self) -> Any:
@@ -132,7 +125,10 @@ class Doubt(NamedTuple):
         return (1 << self.level >> 1) << self.limit.place
 
 
-def in_words(factor: float) -> str:
+_SHORT = Format(digits=3)
+
+
+def percent(factor: float) -> str:
     """Return a factor as a text: "5 %", "a factor of 2"."""
     return f"{100 * (factor - 1):.0f} %" if 1 < factor < 2 else f"a factor of {factor:g}"
 
@@ -145,70 +141,78 @@ _STICKING = frozenset({"sticking_energy", "sticking_speed"})
 JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 IMPACT = frozenset({"energy", "energy_ratio", "speed"})
+_PULLED = frozenset({"pull_off_force", "bond_number"})
 
 LAW_MATTERS = 1.05  # factor between the answers of two laws
+DATA_MATTER = 1.0  # and between the assumed displacement and that of measured forces
+
+
+def _is_stated(names: Collection[str]) -> Callable[[Scene, Collection[str]], bool]:
+    """Return whether one of some inputs was stated, as a function of a scene."""
+    return lambda scene, _: not scene.stated.keys().isdisjoint(names)
+
 
 # The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
 LIMITS = (
     Limit(
         "tabor_parameter", _ELASTICITY, ">", {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-        "off by more than {}", f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {{}}",
+        f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {{}}",
         f"within 5 % of {LAWS[BETWEEN].title}",
         laws=tuple(law for law in LAWS if law != BETWEEN),
         factor=factor_of_law,
     ),
-    Limit("tabor_parameter", _ELASTICITY, ">", {}, "", "", f"{LAWS[BETWEEN].title} covers all from DMT to JKR", laws=(BETWEEN,)),
+    Limit("tabor_parameter", _ELASTICITY, ">", {}, "", f"{LAWS[BETWEEN].title} covers all from DMT to JKR", laws=(BETWEEN,)),
     Limit(
         "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
-        "at or beyond pull-off", "only fixed grips hold this state",
+        "only fixed grips hold this state",
         "stable at its load",
-        STATE_OR_LOAD,
+        _is_stated(STATE_OR_LOAD),
         ends_meaning=True,
     ),
     Limit(
         "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "xi-over-limit"},
-        "above 1", "ξ is too large for the formula, the leading edge would interpenetrate",
+        "ξ is too large for the formula, the leading edge would interpenetrate",
         "below 1: the shifted contact is possible",
         ends_meaning=True,
     ),
     Limit(
         "displacement_over_contact_radius", _DISPLACEMENT, ">", {1.0: "xi-over-contact"},
-        "above 1", "ξ is larger than the contact",
+        "ξ is larger than the contact",
         "below 1: ξ is within the contact",
         ends_meaning=True,
     ),
     Limit(
         "rolling_over_sliding", frozenset({"yield_force"}), ">=", {1.0: "slides-first"},
-        "above 1", "the contact slides or peels off before it rolls",
+        "the contact slides or peels off before it rolls",
         "below 1: it rolls before it slides or peels off",
         ends_meaning=True,
     ),
     Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
-        "below 1", "the contact peels off before it slides, if it is brittle",
+        "the contact peels off before it slides, if it is brittle",
         "above 1: it slides before it peels off",
     ),
     Limit(
         "yield_angle", frozenset({"yield_angle", "r_min"}), ">", {1.0: "large-angle"},
-        "above 1 rad", "angles are small in the model",
+        "angles are small in the model",
         "below 1 rad: a small angle",
     ),
     Limit(
         "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
-        "below 1", "no chain bends within one of its spheres",
+        "no chain bends within one of its spheres",
         "above 1: a chain can bend so far",
         ends_meaning=True,
     ),
     Limit(
         "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
-        "below 1", "held out level, even one sphere rolls down; it falls off where Bo is below 1",
+        "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         "above 1: a sphere stands out level",
         ends_meaning=True,
     ),
     *(
         Limit(
             "energy_over_yield", frozenset({turns}), "<=", {least: code},
-            f"below {least:g}", f"with {energy} the contact springs back",
+            f"with {energy} the contact springs back",
             f"above {least:g}: with {energy} it rolls",
             ends_meaning=True,
         )
@@ -220,41 +224,53 @@ LIMITS = (
     ),
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
-        "above 1", "after a head-on impact on a held body 2, elastic spheres do not stick",
+        "after a head-on impact on a held body 2, elastic spheres do not stick",
         "below 1: the spheres stick",
-        IMPACT,
+        _is_stated(IMPACT),
         ends_meaning=True,
     ),
     Limit(
         "hysteresis_ratio", _MOMENT, ">", {1.0: "moment-unexplained"},
-        "above 1", "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
+        "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
         "below 1: adhesion hysteresis can supply it",
     ),
     Limit(
         "tabor_parameter", _STICKING, "<", {JUMP: "sticking-unsure"},
-        f"below {JUMP:g}", "the contact forms and opens smoothly, adhesion alone loses almost no energy",
+        "the contact forms and opens smoothly, adhesion alone loses almost no energy",
         "contacts jump together and apart",
         conclusion="has_jump",
     ),
     Limit(
-        "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "damping-fitted"},
-        "above 0",
+        "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "fitted-elsewhere"},
         "the viscous time was fitted at one size, and v_stick holds there alone; one code has 31.6 ps for silica of 0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
         "no viscous damping",
     ),
     Limit(
+        XI, _DISPLACEMENT, ">", {DATA_MATTER: "xi-off-data"},
+        "ξ is assumed, and forces measured on the same solid mean another",
+        "no other ξ of this solid was measured near this size",
+        lambda scene, _: bool(solid_of_kind(scene)) and not scene.missing(["reduced_radius"]),
+        factor=factor_of_data,
+    ),
+    Limit(
+        "radius", _PULLED, ">=", {1e-6: "rough-matters"},
+        "most spheres of this size are rough, measured forces are 1/2 to 1/100 of P_c",
+        "many spheres of this size are smooth",
+        lambda _, names: not _PULLED.isdisjoint(names),
+    ),
+    Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
-        "below 3", "contact radius below 3 atoms",
+        "contact radius below 3 atoms",
         "many atoms in the contact",
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "above 0.1", "even a solid without flaws yields under less; no plasticity is modelled",
+        "even a solid without flaws yields under less; no plasticity is modelled",
         "below 0.1: a solid without flaws would not yield",
     ),
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
-        "above 1 %", "contact too wide for the formulas",
+        "contact too wide for the formulas",
         "below 1 %: narrow enough for the formulas",
     ),
 )  # fmt: skip
@@ -262,14 +278,15 @@ LIMITS = (
 # In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
 CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
 MEANINGS = {
-    code: limit.consequence.partition(";")[0].replace("{}", in_words(threshold))
+    code: limit.consequence.partition(";")[0].replace("{}", percent(threshold))
     for limit in LIMITS
     for threshold, code in limit.codes.items()
 }
 ENDING_MEANING = frozenset(code for limit in LIMITS if limit.ends_meaning for code in limit.codes.values())
 NOT_JUDGED = 1 << len(CODES)
 UNCHECKED = "unchecked"
-OF_LAW = sum(limit.bits for limit in LIMITS if limit.factor is not None)  # the codes of a law that is not exact
+OF_LAW = LIMITS[0].bits  # the codes of a law that is not exact
+IN_COLUMNS = sum(limit.bits for limit in LIMITS if limit.factor is not None)  # and of what has columns of values
 
 
 def doubts(scene: Scene, names: Collection[str]) -> list[Doubt]:
@@ -284,8 +301,8 @@ def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> lis
         if isinstance(value, MissingInput):
             found.append(Doubt(limit, nan, nan, value))
             continue
-        number = value if limit.factor is None else where(value == value, limit.factor(scene, names), nan)  # noqa: PLR0124
-        found.append(Doubt(limit, value, number))
+        judged = value if limit.factor is None else where(value == value, limit.factor(scene, names), nan)  # noqa: PLR0124
+        found.append(Doubt(limit, value, judged))
     return found
 
 
@@ -307,7 +324,7 @@ def touched(scene: Scene, names: Collection[str]) -> list[Limit]:
         for limit in LIMITS
         if limit.touches & used
         and (not limit.laws or scene.law.name in limit.laws)
-        and (not limit.stated or limit.stated & scene.stated.keys())
+        and (limit.applies is None or limit.applies(scene, names))
     ]
 
 
