@@ -137,7 +137,7 @@ def test_doubts_stand_by_size_unless_error_bars_are_wider(run: Run, words: str, 
 
 def test_every_law_has_its_own_doubt(run: Run) -> None:
     notes = run("pull-off quartz 100nm,900nm --model jkr,dmt").err.splitlines()
-    assert notes[1].startswith("note: doubts: law-off-25% in 1, law-off-5% in 2 of 4 rows")
+    assert notes[1].startswith("note: doubts: law-off-5% in 2, law-off-25% in 1 of 4 rows")
 
 
 @pytest.mark.parametrize("topic", ["dem", "energies", "tables"])

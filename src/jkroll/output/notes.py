@@ -79,9 +79,6 @@ def every_line(answer: Answer) -> list[str]:
     ]
 
 
-_WORST_FIRST = tuple(code for code in CODES if code not in codes_of(OF_LAW))
-
-
 class OfRows:
     """The notes of rows: empty cells, and doubts with their numbers of rows, counted while columns are written."""
 
