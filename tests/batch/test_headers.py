@@ -517,12 +517,12 @@ PARTS = {
 
 def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
     header = understood(["label", "±", "R1 [nm]", "note", "gamma [mJ/m2]", "+/-"])
-    assert {column.name: [side.place for side in column.sides] for column in header.inputs} == {
+    assert {column.name: [*column.sides.values()] for column in header.inputs} == {
         "radius": [],
         "surface_energy": [5],
     }
     assert (
-        understood(["gamma [mJ/m2]", "error"]).inputs[0].sides == ()
+        understood(["gamma [mJ/m2]", "error"]).inputs[0].sides == {}
     )  # which may be that of the measurement, or a code
 
 
@@ -531,7 +531,7 @@ def test_what_belongs_to_a_chosen_column_is_chosen_with_it() -> None:
         names = ["R1 [um]", "F [nN]", "G_err", "F2_err", beside]
         meanings = stated_meanings(names, ["F [nN]=pull_off_force"], "pull_off_force")
         columns = {column.name: column for column in understood(names, [], meanings).inputs}
-        assert [side.place for side in columns["pull_off_force"].sides] == [4]
+        assert [*columns["pull_off_force"].sides.values()] == [4]
         meanings = stated_meanings(names, ["F [nN]=pull_off_force", f"{beside}="], "pull_off_force")
         assert not any(column.sides for column in understood(names, [], meanings).inputs)
 

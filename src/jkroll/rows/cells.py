@@ -35,15 +35,8 @@ _PLUS_MINUS = re.compile(r"±|\+/?[-−]")
 _OF_VALUE = re.compile(r"(?:(?:±|\+/?-)[^±]*%)?$", re.DOTALL)  # as in 25±20 %
 _BARE = re.compile(r"(?:[-+±()/.0-9\s]|(?<=[0-9.)])[eE](?=[-+0-9])|\bto\b)*")  # numbers without a unit
 _NO_END = "?"  # of a range
+_NO_SIDES: Mapping[str, int] = {}  # which can be pickled
 _NOTHING = ("nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
-
-
-class Side(NamedTuple):
-    """The column of a part of an input's uncertainty."""
-
-    part: str  # as `Reading` has it
-    place: int
-    unit_text: str  # of the cells; an empty text where it is that of the values
 
 
 class Column(NamedTuple):
@@ -56,18 +49,19 @@ class Column(NamedTuple):
     name: str
     unit_text: str
     unit: Unit | None
-    sides: tuple[Side, ...] = ()
+    sides: Mapping[str, int] = _NO_SIDES  # the places of the parts of the uncertainty, by part as `Reading` has it
+    error_unit: str = ""  # of the cells of ±; an empty text where it is that of the values
 
     @property
     def places(self) -> dict[str, int]:
         """The places of the columns whose cells make a value."""
-        own = {} if self.is_range else {self.name: self.place}
-        return own | {f"{self.name}_{side.part}": side.place for side in self.sides}
+        values = {} if self.is_range else {self.name: self.place}
+        return values | {f"{self.name}_{part}": place for part, place in self.sides.items()}
 
     @property
     def is_range(self) -> bool:
         """True if a value is known by its ends."""
-        return bool(self.sides) and self.sides[0].part == "low"
+        return "low" in self.sides
 
     def joined(self, *cells: str) -> str:
         """Return the cells of a value as one: 25 and 5 as 25±5. Cells with units of their own keep them."""
@@ -76,11 +70,10 @@ class Column(NamedTuple):
         if is_single:
             return first
         are_bare = all(map(_BARE.fullmatch, (first, *others)))
-        if not self.is_range and len(others) == 1:
-            unit_text = self.sides[0].unit_text
-            if are_bare and not unit_text:
+        if "both" in self.sides:
+            if are_bare and not self.error_unit:
                 return f"({first}±{others[0]})"
-            return f"{self._with_unit(first)}±{_in_unit(others[0], unit_text or self.unit_text)}"
+            return f"{self._with_unit(first)}±{_in_unit(others[0], self.error_unit or self.unit_text)}"
         if not are_bare:
             first, *others = map(self._with_unit, (first, *others))
         if self.is_range:

@@ -12,13 +12,20 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
 from ..quantities.values import unit_of, value_of
 from ..text import closest, first_of, quoted, shown
-from .cells import Column, Side, is_number
+from .cells import Column, is_number
 from .readings import Reading, named, read, reading_of
 from .words import MATERIALS, fits, key, unit_for, with_unit
 
 _MAX_SAID = 60  # columns that pass through and are named
 _OF_DIRECTIONS = re.compile(r"\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
+_ENDS = ("low", "high")
+_SHAPES = (
+    ("", "both"),
+    ("", "minus", "plus"),
+    ("",),
+    _ENDS,
+)  # of the columns of a value, by the part of its uncertainty
 _VALUE, _BARE, _UNIT = "value", "bare number", "unit"  # kinds of cells
 _NO_UNIT = "has no unit, and neither has its first cell"
 _NO_MEANINGS: Mapping[str, Reading] = MappingProxyType({})
@@ -47,15 +54,13 @@ class Header(NamedTuple):
         """Return the sentence that says how the table is read."""
         read_columns = [self._from(name, {"": place}) for name, place in self.materials]
         for column in self.inputs:
-            of_parts = {side.part: side.place for side in column.sides}
-            of_parts |= {} if column.is_range else {"": column.place}
-            read_columns.append(self._from(header_of(column.name, column.unit_text), of_parts))
+            places = dict(column.sides) if column.is_range else {"": column.place, **column.sides}
+            read_columns.append(self._from(header_of(column.name, column.unit_text), places))
         sentence = f"read: {', '.join(read_columns) or 'no input'}"
         if self.preamble:
             lines = "a line" if self.preamble == 1 else f"{self.preamble} lines"
             sentence += f"; passed over: {lines} before the header"
-        places = {*self.places.values()}
-        others = [text for place, text in enumerate(self.texts) if place not in places and text.strip()]
+        others = [text for place, text in enumerate(self.texts) if place not in self.places.values() and text.strip()]
         if others:
             count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
             sentence += f"; passed through: {count}{first_of([*map(_easy, dict.fromkeys(others))], _MAX_SAID)}"
@@ -151,14 +156,13 @@ def understood(
     known = {name for name, places in parts.items() if not {"", "low"}.isdisjoint(places)}
     refused = {place: each for place, each in enumerate(readings) if each.problem and each.name not in known}
     for places in parts.values():
-        for place in [places[part] for part in ([""] if "" in places else ["low", "high"]) if part in places]:
+        for place in [places[part] for part in ([""] if "" in places else _ENDS) if part in places]:
             if problem := _lack_of_unit(readings[place], cells[place]):
                 refused[place] = problem
     if refused:
         raise _refusal(refused, texts, cells)
     materials = tuple((name, parts.pop(name)[""]) for name in [*parts] if name in MATERIALS)
-    columns = [{part: _column(place, readings[place]) for part, place in places.items()} for places in parts.values()]
-    inputs = filter(None, (_with_sides(of_parts, texts, meanings.keys()) for of_parts in columns))
+    inputs = filter(None, (_column(places, readings, texts, meanings.keys()) for places in parts.values()))
     return Header(tuple(texts), tuple(inputs), materials, meanings)
 
 
@@ -210,46 +214,45 @@ def _among(place: int, readings: Sequence[Reading], texts: Sequence[str], given:
     return reading
 
 
-def _column(place: int, reading: Reading) -> Column:
-    """Return the column of an input. Without a unit its cells carry their own, or it is a ratio of plain numbers."""
-    name, unit_text = reading.name, reading.unit_text
-    if reading.part and unit_text == "%":
-        return Column(place, name, "%", None)
-    if not unit_text or (unit_text in ("1", "-") and NOMENCLATURE[name].unit == "1"):
-        return Column(place, name, "", None)
-    return Column(place, name, unit_text, unit_of(unit_text, name))
-
-
-def _with_sides(parts: Mapping[str, Column], texts: Sequence[str], stated: Collection[str]) -> Column | None:
+def _column(
+    places: Mapping[str, int], readings: Sequence[Reading], texts: Sequence[str], stated: Collection[str]
+) -> Column | None:
     """Return the column of an input with those of its uncertainty; None if they make none and pass through.
 
-    `parts`: its columns, by the part of the uncertainty, "" for the values; `stated`: the headers that options name.
-
-    Raises BadTable.
+    `places`: by the part of the uncertainty, "" for the values; `stated`: the headers that options name. Without a
+    unit cells carry their own, or they are plain numbers of a ratio. Raises BadTable.
     """
-    name, base = next(iter(parts.values())).name, parts.get("")
-    shapes = [("both",), ("minus", "plus")] if base else [("low", "high")]
-    used = [part for shape in shapes if parts.keys() >= {*shape} for part in shape]
-    left = [texts[column.place] for part, column in parts.items() if part not in ("", *used)]
-    if len(used) > 2:
-        first, second = (quoted(texts[parts[part].place]) for part in used[:2])
+    shapes = [shape for shape in _SHAPES if places.keys() >= {*shape}]
+    used = shapes[0] if shapes else ()
+    name = readings[next(iter(places.values()))].name
+    left = [texts[place] for part, place in places.items() if part not in used]
+    if {*_SHAPES[:2]} <= {*shapes}:
+        first, second = (quoted(texts[places[part]]) for part in ("both", "minus"))
         raise BadTable(f"header: {first} and {second} are both uncertainties of {name}; one must go")
-    if left and (any(text.strip() in stated for text in left) or (not base and parts.keys() & {"low", "high"})):
+    if left and (any(text.strip() in stated for text in left) or ("" not in places and places.keys() & {*_ENDS})):
         raise BadTable(
             f"header: {quoted(left[0])} alone is no uncertainty of {name}: values have a column of ± beside them, or "
             "two, of minus and plus; a range has low and high alone"
         )
-    if not base and not used:
+    if not used:
         return None
-    base = base or parts["low" if parts["low"].unit_text else "high"]._replace(place=parts["low"].place)
-    sides = []
+    units = {part: readings[places[part]].unit_text or "" for part in used}
+    if NOMENCLATURE[name].unit == "1":
+        units = {part: "" if unit_text in ("1", "-") else unit_text for part, unit_text in units.items()}
+    unit_text = units[used[0]] or (units["high"] if used == _ENDS else "")
     for part in used:
-        place, unit_text = parts[part].place, parts[part].unit_text
-        if part != "both" and unit_text not in ("", base.unit_text):
-            other = f", {base.unit_text}" if base.unit_text else "; that has none"
-            raise BadTable(f"header: {quoted(texts[place])}: its unit must be that of the other column{other}")
-        sides.append(Side(part, place, "" if unit_text == base.unit_text else unit_text))
-    return base._replace(sides=tuple(sides))
+        if part != "both" and units[part] not in ("", unit_text):
+            other = f", {unit_text}" if unit_text else "; that has none"
+            raise BadTable(f"header: {quoted(texts[places[part]])}: its unit must be that of the other column{other}")
+    error_unit = units.get("both", "")
+    return Column(
+        places[used[0]],
+        name,
+        unit_text,
+        unit_of(unit_text, name) if unit_text else None,
+        {part: places[part] for part in used if part},
+        "" if error_unit == unit_text else error_unit,
+    )
 
 
 # --- What is refused --------------------------------------------------------------------------------------------------
