@@ -17,7 +17,7 @@ from .readings import Reading, named, read, reading_of
 from .words import MATERIALS, fits, key, unit_for, with_unit
 
 _MAX_SAID = 60  # columns that pass through and are named
-_OF_DIRECTIONS = re.compile(r"\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
+_OF_DIRECTIONS = r"(?i)\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _ENDS = ("low", "high")
 _SHAPES = (
@@ -122,6 +122,15 @@ def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Readin
 # --- What a table says ------------------------------------------------------------------------------------------------
 
 
+class _Head(NamedTuple):
+    """The head of a column: its place, its text, the first cell below it that is not empty, and its meaning."""
+
+    place: int
+    text: str
+    cell: str
+    reading: Reading
+
+
 def understood(
     texts: Sequence[str],
     rows: Sequence[Sequence[str]] = (),
@@ -136,33 +145,31 @@ def understood(
         guess = closest(text, texts)
         meant = f"; did you mean {quoted(guess)}?" if guess else ""
         raise BadTable(f"--column: the table has no column {quoted(text)}{meant}")
-    cells = [_first([row[place] for row in rows]) for place in range(len(texts))]
-    readings = [_meaning(text, [row[place] for row in rows], meanings) for place, text in enumerate(texts)]
-    readings = [
-        reading if text.strip() in meanings else _among(place, readings, texts, given)
-        for place, (text, reading) in enumerate(zip(texts, readings, strict=True))
-    ]
-    parts: dict[
-        str, dict[str, int]
-    ] = {}  # by the input the parts of its uncertainty, "" for its values, with their places
-    for place, (text, reading) in enumerate(zip(texts, readings, strict=True)):
-        name, part = (reading.name, reading.part) if reading.is_input else ("", text)
-        other = parts.setdefault(name, {}).setdefault(part, place)
-        if other != place and text.strip():
-            both = f"the columns {quoted(texts[other])} and {quoted(text)}"
-            both = f"two columns {quoted(text)}" if texts[other] == text else both
+    heads = []
+    for place, text in enumerate(texts):
+        cells = [row[place].strip() for row in rows]
+        heads.append(_Head(place, text, next(filter(None, cells), ""), _meaning(text, cells, meanings)))
+    is_of_two = "radius2" in given or any(head.reading.is_input and head.reading.name == "radius2" for head in heads)
+    heads = [_among(head, heads, meanings, is_of_two=is_of_two) for head in heads]
+    parts: dict[str, dict[str, _Head]] = {}  # of inputs, by the part of the uncertainty, "" for the values
+    for head in heads:
+        reading = head.reading
+        name, part = (reading.name, reading.part) if reading.is_input else ("", head.text)
+        other = parts.setdefault(name, {}).setdefault(part, head)
+        if other is not head and head.text.strip():
+            both = f"the columns {quoted(other.text)} and {quoted(head.text)}"
+            both = f"two columns {quoted(head.text)}" if other.text == head.text else both
             raise BadTable(f"header: {both}, of which one must go")
     parts.pop("", None)
-    known = {name for name, places in parts.items() if not {"", "low"}.isdisjoint(places)}
-    refused = {place: each for place, each in enumerate(readings) if each.problem and each.name not in known}
-    for places in parts.values():
-        for place in [places[part] for part in ([""] if "" in places else _ENDS) if part in places]:
-            if problem := _lack_of_unit(readings[place], cells[place]):
-                refused[place] = problem
+    known = {name for name, of_name in parts.items() if not {"", "low"}.isdisjoint(of_name)}
+    refused = [head for head in heads if head.reading.problem and head.reading.name not in known]
+    for of_name in parts.values():
+        needed = [of_name[part] for part in ([""] if "" in of_name else _ENDS) if part in of_name]
+        refused += [head for head in map(_without_unit, needed) if head.reading.problem]
     if refused:
-        raise _refusal(refused, texts, cells)
-    materials = tuple((name, parts.pop(name)[""]) for name in [*parts] if name in MATERIALS)
-    inputs = filter(None, (_column(places, readings, texts, meanings.keys()) for places in parts.values()))
+        raise _refusal(sorted(refused))
+    materials = tuple((name, parts.pop(name)[""].place) for name in [*parts] if name in MATERIALS)
+    inputs = filter(None, (_column(of_name, meanings.keys()) for of_name in parts.values()))
     return Header(tuple(texts), tuple(inputs), materials, meanings)
 
 
@@ -170,7 +177,7 @@ def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -
     """Return the meaning of a column: that of `--column`, else that of its header, if its cells can be of it."""
     if (stated := meanings.get(text.strip())) is not None:
         return stated
-    reading, cell = reading_of(text), _first(cells)
+    reading, cell = reading_of(text), next(filter(None, cells), "")
     if reading.is_symbol and not reading.part:
         kinds = (_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each))
         return reading if any(kind in (_VALUE, _UNIT) for kind in kinds) else Reading()
@@ -190,99 +197,95 @@ def _kind(cell: str, name: str) -> str:
     return _VALUE
 
 
-def _first(cells: Sequence[str]) -> str:
-    """Return the first cell that is not empty, or an empty text if there is none."""
-    return next(filter(None, map(str.strip, cells)), "")
+def _among(head: _Head, heads: Sequence[_Head], stated: Collection[str], *, is_of_two: bool) -> _Head:
+    """Return a head in the light of the others. ± alone is of the column at its left.
 
-
-def _among(place: int, readings: Sequence[Reading], texts: Sequence[str], given: Collection[str]) -> Reading:
-    """Return the meaning of a column in the light of the others. ± alone is of the column at its left."""
-    reading = readings[place]
+    `stated`: the headers that options name; `is_of_two`: whether sphere 2 has a radius of its own.
+    """
+    reading = head.reading
+    if head.text.strip() in stated:
+        return head
     if reading.part and not reading.name:
-        left = readings[place - 1] if place else Reading()
+        left = heads[head.place - 1].reading if head.place else Reading()
         is_value = left.is_input and not left.part and left.name not in MATERIALS
         is_of_left = is_value and (reading.unit_text in (None, "%") or fits(reading.unit_text, left.name))
-        return reading._replace(name=left.name) if is_of_left else Reading()
-    if reading.name in ("youngs_modulus", "youngs_modulus2") and any(map(_OF_DIRECTIONS.match, texts)):
-        other = next(filter(_OF_DIRECTIONS.match, texts))
-        problem = f"{quoted(other)} beside it says that it is the modulus along a direction"
-        return reading._replace(problem=problem, meant=())
-    is_of_spheres = "radius2" in given or any(each.is_input and each.name == "radius2" for each in readings)
-    if reading.is_input and reading.meant and not reading.part and not is_of_spheres:
+        return head._replace(reading=reading._replace(name=left.name) if is_of_left else Reading())
+    is_modulus = reading.name in ("youngs_modulus", "youngs_modulus2")
+    if other := next((other for other in heads if is_modulus and re.match(_OF_DIRECTIONS, other.text)), None):
+        problem = f"{quoted(other.text)} beside it says that it is the modulus along a direction"
+        return head._replace(reading=reading._replace(problem=problem, meant=()))
+    if reading.is_input and reading.meant and not reading.part and not is_of_two:
         problem = "R is the radius of a sphere or the reduced radius, half of it for equal spheres"
-        return reading._replace(problem=problem)
-    return reading
+        return head._replace(reading=reading._replace(problem=problem))
+    return head
 
 
-def _column(
-    places: Mapping[str, int], readings: Sequence[Reading], texts: Sequence[str], stated: Collection[str]
-) -> Column | None:
+def _column(parts: Mapping[str, _Head], stated: Collection[str]) -> Column | None:
     """Return the column of an input with those of its uncertainty; None if they make none and pass through.
 
-    `places`: by the part of the uncertainty, "" for the values; `stated`: the headers that options name. Without a
-    unit cells carry their own, or they are plain numbers of a ratio. Raises BadTable.
+    `parts`: by the part of the uncertainty, "" for the values; `stated`: the headers that options name. Without a unit
+    cells carry their own, or they are plain numbers of a ratio. Raises BadTable.
     """
-    shapes = [shape for shape in _SHAPES if places.keys() >= {*shape}]
+    shapes = [shape for shape in _SHAPES if parts.keys() >= {*shape}]
     used = shapes[0] if shapes else ()
-    name = readings[next(iter(places.values()))].name
-    left = [texts[place] for part, place in places.items() if part not in used]
+    name = next(iter(parts.values())).reading.name
+    left = [head.text for part, head in parts.items() if part not in used]
     if {*_SHAPES[:2]} <= {*shapes}:
-        first, second = (quoted(texts[places[part]]) for part in ("both", "minus"))
+        first, second = (quoted(parts[part].text) for part in ("both", "minus"))
         raise BadTable(f"header: {first} and {second} are both uncertainties of {name}; one must go")
-    if left and (any(text.strip() in stated for text in left) or ("" not in places and places.keys() & {*_ENDS})):
+    if left and (any(text.strip() in stated for text in left) or ("" not in parts and parts.keys() & {*_ENDS})):
         raise BadTable(
             f"header: {quoted(left[0])} alone is no uncertainty of {name}: values have a column of ± beside them, or "
             "two, of minus and plus; a range has low and high alone"
         )
     if not used:
         return None
-    units = {part: readings[places[part]].unit_text or "" for part in used}
-    if NOMENCLATURE[name].unit == "1":
-        units = {part: "" if unit_text in ("1", "-") else unit_text for part, unit_text in units.items()}
+    of_ratio = ("1", "-") if NOMENCLATURE[name].unit == "1" else ()
+    units = {part: parts[part].reading.unit_text or "" for part in used}
+    units = {part: "" if unit_text in of_ratio else unit_text for part, unit_text in units.items()}
     unit_text = units[used[0]] or (units["high"] if used == _ENDS else "")
     for part in used:
         if part != "both" and units[part] not in ("", unit_text):
             other = f", {unit_text}" if unit_text else "; that has none"
-            raise BadTable(f"header: {quoted(texts[places[part]])}: its unit must be that of the other column{other}")
+            raise BadTable(f"header: {quoted(parts[part].text)}: its unit must be that of the other column{other}")
+    unit = unit_of(unit_text, name) if unit_text else None
+    sides = {part: parts[part].place for part in used if part}
     error_unit = units.get("both", "")
-    return Column(
-        places[used[0]],
-        name,
-        unit_text,
-        unit_of(unit_text, name) if unit_text else None,
-        {part: places[part] for part in used if part},
-        "" if error_unit == unit_text else error_unit,
-    )
+    error_unit = "" if error_unit == unit_text else error_unit
+    return Column(parts[used[0]].place, name, unit_text, unit, sides, error_unit)
 
 
 # --- What is refused --------------------------------------------------------------------------------------------------
 
 
-def _lack_of_unit(reading: Reading, cell: str) -> Reading | None:
-    """Return the refusal of a column whose header and first cell lack the unit that it needs, if they do."""
+def _without_unit(head: _Head) -> _Head:
+    """Return the head of an input, with a problem if neither it nor its first cell has the unit that it needs."""
+    _, _, cell, reading = head
     name, part = reading.name, reading.part
     if not cell or reading.unit_text or name in MATERIALS or NOMENCLATURE[name].unit == "1":
-        return None
+        return head
     unit_text = unit_for(cell.strip("[]() "), name)
     meant = (f"{name}{'_' if part else ''}{part} [{unit_text or 'UNIT'}]",)
-    problem = {_BARE: _NO_UNIT, _UNIT: _UNIT}.get(_kind(cell, name))
-    return reading._replace(problem=problem, meant=meant) if problem else None
+    problem = {_BARE: _NO_UNIT, _UNIT: _UNIT}.get(_kind(cell, name), "")
+    return head._replace(reading=reading._replace(problem=problem, meant=meant))
 
 
-def _refusal(refused: Mapping[int, Reading], texts: Sequence[str], cells: Sequence[str]) -> BadTable:
+def _refusal(heads: Sequence[_Head]) -> BadTable:
     """Return the error of columns that may be inputs and cannot be read."""
     problems, remedies, tail = [], [], ""
-    for place, reading in refused.items():
-        text, cell, problem = quoted(texts[place]), quoted(cells[place]), reading.problem
-        is_bare, first = problem == _NO_UNIT, f" (first cell {cell})" if cells[place] else ""
-        problems.append(f"{text} {problem} {cell}" if is_bare else f"{text}{first}: {problem}")
-        remedies.append(" or ".join(_option(texts[place], each) for each in reading.meant or ("",)))
-        tail = " with its unit" if is_bare else tail
-    if any(reading.problem == _UNIT for reading in refused.values()):
+    for _, text, cell, reading in heads:
+        remedies.append(" or ".join(_option(text, meant) for meant in reading.meant or ("",)))
+        if reading.problem == _NO_UNIT:
+            tail = " with its unit"
+            problems.append(f"{quoted(text)} {_NO_UNIT} {quoted(cell)}")
+        else:
+            first = f" (first cell {quoted(cell)})" if cell else ""
+            problems.append(f"{quoted(text)}{first}: {reading.problem}")
+    if any(head.reading.problem == _UNIT for head in heads):
         return BadTable(f"header: the first row has units. Delete it, and write {' '.join(remedies)}")
-    if len(refused) == 1 and not reading.meant:
+    if len(heads) == 1 and not reading.meant:
         remedies = [f"a column {with_unit(reading.name)} in its place"]
-    passing = f", or {_option(texts[place], '')} to pass it through" if len(refused) == 1 else ""
+    passing = f", or {_option(text, '')} to pass it through" if len(heads) == 1 else ""
     return BadTable(f"header: {'; '.join(problems)}. Write {' '.join(remedies)}{tail}{passing}")
 
 

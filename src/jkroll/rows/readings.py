@@ -50,7 +50,7 @@ _MARK = re.compile(r"\s*[,/:;|]\s*|\s+in\s+")
 _GAP = re.compile(r"(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?")
 _PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
 _EDGES = " _.,:;/|-"
-_FACTORS = re.compile(r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*$|[⁰¹²³]+$")
+_FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*$|[⁰¹²³]+$"
 _LONGEST = 120  # letters of a header that can be one
 # Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
 _SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
@@ -170,7 +170,7 @@ def _of_part(text: str, more: Mapping[str, str]) -> Reading | None:
 def _refusal(splits: Sequence[_Split], known: Mapping[str, str]) -> Reading | None:
     """Return the refusal of a header that has the word of an input and cannot be read; None if it passes through."""
     for split in sorted(splits, key=lambda split: len(split.word), reverse=True):
-        bare = split._replace(word=_FACTORS.sub("", split.word))
+        bare = split._replace(word=re.sub(_FACTORS, "", split.word))
         if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
             return Reading(reading.name, problem="a sign or a factor stands beside the word")
         word, is_slip = _word_in(split.word, known)
