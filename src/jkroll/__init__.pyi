@@ -40,6 +40,8 @@ from .physics.collision import n_roll as n_roll
 from .physics.collision import n_roll_after_impact as n_roll_after_impact
 from .physics.collision import n_roll_energy_balance as n_roll_energy_balance
 from .physics.collision import restitution as restitution
+from .physics.collision import sticking_speed_viscous as sticking_speed_viscous
+from .physics.collision import viscosity_number as viscosity_number
 from .physics.contact import approach as approach
 from .physics.contact import approach_at_load as approach_at_load
 from .physics.contact import approach_ratio as approach_ratio
@@ -184,8 +186,6 @@ from .physics.vibration import sliding_frequency as sliding_frequency
 from .physics.vibration import time_step as time_step
 from .physics.vibration import twisting_frequency as twisting_frequency
 from .physics.vibration import vertical_frequency as vertical_frequency
-from .physics.viscous import sticking_speed_viscous as sticking_speed_viscous
-from .physics.viscous import viscosity_number as viscosity_number
 from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
 from .quantities.nomenclature import Quantity as Quantity
 from .quantities.values import Interval as Interval

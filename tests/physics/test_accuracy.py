@@ -15,9 +15,9 @@ import pytest
 from accuracy import check_accuracy
 from jkroll import NOMENCLATURE, physics, solve
 from jkroll.answers.questions import QUESTIONS
-from jkroll.physics import LAW_FORMULAS, PAPER_FORMULAS, cylinder, dugdale, shifted
+from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, maugis_energies, shifted
+from jkroll.physics.collision import LARGEST
 from jkroll.physics.jkr import load_factor_at_approach
-from jkroll.physics.viscous import LARGEST
 from jkroll.scene.wiring import formula_of, parameters_of
 from reference import (
     BOUND,
@@ -104,7 +104,15 @@ def worst(errors: Iterable[Error]) -> Error:
     return max(errors, key=lambda error: error.ulp)
 
 
-RESULTS = [name for name in NOMENCLATURE if formula_of(name) in PAPER_FORMULAS.values()]
+LAWS = {module.__name__ for module in (any_law, dmt, maugis, maugis_energies)}
+LAW_FORMULAS = {
+    *(name for name, formula in physics.FORMULAS.items() if formula.__module__ in LAWS),
+    "viscosity_number",
+    "sticking_speed_viscous",
+}
+RESULTS = [
+    name for name in NOMENCLATURE if (formula := formula_of(name)) is not None and formula.__name__ not in LAW_FORMULAS
+]
 # Of a speed, of an angle and of aggregates and chains, which no hard scene has.
 NEVER_HARD = (
     "kinetic_energy",

@@ -26,7 +26,6 @@ from . import (
     tangential,
     validity,
     vibration,
-    viscous,
 )
 
 
@@ -40,7 +39,7 @@ def _formulas(*modules: Any) -> dict[str, Callable[..., Any]]:
     }
 
 
-PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
+FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     pair,
     contact,
     jkr,
@@ -51,6 +50,8 @@ PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     validity,
     tangential,
     aggregates,
+    any_law,
+    dmt,
+    maugis,
+    maugis_energies,
 )
-LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(any_law, dmt, maugis, maugis_energies, viscous)
-FORMULAS: Mapping[str, Callable[..., Any]] = {**PAPER_FORMULAS, **LAW_FORMULAS}

@@ -78,7 +78,6 @@ OTHERS = {
     "profile_error": "6 ulp",
     # vibration
     "rayleigh_time": "4 ulp",
-    # viscous
     "viscosity_number": "3.5 ulp",
     "sticking_speed_viscous": "12 ulp of the fit, which is within 1e-10, times 1 plus its condition in T*",
 }

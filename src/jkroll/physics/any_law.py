@@ -152,9 +152,6 @@ def transition_parameter(*, tabor_parameter: Number) -> Number:
         λ = 2σ0/(πwK²/R)^(1/3) = (32/(9√3))(9/16π)^(1/3) μ, with K = 4E*/3
 
     Source:   Maugis 1992, for the peak stress of the 3-9 law.
-
-    >>> round(transition_parameter(tabor_parameter=1.0), 7)
-    1.1570116
     """
     return TRANSITION_OVER_TABOR * tabor_parameter
 
@@ -179,9 +176,6 @@ def pull_off_force_lennard_jones(
 
     Source:   Fit to numerical solutions of the elastic half-space; tests/tools/lennard_jones.py makes them.
     Valid:    Within 0.3 % for 0.01 ≤ μ ≤ 2.
-
-    >>> round(pull_off_force_lennard_jones(work_of_adhesion=1 / pi, reduced_radius=1.0, tabor_parameter=1.0), 4)
-    1.6695
     """
     return pi * work_of_adhesion * reduced_radius * (1.5 + 0.5 / (1 + 1.95 * tabor_parameter**1.4))
 

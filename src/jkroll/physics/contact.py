@@ -31,9 +31,6 @@ def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Lengt
 
     Source:   Text below Eq (1): "for very hard spheres, this factor should rather be 4".
     Valid:    Small, hard spheres (Tabor parameter well below 0.1).
-
-    >>> f"{pull_off_force_dmt(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
-    '1.5708e-08'
     """
     return 2 * pi * work_of_adhesion * reduced_radius
 
@@ -67,9 +64,6 @@ def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact
 
     Source:   Eq (3).
     Valid:    As Eq (2).
-
-    >>> f"{approach(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.5f} nm"
-    '0.10617 nm'
     """
     return cbrt(3 / 4 * pi**2 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
 
@@ -109,11 +103,6 @@ def contact_radius_at_load(
 
     Source:   Eq (5).
     Valid:    As Eq (2); the stable branch.
-
-    >>> pair = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> a = contact_radius_at_load(load_factor=1.0, **pair)
-    >>> f"{a * 1e9:.3f} nm"
-    '3.991 nm'
     """
     return cbrt(9 / 2 * pi * work_of_adhesion * (reduced_radius * load_factor) ** 2 / contact_modulus)
 

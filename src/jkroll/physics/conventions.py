@@ -21,9 +21,6 @@ def fold_energy(*, adhesion_energy: Energy) -> Energy:
 
     Source:   F_c and δ_c of the code Lumajord/DustSimulation, after Wada et al. 2007.
     Valid:    JKR.
-
-    >>> round(fold_energy(adhesion_energy=1.0), 7)
-    0.8254818
     """
     return -FOLD_APPROACH * adhesion_energy
 
@@ -81,9 +78,6 @@ def sticking_energy_paszun_dominik(*, adhesion_energy: Energy) -> Energy:
 
     Source:   Paszun & Dominik 2008, Eq 3, as Lumajord/DustSimulation cites it; ½mv² with m = (16/3)πR³ρ.
     Valid:    Equal spheres; the speed of unequal ones follows from the energy.
-
-    >>> round(sticking_energy_paszun_dominik(adhesion_energy=1.0), 4)
-    0.329
     """
     return STICKING_PASZUN_DOMINIK * adhesion_energy
 
@@ -96,9 +90,6 @@ def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
     Source:   As coded in pencil-code/pencil-code, dustvelocity.f90, which has the 2 from Dominik & Tielens 1997, Sect.
               3.2.
     Valid:    Equal spheres.
-
-    >>> round(sticking_energy_pencil_code(adhesion_energy=1.0), 4)
-    0.6585
     """
     return STICKING_PENCIL_CODE * adhesion_energy
 

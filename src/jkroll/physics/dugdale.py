@@ -19,8 +19,6 @@ At these, at a load and at an approach, v is the root of a smooth function, foun
 is near enough for a fixed number of steps.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from typing import NamedTuple

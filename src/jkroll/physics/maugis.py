@@ -29,13 +29,6 @@ def edge_ratio_at_load(
 
     Source:   Maugis 1992, by Newton's method.
     Valid:    Loads above pull-off. Below, a float raises ValueError and an array holds NaN.
-
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "transition_parameter": 1.0}
-    >>> v_c = edge_ratio_at_pull_off(transition_parameter=1.0)
-    >>> p_c = pull_off_force_maugis(edge_ratio_at_pull_off=v_c, **unit)
-    >>> v = edge_ratio_at_load(load=0.0, edge_ratio_at_pull_off=v_c, pull_off_force_maugis=p_c, **unit)
-    >>> round(v, 7)
-    1.4102117
     """
     unit = pi * work_of_adhesion * reduced_radius
     tension = pull_off_force_maugis / unit
@@ -143,12 +136,7 @@ def zone_radius(*, edge_ratio: Number, zone_span: Length) -> Length:
 
 
 def approach_maugis(
-    *,
-    edge_ratio: Number,
-    zone_span: Length,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    cohesive_stress: Stress,
+    *, edge_ratio: Number, zone_span: Length, reduced_radius: Length, contact_modulus: Stress, cohesive_stress: Stress
 ) -> Length:
     """Return the approach of the centres at which a contact is in a state.
 
@@ -197,12 +185,7 @@ def approach_maugis_at_load(
 
 
 def load_maugis(
-    *,
-    edge_ratio: Number,
-    zone_span: Length,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    cohesive_stress: Stress,
+    *, edge_ratio: Number, zone_span: Length, reduced_radius: Length, contact_modulus: Stress, cohesive_stress: Stress
 ) -> Force:
     """Return the load that holds a state, in contact or apart.
 
@@ -217,12 +200,7 @@ def load_maugis(
 
 
 def stiffness_maugis(
-    *,
-    edge_ratio: Number,
-    zone_span: Length,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    cohesive_stress: Stress,
+    *, edge_ratio: Number, zone_span: Length, reduced_radius: Length, contact_modulus: Stress, cohesive_stress: Stress
 ) -> Stiffness:
     """Return the normal stiffness of a state, in contact or apart; negative where only fixed grips hold the spheres.
 
@@ -282,9 +260,6 @@ def unloaded_edge_ratio(*, transition_parameter: Number) -> Number:
         v where P = 0: q = 4v³/(3G3), q = 4λ/(3T)
 
     Source:   Maugis 1992; in closed form at a given v.
-
-    >>> round(unloaded_edge_ratio(transition_parameter=1.0), 7)
-    1.4102117
     """
     return dugdale.unloaded_ratio(transition_parameter)
 
@@ -303,12 +278,6 @@ def unloaded_radius_maugis(
 
     Source:   Maugis 1992.
     Valid:    a0 ≪ R.
-
-    >>> from math import pi
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v = unloaded_edge_ratio(transition_parameter=1.0)
-    >>> round(unloaded_radius_maugis(unloaded_edge_ratio=v, transition_parameter=1.0, **unit), 7)
-    1.6360905
     """
     at = dugdale.shape(unloaded_edge_ratio)
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
@@ -338,9 +307,6 @@ def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
         q = vG3/D, q = 4λ/(3T)
 
     Source:   Maugis 1992; in closed form at a given v.
-
-    >>> round(edge_ratio_at_pull_off(transition_parameter=1.0), 7)
-    0.9262053
     """
     return dugdale.pull_off_ratio(transition_parameter)
 
@@ -358,10 +324,6 @@ def pull_off_force_maugis(
 
     Source:   Maugis 1992; stationary in v.
     Valid:    Always; a Lennard-Jones pair lets go up to 6 % later.
-
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "transition_parameter": 1.0}
-    >>> round(pull_off_force_maugis(edge_ratio_at_pull_off=0.9262, **unit), 7)
-    1.6007349
     """
     at = dugdale.shape(edge_ratio_at_pull_off)
     load = dugdale.load(transition_parameter, at, dugdale.span(transition_parameter, at))
@@ -413,13 +375,6 @@ def contact_radius_at_pull_off_maugis(
 
     Source:   Maugis 1992.
     Valid:    Always; it tends to 0 in DMT.
-
-    >>> from math import pi
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v = edge_ratio_at_pull_off(transition_parameter=1e4)
-    >>> radius = contact_radius_at_pull_off_maugis(edge_ratio_at_pull_off=v, transition_parameter=1e4, **unit)
-    >>> round(radius / 6 ** (1 / 3), 4)
-    0.63
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return _radius(transition_parameter, edge_ratio_at_pull_off) * unit
@@ -464,13 +419,6 @@ def approach_at_pull_off_maugis(
 
     Source:   Maugis 1992.
     Valid:    Always; it tends to 0 in DMT, and is negative below.
-
-    >>> from math import pi
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v = edge_ratio_at_pull_off(transition_parameter=1e4)
-    >>> approach = approach_at_pull_off_maugis(edge_ratio_at_pull_off=v, transition_parameter=1e4, **unit)
-    >>> round(approach / (4 / 3) ** (1 / 3), 3)
-    -0.397
     """
     at = dugdale.shape(edge_ratio_at_pull_off)
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)

@@ -79,13 +79,6 @@ def pull_off_work_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
-
-    >>> from .maugis import edge_ratio_at_fold, unloaded_edge_ratio
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v, fold = (ratio(transition_parameter=1e6) for ratio in (unloaded_edge_ratio, edge_ratio_at_fold))
-    >>> work = pull_off_work_maugis(unloaded_edge_ratio=v, edge_ratio_at_fold=fold, transition_parameter=1e6, **unit)
-    >>> round(work / 1.65096362, 5)
-    1.27338
     """
     fold = _of(transition_parameter, edge_ratio_at_fold)
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
@@ -107,14 +100,6 @@ def pull_off_work_at_dead_load_maugis(
 
     Source:   Maugis' solution along its curve, by Gauss-Legendre quadrature; Φ would cancel where λ is small.
     Valid:    Quasi-static up to the jump.
-
-    >>> from .maugis import edge_ratio_at_pull_off, unloaded_edge_ratio
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v, v_c = (ratio(transition_parameter=1e6) for ratio in (unloaded_edge_ratio, edge_ratio_at_pull_off))
-    >>> work = pull_off_work_at_dead_load_maugis(
-    ...     unloaded_edge_ratio=v, edge_ratio_at_pull_off=v_c, transition_parameter=1e6, **unit)
-    >>> round(work / 1.65096362, 5)
-    0.88252
     """
     middle = (edge_ratio_at_pull_off + unloaded_edge_ratio) / 2
     half = (edge_ratio_at_pull_off - unloaded_edge_ratio) / 2
@@ -142,13 +127,6 @@ def sticking_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; no other loss.
-
-    >>> from .maugis import edge_ratio_at_fold
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> fold = edge_ratio_at_fold(transition_parameter=1e9)
-    >>> energy = sticking_energy_maugis(edge_ratio_at_fold=fold, transition_parameter=1e9, **unit)
-    >>> round(energy / 1.65096362, 5)
-    0.77224
     """
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
     small = at_most(transition_parameter, dugdale.JUMP_WITHOUT_CONTACT)

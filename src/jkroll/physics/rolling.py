@@ -97,9 +97,6 @@ def yield_force(
 
     Source:   Eqs (10), (25) and (26); identical spheres need no radius.
     Valid:    As Eq (25).
-
-    >>> f"{yield_force(work_of_adhesion=0.05, load_factor=1.0, yield_displacement=2e-10, radius_ratio=1.0):.4e}"
-    '9.4248e-11'
     """
     return 6 * pi * work_of_adhesion * load_factor * yield_displacement / (1 + radius_ratio)
 
@@ -139,9 +136,6 @@ def yield_angle(*, yield_displacement: Length, reduced_radius: Length) -> Angle:
 
     Source:   Text above Eqs (26), (28) and (43).
     Valid:    ξ ≪ R.
-
-    >>> yield_angle(yield_displacement=2e-10, reduced_radius=50e-9)
-    0.004
     """
     return yield_displacement / reduced_radius
 

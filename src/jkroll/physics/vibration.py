@@ -34,9 +34,6 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
 
     Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0.
-
-    >>> round(vertical_frequency(stiffness=(2 * pi) ** 2, reduced_mass=1.0), 12)
-    1.0
     """
     return _frequency(stiffness, reduced_mass)
 
@@ -48,9 +45,6 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
 
     Source:   Eqs (37)-(40), of which the first three lost their sign in print.
     Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
-
-    >>> round(rolling_frequency(rolling_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
-    1.0
     """
     return _frequency(rolling_stiffness, reduced_moment_of_inertia)
 

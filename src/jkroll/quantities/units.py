@@ -201,6 +201,8 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
 
 def _terms(text: str) -> list[Term]:
     """Split the text of a unit into names and powers."""
+    if text.isascii() and text.isalpha():  # as most are
+        return [(text, 1)]
     a_term, a_separator = re.compile(_TERM), re.compile(_SEPARATOR)
     reciprocal = re.match(_RECIPROCAL, text)
     position, sign = (reciprocal.end(), -1) if reciprocal else (0, 1)
