@@ -12,7 +12,6 @@ from jkroll.batch.job import Job, Settings
 from jkroll.batch.lines import Converted
 from jkroll.batch.run import Converter
 from jkroll.materials.library import known_materials
-from jkroll.output import writers
 from jkroll.rows.cells import Reader
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
@@ -73,7 +72,6 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
     with (
         patch.object(Dialect, "_cut", return_value=None),
         patch.object(Reader, "_together", return_value=None),
-        patch.object(writers, "STRIP", 1),
     ):
         careful = converted(dialect, end, text, excel_safe=excel_safe)
     assert quick == careful

@@ -10,6 +10,7 @@ import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest, BadTable
+from ..output.writers import divided, length
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..rows.cells import Column, Numbers
 from ..rows.columns import BLOCK, DOUBT, STATUS, Wanted
@@ -49,7 +50,8 @@ class Batches:
         rest: bytes = b"",  # noqa: ARG002
     ) -> Any:
         """Return rows. `before`: the batch of the columns that stand before these."""
-        every = [each for column in columns for each in (column if getattr(column, "ndim", 1) > 1 else [column])]
+        size = max(map(length, columns))
+        every = [[column] * size if length(column) == 0 else column for column in divided(columns)]
         arrays = [
             pyarrow.array(column, self._kind(head), from_pandas=True) for head, column in zip(heads, every, strict=True)
         ]

@@ -59,9 +59,8 @@ class Converter(NamedTuple):
         if self.strict and columns.failed:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))
-        said = [[text] * len(columns) for text in table.said.values()]
-        results = columns_of(columns, Format({}), table.remarks)
-        output = self.writer.rows(table.added, [*said, *results], records.before, records.rest)
+        added = [*table.said.values(), *columns_of(columns, Format({}), table.remarks)]
+        output = self.writer.rows(table.added, added, records.before, records.rest)
         tally = Tally.of(columns)
         if table.fill.inverse is not None:
             tally = tally._replace(inferred=(columns.column(table.fill.inverse.name).copy(),))

@@ -1,7 +1,7 @@
 """Columns as lines of text: a writer a format, for lists, tables, maps and catalogues.
 
-A column is a list of texts, numbers and None, or an array of numbers; an array with two axes is several columns. None
-and nan are gaps.
+A column is a list of texts, numbers and None, or an array of numbers; an array with two axes is several columns. A text
+or None stands for a column of it. None and nan are gaps.
 """
 
 import os
@@ -17,7 +17,7 @@ from ..rows.columns import DOUBT, Columns, Wanted, as_list, middle, remarks_of
 from ..scene.limits import codes
 from ..text import spelled
 
-STRIP = 128  # rows written at once: their text stays in the cache
+STRIP = 128  # rows whose numbers are written at once: their text stays in the cache
 
 
 class Lines:
@@ -53,19 +53,15 @@ class Lines:
         self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = (), rest: bytes = b""
     ) -> bytes:
         """Return rows. `before`: the beginning of each, in the format; `rest`: what stands behind the last."""
+        size = len(before) or max(map(length, columns), default=0)
         columns = self._divided(columns)
-        size = len(before) or _length(columns[0])
         leads = self._leads(heads, is_begun=bool(before))
-        strips = []
-        for start in range(0, size, STRIP):
-            rows = slice(start, start + STRIP)
-            cells = [before[rows]] if before else []
-            cells += [self._cells(_of_rows(column, rows), lead) for column, lead in zip(columns, leads, strict=False)]
-            pieces = [self.end] * ((len(cells) + 1) * len(cells[0]))
-            for place, column in enumerate(cells):
-                pieces[place :: len(cells) + 1] = column
-            strips.append(b"".join(pieces))
-        return b"".join([*strips, rest])
+        cells = [self._cells(column, lead, size) for column, lead in zip(columns, leads, strict=False)]
+        cells = [before, *cells] if before else cells
+        pieces = [self.end] * ((len(cells) + 1) * size)
+        for place, column in enumerate(cells):
+            pieces[place :: len(cells) + 1] = column
+        return b"".join([*pieces, rest])
 
     @contextmanager
     def sink(self, stream: BinaryIO) -> Iterator[Callable[[bytes], None]]:
@@ -80,15 +76,17 @@ class Lines:
         """Return what stands before the cells of each column. `is_begun`: whether rows have a beginning."""
         return [self.separator if is_begun or place else b"" for place in range(len(heads))]
 
-    def _cells(self, column: Any, lead: bytes) -> Sequence[bytes]:
-        """Return the cells of a column, or those of several in one, each behind its lead."""
+    def _cells(self, column: Any, lead: bytes, size: int) -> Sequence[bytes]:
+        """Return the cells of a column, each behind its lead; or those of several columns in an array together."""
+        if column is None or isinstance(column, str):
+            return [lead + self._cell(column)] * size
         if isinstance(column, list):
             cells = {value: lead + self._cell(value) for value in {*column}}
             return [cells[value] for value in column]
-        cells_of_rows = numbers_in_lines(column, self.separator, self.gap)
+        rows = numbers_in_lines(column, self.separator, self.gap)
         if self.has_commas:
-            cells_of_rows = [row.replace(b".", b",") for row in cells_of_rows]
-        return cells_of_rows if lead == self.separator else [lead + row[1:] for row in cells_of_rows]
+            rows = [row.replace(b".", b",") for row in rows]
+        return rows if lead == self.separator else [lead + row[1:] for row in rows]
 
     def _cell(self, value: str | float | None) -> bytes:
         if value is None or value == "":
@@ -109,7 +107,7 @@ class Objects(Lines):
         super().__init__(",", "null", end="}\n", has_header=False)
 
     def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
-        return [each for column in columns for each in (column if getattr(column, "ndim", 1) > 1 else [column])]
+        return divided(columns)
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
         """Return the names of members. Beginnings of objects end with a comma if they have members."""
@@ -152,24 +150,30 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
     import numpy
     import orjson
 
-    rows = numpy.atleast_2d(columns).T
-    text = orjson.dumps(numpy.ascontiguousarray(rows) + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
-    if gap != b"null" and b"n" in text:
-        text = text.replace(b"null", gap)
-    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]: one byte is found fast
-    if separator != b",":
-        text = text.replace(b",", separator)
-    return text.split(b"]")[: len(rows)]
+    rows = numpy.ascontiguousarray(numpy.atleast_2d(columns).T)
+    lines = []
+    for start in range(0, len(rows), STRIP):
+        strip = rows[start : start + STRIP]
+        text = orjson.dumps(strip + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
+        if gap != b"null" and b"n" in text:
+            text = text.replace(b"null", gap)
+        text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]: one byte is found fast
+        if separator != b",":
+            text = text.replace(b",", separator)
+        lines += text.split(b"]")[: len(strip)]
+    return lines
 
 
-def _length(column: Any) -> int:
-    """Return the number of rows of a column, or of several in one array."""
-    return len(column) if isinstance(column, list) else int(column.shape[-1])
+def divided(columns: Sequence[Any]) -> list[Any]:
+    """Return columns one by one, of which several may be in an array together."""
+    return [each for column in columns for each in (column if getattr(column, "ndim", 1) > 1 else [column])]
 
 
-def _of_rows(column: Any, rows: slice) -> Any:
-    """Return some rows of a column, or of several in one array."""
-    return column[rows] if isinstance(column, list) else column[..., rows]
+def length(column: Any) -> int:
+    """Return the number of rows of a column, or of several in one array; 0 for what is the same in all rows."""
+    if isinstance(column, list):
+        return len(column)
+    return 0 if column is None or isinstance(column, str) else int(column.shape[-1])
 
 
 # --- Rows of scenes ---------------------------------------------------------------------------------------------------
@@ -201,7 +205,8 @@ def _in_words(name: str, column: Any) -> Any:
 
 def columns_of(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
     """Return the columns of results, in their units and with their digits, and of remarks."""
-    of_remarks = [_codes(columns) if name == DOUBT else _status(columns) for name in remarks]
+    status = [*map(columns.status.get, range(len(columns)))] if columns.status else None
+    of_remarks = [_codes(columns) if name == DOUBT else status for name in remarks]
     if isinstance(columns.numbers, list) or any(map(form.changes, columns.wanted.names)):
         return [*_formatted(columns, form), *of_remarks]
     return [columns.numbers, *of_remarks]
@@ -222,9 +227,3 @@ def _codes(columns: Columns) -> list[str | None]:
     every = as_list(columns.doubts)
     texts = {bits: codes(bits) or None for bits in {*every}}
     return [texts[bits] for bits in every]
-
-
-def _status(columns: Columns) -> list[str | None]:
-    if not columns.status:
-        return [None] * len(columns)
-    return [*map(columns.status.get, range(len(columns)))]
