@@ -146,7 +146,7 @@ def test_what_an_aggregate_lacks_is_said(run: Run) -> None:
     assert "(--contacts)" not in run("aggregates quartz 100nm --monomers 10 --contacts 12 --explain").out
     for words, message in {
         "--radius2 1um": "identical",
-        "--filling-factor 0.74": "filling_factor",
+        "--filling-factor 0.74": "--filling-factor",
         "--monomers 0": "monomers",
     }.items():
         refused = run(f"aggregates quartz 100nm --monomers 10 {words}")

@@ -244,7 +244,7 @@ def test_what_a_file_of_rows_is_not(run: Run) -> None:
         remedy = "name the file x.json" if form == "json" else "redirect the output: > FILE"
         message = f"jkroll: -o and --{form} exclude each other; {remedy}\n"
         assert run(f"pull-off quartz 1nm:1um:3 -o x.csv --{form}") == (2, "", message)
-    too_many = "jkroll: --json: 2000000 scenes are more than 1000000; --csv writes any number\n"
+    too_many = "jkroll: --json: 2000000 pairs are more than 1000000; --csv writes any number\n"
     assert run("pull-off quartz 1nm:1um:2000000 --json") == (2, "", too_many)
     assert run("pull-off quartz 1nm:1um:3 -o x.csv --resume").code == 2
     assert [*Path().iterdir()] == []

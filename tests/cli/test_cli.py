@@ -84,10 +84,10 @@ MESSAGES = {
     "pull-off quartz 5 pints": (2, "radius: '5 pints' is a volume; expected a length such as 100nm"),
     "pull-off": (
         2,
-        f"pull-off force needs radius of sphere 1 and surface energy per surface; {GIVE}",
+        f"pull-off needs radius of sphere 1 and surface energy per surface; {GIVE}",
     ),
     "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (2, "--gamma and --work-of-adhesion exclude each other"),
-    "pull-off quartz 100nm --radius2 1kg": (2, "radius2: '1kg' is a mass; expected a length such as 1um, or plane"),
+    "pull-off quartz 100nm --radius2 1kg": (2, "--radius2: '1kg' is a mass; expected a length such as 1um, or plane"),
     "pull-off quartz 100nm --to foo": (2, "--to: 'foo' has an unknown unit 'foo'; expected a unit such as N"),
     "pull-off quartz 5,5nm": (
         2,
@@ -96,11 +96,11 @@ MESSAGES = {
             "such as 100nm"
         ),
     ),
-    "pull-off quartz": (2, "pull-off force needs radius of sphere 1; give a radius such as 100nm"),
+    "pull-off quartz": (2, "pull-off needs radius of sphere 1; give a radius such as 100nm"),
     "pull-off 100nm": (
         2,
         (
-            "pull-off force needs surface energy per surface; name a material, such as quartz, or give --gamma 25mJ/m2 "
+            "pull-off needs surface energy per surface; name a material, such as quartz, or give --gamma 25mJ/m2 "
             "or --work-of-adhesion 50mJ/m2"
         ),
     ),
@@ -108,17 +108,14 @@ MESSAGES = {
         2,
         "--load: ':50nN' has no lower end; write both, as in -5nN:20nN (an example); pull-off is at -11.781 nN",
     ),
-    "contact gold 100nm": (2, f"contact radius without load needs Young's modulus and Poisson's ratio; {GOLD}"),
+    "contact gold 100nm": (2, f"contact needs Young's modulus and Poisson's ratio; {GOLD}"),
     "n-roll gold 100nm": (
         2,
-        (
-            f"turns with a sliding contact needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may "
-            "replace some"
-        ),
+        (f"n-roll needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may replace some"),
     ),
     "contact quartz 100nm --material2 gold": (
         2,
-        f"contact radius without load needs Young's modulus of sphere 2 and Poisson's ratio of sphere 2; {GOLD_2}",
+        f"contact needs Young's modulus of sphere 2 and Poisson's ratio of sphere 2; {GOLD_2}",
     ),
     "contact quartz 100nm --young rigid": (
         1,
@@ -126,19 +123,19 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -20nN": (
         1,
-        "load: -20 nN breaks this contact, which holds a pull down to -11.78097 nN",
+        "--load: -20 nN breaks this contact, which holds a pull down to -11.78097 nN",
     ),
     "yield-force quartz 100nm --load -11.78098nN": (
         1,
         (
-            "load: -11.78098 nN breaks this contact, which holds a pull down to -11.78097 nN (-15.0037 nN by Maugis' "
+            "--load: -11.78098 nN breaks this contact, which holds a pull down to -11.78097 nN (-15.0037 nN by Maugis' "
             "law: --model maugis)"
         ),
     ),
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "contact quartz 100nm --poisson 0.6": (
         2,
-        "poisson_ratio: '0.6' must lie above -1, and be at most 0.5; expected a number such as 0.3",
+        "--poisson: '0.6' must lie above -1, and be at most 0.5; expected a number such as 0.3",
     ),
     "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
     "r-min 1e-170m": (2, "radius: 1e-170 must lie between 1e-30 and 1e30 in SI units"),
@@ -152,7 +149,7 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -1nN:1nN:3:log": (
         2,
-        "load: '-1nN:1nN:3:log' has an end that is not positive; leave :log out: the steps are equal then",
+        "--load: '-1nN:1nN:3:log' has an end that is not positive; leave :log out: the steps are equal then",
     ),
     "pull-off quartz iron 100nm": (
         2,
@@ -244,7 +241,7 @@ def test_message(run: Run, line: str) -> None:
 
 def test_wrong_case_of_a_unit(run: Run) -> None:
     ran = run("contact 100nm --gamma 25mJ/m2 --poisson 0.2 --young 54Gpa")
-    assert ran.err == "jkroll: youngs_modulus: '54Gpa' has an unknown unit 'Gpa'; did you mean GPa?\n"
+    assert ran.err == "jkroll: --young: '54Gpa' has an unknown unit 'Gpa'; did you mean GPa?\n"
 
 
 # --- Formats --------------------------------------------------------------------------------------------------------
@@ -366,7 +363,7 @@ def test_tension_beyond_pull_off_takes_what_depends_on_the_load(run: Run) -> Non
     ran = run("report quartz 10nm --load -5nN --json")
     data = json.loads(ran.out)
     assert ran.code == 1
-    assert ran.err.startswith("jkroll: load: -5 nN breaks this contact, which holds a pull down to -1.178097 nN\n")
+    assert ran.err.startswith("jkroll: --load: -5 nN breaks this contact, which holds a pull down to -1.178097 nN\n")
     values = {result["name"]: result["value"] for result in data["results"]}
     assert values["pull_off_force"] > 0
     assert values["r_min"] > 0
@@ -678,8 +675,7 @@ def test_beyond_the_fold(run: Run) -> None:
     ran = run("contact quartz 100nm --approach -0.1nm --bare")
     assert ran.code == 1
     assert ran.err.startswith(
-        "jkroll: approach_at_load: at -100 pm the spheres have parted; the farthest that a stiff machine holds them is "
-        "-87.6"
+        "jkroll: --approach: at -100 pm the spheres have parted; the farthest that a stiff machine holds them is -87.6"
     )
 
 

@@ -372,7 +372,7 @@ def test_more_rows_than_are_explained(run: Run) -> None:
     assert found == approx(forces / (3 * math.pi * 2e-6), rel=1e-12)
     refused = run(f"{words} --json")
     assert (refused.code, refused.out) == (2, "")
-    assert refused.err == "jkroll: --json: 10001 scenes are more than 10000; --csv writes any number\n"
+    assert refused.err == "jkroll: --json: 10001 pairs are more than 10000; --csv writes any number\n"
 
 
 def test_a_material_that_lacks_an_input_fails_its_rows_alone(run: Run, tmp_path: Path) -> None:

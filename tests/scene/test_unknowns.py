@@ -487,7 +487,7 @@ def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
         (COMMAND.replace(",young", ""), 2, "an input needs one measured quantity, and 2 are given: "),
         (COMMAND.replace("quartz", "grains.csv"), 2, "infer reads no tables, and batch infers one input"),
         (COMMAND.replace("300nN", "1nN:1uN:1001"), 2, (
-            "1001 scenes are more than 1000, in which two inputs are looked "
+            "1001 pairs are more than 1000, in which two inputs are looked "
             "for"
         )),
         (COMMAND.replace("1kN", "1TN"), 1, "surface_energy,youngs_modulus: no pair of values gives "),

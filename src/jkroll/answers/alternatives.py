@@ -195,7 +195,7 @@ def _about_law(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Seque
         text for name in headline if doubt.value >= JUMP or name not in _OF_ENERGY for text in _advised(scene, name)
     ]
     spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
-    inexact = f"{scene.law.title} is inexact here, and Maugis' law, too"
+    inexact = f"neither {scene.law.title} nor Maugis' law is exact here"
     lead = ", ".join(told[:MAX_TOLD]) + f" by Maugis' law, better here than {scene.law.title}" if told else inexact
     return f"{lead} (Tabor parameter {doubt.value:.2g}, z0 = {spacing}): --model {BETWEEN}"
 

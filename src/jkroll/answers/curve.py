@@ -206,7 +206,7 @@ def at_states(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[A
 def _known(state: State) -> dict[str, float | Failure]:
     """Return results that are known exactly at a state, where a computed value would be rounding error."""
     if state.name == NAMED[FOLD]:
-        return {"stiffness": without_value("stiffness", "infinite at the fold")}
+        return {"stiffness": without_value("stiffness", "infinite where fixed grips let go")}
     return {"approach_at_load": 0.0} if state.name == NAMED[JUMP_IN] else {}
 
 

@@ -1,12 +1,12 @@
 """A call of a command: its words and options, read as far as they are needed, as scenes and as a format of results."""
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from ..errors import BadRequest
+from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, materials_of_user
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import law_named
@@ -14,6 +14,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import Spread, as_typed, error_about, spreads_of
 from ..rows.sweep import Pair, Sweep
+from ..scene.failures import MissingInput
 from ..scene.scene import EXCLUSIVE, check_range
 from ..text import ending, listed, quoted, say_wrapped
 
@@ -251,6 +252,17 @@ def known_materials_of(option: str | None) -> Materials:
     for text in known.overrides:
         say_wrapped(f"note: {text}", sys.stderr)
     return known
+
+
+def worded(error: JkrollError, command: str, options: Collection[str]) -> str:
+    """Return the message of an error in the words that were typed: the command that lacks an input, the option of a bad one."""
+    from ..answers.questions import QUESTIONS
+
+    if type(error) is MissingInput and command in QUESTIONS:
+        return f"{command} {error.reason()}"
+    name, _, problem = str(error).partition(": ")
+    option = NOMENCLATURE[name].option if name in NOMENCLATURE else ""
+    return f"{option}: {problem}" if option and option in options else str(error)
 
 
 def _is_part(text: str) -> bool:

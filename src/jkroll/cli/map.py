@@ -232,7 +232,7 @@ def map_request(call: Call) -> PlotRequest:
         raise BadRequest(f"both axes are {axes[0].name}")
     if (count := len(call.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
-        raise BadRequest(f"{count} scenes are more than {most}")
+        raise BadRequest(f"{count} pairs are more than {most}")
     scenes = tuple((_distinction(scene, call), scene) for scene in call.sweep.scenes())
     return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), call.materials, call.plain)
 

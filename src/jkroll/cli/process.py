@@ -45,7 +45,7 @@ def main(arguments: Sequence[str] | None = None, read: Callable[[Sequence[str]],
             import traceback
 
             traceback.print_exc()
-        return _report(error)
+        return _report(error, words)
 
 
 def _check(words: Iterable[str]) -> None:
@@ -59,10 +59,13 @@ def _check(words: Iterable[str]) -> None:
             raise BadRequest(f"{quoted(word)} contains half a character (a lone surrogate)") from None
 
 
-def _report(error: Exception) -> int:
-    """Print an error on stderr, in one line unless a terminal is narrower, and return the exit code."""
+def _report(error: Exception, words: Sequence[str]) -> int:
+    """Print an error on stderr, in one line unless a terminal is narrower, and return the exit code; `words`: that were typed."""
     if isinstance(error, JkrollError):
-        message, code = str(error), error.exit_code
+        from .call import worded
+
+        typed = [word.partition("=")[0] for word in words]
+        message, code = worded(error, typed[0] if typed else "", typed), error.exit_code
     elif isinstance(error, MemoryError):
         message, code = "there is not enough memory; ask for fewer rows or points", CANNOT_WRITE
     elif isinstance(error, OSError):

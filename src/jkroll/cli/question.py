@@ -15,11 +15,12 @@ from ..output.files import text_output
 from ..output.records import write_json, write_plain
 from ..output.writers import WRITERS, written
 from ..quantities.formatting import Format
+from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Columns, Wanted
 from ..rows.sweep import Sweep
 from ..scene.wiring import formula_of
 from ..text import ending, fitting, quoted, say_wrapped
-from .call import Call
+from .call import Call, worded
 
 MAX_CURVES = 1_000_000
 MAX_TABLE = 10_000  # rows of a table on a terminal
@@ -85,7 +86,7 @@ def _refuse_inputs(question: Question, sweep: Sweep) -> None:
 def check_count(count: int, kind: str, most: int) -> None:
     """Raise BadRequest if there are more scenes than are answered one by one."""
     if count > most:
-        raise BadRequest(f"--{kind}: {count} scenes are more than {most}; --csv writes any number")
+        raise BadRequest(f"--{kind}: {count} pairs are more than {most}; --csv writes any number")
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
@@ -109,8 +110,8 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
     notes = note_lines.OfRows(sweep.noted(wanted))
     deliver(call, wanted, notes, blocks, form)
     if len(sweep) == 1 and not call.quiet:
-        return _ended(notes, note_lines.of_answer(answer(next(sweep.scenes()))))
-    return _ended(notes, notes.lines(has_table=is_shown, quiet=call.quiet))
+        return _ended(call, notes, note_lines.of_answer(answer(next(sweep.scenes()))))
+    return _ended(call, notes, notes.lines(has_table=is_shown, quiet=call.quiet))
 
 
 def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
@@ -145,17 +146,19 @@ def deliver(call: Call, wanted: Wanted, notes: note_lines.OfRows, blocks: Iterab
     return False
 
 
-def _ended(notes: note_lines.OfRows, lines: Iterable[str]) -> int:
+def _ended(call: Call, notes: note_lines.OfRows, lines: Iterable[str]) -> int:
     """Print the notes on rows, and how many of them failed, if any did; return the exit code."""
     for line in lines:
         say_wrapped(line, sys.stderr)
-    return _failed(notes.tally.failed, notes.tally.rows, notes.failure)
+    return _failed(call, notes.tally.failed, notes.tally.rows, notes.failure)
 
 
-def _failed(failed: int, count: int, first: JkrollError | None) -> int:
+def _failed(call: Call, failed: int, count: int, first: JkrollError | None) -> int:
     if not failed:
         return 0
-    say_wrapped(f"jkroll: {first if count == 1 else f'{failed} of {count} rows failed'}", sys.stderr)
+    options = [NOMENCLATURE[name].option for name in call.inputs]
+    message = worded(first, call.command, options) if first and count == 1 else f"{failed} of {count} rows failed"
+    say_wrapped(f"jkroll: {message}", sys.stderr)
     return ROWS_FAILED
 
 
@@ -190,7 +193,7 @@ def _write_answers(call: Call, answers: Iterable[Answer], count: int, form: Form
         else:
             _write_answer(call, next(watched()), out, form)
         out.flush()
-    return _failed(len(failures), count, failures[0] if failures else None)
+    return _failed(call, len(failures), count, failures[0] if failures else None)
 
 
 def _write_answer(call: Call, answer: Answer, out: TextIO, form: Format) -> None:
@@ -236,7 +239,7 @@ def _write_curve(call: Call) -> int:
     form = call.form(shown)
     loads, sweep = call.loads, call.sweep
     if (count := len(sweep)) > MAX_CURVES:
-        raise BadRequest(f"--curve: {count} scenes are more than {MAX_CURVES}")
+        raise BadRequest(f"--curve: {count} pairs are more than {MAX_CURVES}")
     samples = [*at_states(sweep.kinds, loads)]
     failures = (AtState(sample, question).failure for sample in samples)
     if (first := next(failures)) is not None and None not in failures:
@@ -257,5 +260,5 @@ def _write_curve(call: Call) -> int:
     notes = note_lines.OfRows((curve.scene, curve.shown) for curve in curves)
     is_table = deliver(call, wanted, notes, columns(), form)
     if len(sweep) == 1 and not call.quiet:
-        return _ended(notes, note_lines.of_answer(curves[0], has_head=is_table))
-    return _ended(notes, notes.lines(has_table=is_table, quiet=call.quiet))
+        return _ended(call, notes, note_lines.of_answer(curves[0], has_head=is_table))
+    return _ended(call, notes, notes.lines(has_table=is_table, quiet=call.quiet))

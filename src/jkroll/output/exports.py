@@ -54,7 +54,7 @@ _REMARKS_ON = {
     "jkr": (
         "# twisting sds: stiffness [N m], damping 0, coefficient M_twist/(P + 2P_c) [m]. timestep in s.",
         (
-            "# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to the fold, where fixed "
+            "# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to where fixed "
             "grips let go. So a"
         ),
         "# collision loses 0.3814 P_c delta0 in LAMMPS, for 0.7722 here: its grains stick only below 0.7028 v_stick.",

@@ -44,7 +44,7 @@ def roll_energy(*, unloaded_moment: Moment, rolling_angle: Angle) -> Energy:
     rolling_angle  [rad]  > 0; the turn of sphere 1 while body 2 is held
 
     Source:   Work of a moment; M is Eq (26).
-    Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
+    Valid:    A contact that rolls with the full lag ξ all the way; Eq (43) has a mean moment of half as much.
     """
     return unloaded_moment * rolling_angle
 
@@ -55,7 +55,7 @@ def roll_energy_quarter_turn(*, unloaded_moment: Moment) -> Energy:
         E_roll = Mπ/2 = 6π²γRξ
 
     Source:   As coded in Lumajord/DustSimulation, MaterialInfoWidget.
-    Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
+    Valid:    A contact that rolls with the full lag ξ all the way; Eq (43) has a mean moment of half as much.
     """
     return pi / 2 * unloaded_moment
 
@@ -66,7 +66,7 @@ def roll_energy_half_turn(*, unloaded_moment: Moment) -> Energy:
         E_roll = Mπ = 12π²γRξ, which is 6π²γr0ξ for identical spheres of radius r0
 
     Source:   6π²γr0ξ as it stands in StephaneMichoulier/Pamdeas, dust.cpp.
-    Valid:    A contact that trails at ξ all the time; Eq (43) has a mean moment of half as much.
+    Valid:    A contact that rolls with the full lag ξ all the way; Eq (43) has a mean moment of half as much.
     """
     return pi * unloaded_moment
 

@@ -89,7 +89,7 @@ PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
             _LIGHT,
             "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At ⟦R1⟧ = "
                 "100 nm and "
-            "⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the vertical vibration; the text has one to two orders.",
+            "⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the vibration along the centres; the text has one to two orders.",
             printed="rolling_frequency_as_printed",
         ),
         "8": PaperMap(

@@ -230,7 +230,7 @@ _BOTH_SPHERES["radius2"] = _BOTH_SPHERES["radius2"]._replace(
 )
 
 _TRAILING = (
-    "for the moment of a contact that trails at ξ all the time, 4P_cξ in JKR; n_roll has the mean moment, half of it"
+    "for a contact that rolls with the full lag ξ all the way, 4P_cξ in JKR; n_roll has the mean moment, half of it"
 )
 
 _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
@@ -379,7 +379,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             may_be_zero=True),
         "hertz_pressure_over_modulus": Quantity("p_H/E*", "1", "Hertz part of the pressure over the contact modulus",
         "8", may_be_zero=True),
-        "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", may_be_zero=True),
+        "profile_error": Quantity("e_h", "1", "error of the sphere's shape at the contact's edge", may_be_zero=True),
         "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
         "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
         "yield_energy": Quantity("W_yield", "J", "energy to begin rolling", "25"),
