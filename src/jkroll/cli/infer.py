@@ -24,10 +24,8 @@ def run_infer(call: Call) -> int:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
     if tables := [word for word in call.words if is_table(word)]:
         if len(names) > 1:
-            raise BadRequest(
-                "infer reads no tables, and batch infers one input only; write the rows as lists (1nm,2nm) or ranges "
-                "(1nm:1um:5)"
-            )
+            remedy = "write the rows as lists (1nm,2nm) or ranges (1nm:1um:5)"
+            raise BadRequest(f"infer reads no tables, and batch infers one input only; {remedy}")
         quantity = (call.measured[0] if call.measured else "QUANTITY").partition("=")[0]
         line = f"jkroll batch {tables[0]} --infer {call.subject} --measured {quantity}"
         raise BadRequest(f"infer reads no tables; write {line}")
@@ -69,8 +67,7 @@ def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spre
             raise BadRequest(f"--measured: {quantity} is given twice; several values have commas")
         measured[quantity] = spreads_of(value, quantity)
     if len(measured) != len(names):
-        wanted = (
-            "an input needs one measured quantity" if len(names) == 1 else "two inputs need two measured quantities"
-        )
-        raise BadRequest(f"{wanted}, and {len(measured)} {'is' if len(measured) == 1 else 'are'} given: {example}")
+        wanted = ("an input needs one measured quantity", "two inputs need two measured quantities")[len(names) - 1]
+        are = "is" if len(measured) == 1 else "are"
+        raise BadRequest(f"{wanted}, and {len(measured)} {are} given: {example}")
     return measured

@@ -12,7 +12,7 @@ from math import erfc, fsum, isfinite, isnan, sqrt
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
-from ..physics.elementary import absolute, at_least, at_most, hypot, where
+from ..physics.elementary import NUMBER, absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Problem, Solution
@@ -138,7 +138,7 @@ class Propagated(NamedTuple):
     uncertainty: Uncertain
     shares: Mapping[
         str, float
-    ]  # by the first input of a source; of the variance, or of the width of a range; of numbers
+    ]  # of numbers: of the variance, or of the width of a range; by the first input of a source
 
 
 _Bar = tuple[Mapping[str, Any], Sequence[Any]]  # the sides of an error bar, and how far each source moves the value
@@ -172,7 +172,7 @@ def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
     force = scene.numbers("pull_off_force")
     if not (force and sources and isinstance(sources[0].given, Measured)):
         return 0.0
-    bar = propagated(_evaluation(scene, ["pull_off_force"], sources), force, sources).get("pull_off_force")
+    bar = uncertainties(scene, [*force])[0].get("pull_off_force")
     of_force = bar.uncertainty.sides["minus"] if isinstance(bar, Propagated) else 0.0
     of_load = sum(source.given.sides["minus"] for source in sources if "load" in source.names)
     spread = hypot(of_force, of_load)
@@ -226,19 +226,15 @@ def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[
     outcomes = evaluate([*(_on_edges(sources) if is_range else _at_ends(sources))])
     bars: Bars = {}
     for name, value in values.items():
-        error = next((outcome for outcome in outcomes[name] if isinstance(outcome, JkrollError)), None)
-        if error is not None:
-            bars[name] = error
+        if errors := [outcome for outcome in outcomes[name] if isinstance(outcome, JkrollError)]:
+            bars[name] = errors[0]
             continue
         size = len(outcomes[name]) // len(sources)
         of_sources = [outcomes[name][size * axis : size * (axis + 1)] for axis in range(len(sources))]
         sides, parts = (_range if is_range else _quadrature)(value, of_sources)
         is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
-        if not isinstance(is_still, bool):
-            still = value if is_range else 0.0
-            sides = {side: where(is_still, still, ends) for side, ends in sides.items()}
-            bars[name] = Propagated(given._replace(value=value, **sides), {})
-        elif not is_still:
+        if is_still is not True:  # or some elements of arrays are not
+            sides = {side: where(is_still, value if is_range else 0.0, end) for side, end in sides.items()}
             bars[name] = Propagated(given._replace(value=value, **sides), _shares(sources, parts))
     return bars
 
@@ -281,21 +277,19 @@ def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
 
 def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
     """Return the least and the largest value on the edges of the box of ranges, and the mean width along those of a source."""
-    low, high, parts = value, value, []
+    ends, parts = [value], []
     for outcomes in of_sources:
-        edges = [_span(outcomes[start : start + STEPS + 1]) for start in range(0, len(outcomes), STEPS + 1)]
-        parts.append(sum(most - least for least, most in edges) / len(edges))
-        low, high = _span([low, high, *(end for edge in edges for end in edge)])
-    return {"low": low, "high": high}, parts
-
-
-def _span(values: Sequence[Any]) -> tuple[Any, Any]:
-    """Return the least and the largest of values, element by element for arrays."""
-    return reduce(at_most, values), reduce(at_least, values)
+        edges = [outcomes[start : start + STEPS + 1] for start in range(0, len(outcomes), STEPS + 1)]
+        lows, highs = ([reduce(end, edge) for edge in edges] for end in (at_most, at_least))
+        parts.append(sum(high - low for low, high in zip(lows, highs, strict=True)) / len(edges))
+        ends += lows + highs
+    return {"low": reduce(at_most, ends), "high": reduce(at_least, ends)}, parts
 
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
-    """Return the share of each source in the variance or in the width, the largest first; none where it has no influence."""
+    """Return the share of each source in the variance or in the width of a number, the largest first; none where it has no influence."""
+    if not all(isinstance(part, NUMBER) for part in parts):
+        return {}
     power = 1 if isinstance(sources[0].given, Interval) else 2
     sizes = [(part / max(parts)) ** power for part in parts]  # squares of the parts may leave the doubles
     shares = {source.names[0]: size / fsum(sizes) for source, size in zip(sources, sizes, strict=True) if size}

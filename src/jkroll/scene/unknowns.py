@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy
 
-from ..errors import JkrollError
+from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from .inverse import (
@@ -29,7 +29,7 @@ _WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found am
 MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
 _OF_LOAD = (-14.0, 46.0)  # coordinates of a load that are scanned: from 1e-6 P_c beyond pull-off to 1e20 P_c
 _ROUNDS = 150  # of Newton's method
-_STEPS_BACK = 30  # halvings of a step that leads further away, after which it has ended
+_LAST_STEP = 1e-14  # of the coordinates: a step as small as this ends the search
 _NEAR = 1e-9  # in logarithms of the measured values: a pair that is as near as this is a solution
 _SAME = 1e-9  # difference of the coordinates of a pair that was found twice
 _ERROR = 1e-13  # of the quantities, where rounding ends
@@ -69,7 +69,10 @@ def solutions(problem: Problem, size: int, near: Values | None = None) -> Soluti
             pairs, rest = Pairs(problem, size).followed(near)
             whole.put(range(size), pairs)
         for row in rest:
-            whole.put([row], Pairs(problem.rows(row)).found())
+            try:
+                whole.put([row], Pairs(problem.rows(row)).found())
+            except NoResult as error:
+                whole.failures[row] = error
     for column in (whole.condition, *growths.values()):
         column[:] = [float(f"{number:.6g}") for number in column]  # the rest comes from rounding
     return whole
@@ -173,8 +176,8 @@ class Pairs:
         The unknowns are among the sizes that are looked for, but for rounding.
         """
         best, steps = numpy.array(start), numpy.zeros_like(start)
+        distance = numpy.full(start.shape[1], inf)
         active = numpy.arange(start.shape[1])
-        distance, back = numpy.full(len(active), inf), numpy.zeros(len(active), dtype=int)
         for _ in range(_ROUNDS):
             places = best[:, active] + steps[:, active]
             residuals, matrices = self.rows(active).slopes(places)
@@ -183,9 +186,7 @@ class Pairs:
             nearer = active[is_nearer]
             best[:, nearer], distance[nearer] = places[:, is_nearer], size[is_nearer]
             steps[:, active] = numpy.where(is_nearer, _newton_step(residuals, matrices), steps[:, active] / 2)
-            back[active] = numpy.where(is_nearer, 0, back[active] + 1)
-            patience = numpy.where(distance[active] < _NEAR / 1e3, 1, _STEPS_BACK)
-            active = active[(back[active] < patience) & steps[:, active].any(axis=0)]
+            active = active[abs(steps[:, active]).max(axis=0) > _LAST_STEP]
             if not active.size:
                 break
         if self.load is not None:
@@ -223,33 +224,28 @@ class Pairs:
         return outcomes(self.problem, self.values(self._mesh.reshape(2, -1)))
 
     def found(self) -> Solution:
-        """Return the one pair, or the reason why there is none."""
+        """Return the one pair. Raises the reason why there is none."""
         sample = self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1)
         _, matrices = self.slopes(sample)
         known = numpy.flatnonzero(numpy.isfinite(matrices).all(axis=(1, 2)))
         if known.size and not (_conditions(matrices[known]) <= MAX_CONDITION / 10).any():
-            return self._failed(Unseparated(self.problem, self._left_open(matrices[known[known.size // 2]])))
+            raise Unseparated(self.problem, self._left_open(matrices[known[known.size // 2]]))
         places, distance = self.improved(self._in_cells())
         order = numpy.argsort(distance)[: numpy.isfinite(distance).sum()]
         if not order.size:
-            return self._failed(self._failure())
+            raise self._failure()
         places, distance = places[:, order], distance[order]
         pairs = self.solution(places)
         worst = int(pairs.condition.argmax())
         if pairs.condition[worst] > MAX_CONDITION:
             remark = self._left_open(self.slopes(places[:, [worst]])[1][0])
-            return self._failed(Unseparated(self.problem, remark, float(pairs.condition[worst])))
+            raise Unseparated(self.problem, remark, float(pairs.condition[worst]))
         distinct = _distinct(places, pairs.condition * (_ERROR + 2 * distance))
         if len(distinct) > 1:
             rows = sorted(numpy.transpose([*pairs.values.values()])[distinct].tolist())
             several = [dict(zip(pairs.values, row, strict=True)) for row in rows]
-            return self._failed(SeveralSolutions(self.problem, several))
+            raise SeveralSolutions(self.problem, several)
         return self.solution(places[:, :1])
-
-    def _failed(self, error: JkrollError) -> Solution:
-        """Return the solution of a row without one."""
-        nothing = dict.fromkeys(self.problem.unknowns, nan)
-        return Solution(self.problem, nothing, nan, nothing, {0: error})
 
     def _in_cells(self) -> Any:
         """Return places in the cells that both measured values may cross: the centre, and one towards each corner."""
