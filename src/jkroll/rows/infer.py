@@ -21,7 +21,7 @@ from .reasons import ROW, UNCERTAINTY, Reasons
 from .sweep import Pair, Sweep
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Sources
+    pass
 
 _WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
 _ONE = "is not one quantity and its value", '"pull_off_force": "300 nN"'
@@ -34,14 +34,6 @@ class Unknowns(Wanted):
     def with_alternatives(self, scenes: Sequence[Any], names: Collection[str], *, data: bool = False) -> "Wanted":  # noqa: ARG002
         """Return the same unknowns: each value is one of its own law."""
         return self
-
-    def sources_in(self, scene: Problem) -> "Sources | None":
-        """Return the sources of uncertainty of the unknowns; None if there is no uncertainty."""
-        if not scene.is_uncertain:
-            return None
-        from ..scene.uncertainty import sources_of_problem
-
-        return sources_of_problem(scene)
 
     def work(self, scene: Problem) -> int:  # noqa: ARG002
         """Return the cost of a row that is computed by itself, counted in formulas."""

@@ -5,7 +5,6 @@ piece that crosses the measured value is bisected down to neighbouring doubles.
 """
 
 from collections.abc import Callable
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy
@@ -98,6 +97,8 @@ class Points(NamedTuple):
 
     def _with(self, rows: Rows, x: Any, function: Function) -> "Points":
         """Return these and others, computed now."""
+        if not len(rows):
+            return self
         joined = [numpy.concatenate(both) for both in ((self.rows, rows), (self.x, x), (self.y, function(rows, x)))]
         order = numpy.lexsort(joined[1::-1])
         return Points(*(column[order] for column in joined))
@@ -153,7 +154,7 @@ class Scan:
     """A scan of the unknown in some rows between two sizes, and what comes of it."""
 
     def __init__(self, problem: Problem, size: int, sizes: tuple[float, float]) -> None:
-        self.problem, self.size = problem, size
+        self.problem, self.size, self.sizes = problem, size, sizes
         ((self.unknown,), ((self.quantity, levels),)) = problem.unknowns, problem.levels.items()
         self.levels = numpy.broadcast_to(numpy.asarray(levels, dtype=float), size)
         count = size if problem.scene.arrays else 1
@@ -167,58 +168,55 @@ class Scan:
     def solution(self) -> Solution:
         """Return the one solution in each row, and the reasons why others have none."""
         every = numpy.arange(self.size)
-        starts = numpy.searchsorted(self.points.rows, every)
-        low, high = (each.reduceat(self.points.y, starts) for each in (numpy.fmin, numpy.fmax))
+        rows, x, y = self.points
+        is_level = self._is_level(rows, y)
+        low, high, first, last = (
+            end.reduceat(values, numpy.searchsorted(rows, every))
+            for values in (y, numpy.where(is_level, x, numpy.nan))
+            for end in (numpy.fmin, numpy.fmax)
+        )
         depends = high - low > _ROUNDING * numpy.fmax(abs(low), abs(high))
-        failures = self._stretches(depends)
+        counts = numpy.bincount(rows[is_level], minlength=self.size)
+        is_stretch = depends & (counts > PER_DECADE) & (first > 0) & (last >= 10 * first)
         rows, roots = self.points.crossings(self.levels, self.function)
-        first, last = numpy.searchsorted(rows, [every, every + 1])
-        is_one = depends & (last - first == 1)
-        is_one[[*failures]] = False
+        start, stop = numpy.searchsorted(rows, [every, every + 1])
+        is_one = depends & ~is_stretch & (stop - start == 1)
         values = numpy.full(self.size, numpy.nan)
-        values[is_one] = taken(self.unknown, roots[first[is_one]])
+        values[is_one] = taken(self.unknown, roots[start[is_one]])
+        failures: dict[int, JkrollError] = {}
         for row in numpy.flatnonzero(~is_one).tolist():
-            if row not in failures:
-                of_row = roots[first[row] : last[row]].tolist() if depends[row] else None
-                failures[row] = self._unsolved(row, of_row, (float(low[row]), float(high[row])))
+            problem = self.problem.rows(row)
+            if numpy.isnan(low[row]):
+                failures[row] = problem.failure()
+            elif not depends[row]:
+                failures[row] = NoDependence(problem)
+            elif is_stretch[row]:
+                failures[row] = self._undetermined(row, numpy.array([first[row], last[row]]))
+            elif start[row] < stop[row]:
+                of_row = roots[start[row] : stop[row]].tolist()
+                failures[row] = SeveralSolutions(problem, [{self.unknown: root} for root in of_row])
+            else:
+                failures[row] = self._outside(problem, float(low[row]), float(high[row]))
         condition = self._condition(values)
         return Solution(self.problem, {self.unknown: values}, condition, {self.unknown: condition}, failures)
 
-    def _unsolved(self, row: int, roots: list[float] | None, span: tuple[float, float]) -> JkrollError:
-        """Return why a row has no one solution. `roots`: None where the quantity does not depend on the unknown."""
-        problem = self.problem.rows(row)
-        if roots is None:
-            return problem.failure() if numpy.isnan(span[0]) else NoDependence(problem)
-        if roots:
-            return SeveralSolutions(problem, [{self.unknown: root} for root in roots])
-        low, high = (amount(self.quantity, end) for end in span)
-        lies = f"it lies between {low} and {high} for {sizes_in_words([self.unknown])}"
-        return NoSolution(problem, f"no value gives {equal(problem.levels)}; {lies}", span)
+    def _outside(self, problem: Problem, low: float, high: float) -> NoSolution:
+        """Return the error of a measured value outside the range of the quantity."""
+        lies = f"it lies between {amount(self.quantity, low)} and {amount(self.quantity, high)}"
+        text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([self.unknown])}"
+        return NoSolution(problem, text, (low, high))
 
-    def _stretches(self, depends: Any) -> dict[int, JkrollError]:
-        """Return the rows in which a stretch of a decade or more has the measured value, with its ends."""
-        rows, x, y = self.points
-        alike = self._have_level(rows, y)
-        counts = numpy.bincount(rows[alike], minlength=self.size)
-        failures: dict[int, JkrollError] = {}
-        for row in numpy.flatnonzero(depends & (counts > PER_DECADE)).tolist():
-            start, stop = numpy.searchsorted(rows, [row, row + 1])
-            first, last = start + numpy.flatnonzero(alike[start:stop])[[0, -1]]
-            if x[first] <= 0 or x[last] < 10 * x[first]:
-                continue
-            outside = x[[max(first - 1, start), min(last + 1, stop - 1)]]
-            ends, _ = bisected(x[[first, last]], outside, partial(self._is_on_stretch, numpy.full(2, row)))
-            low, high = (amount(self.unknown, end) for end in ends.tolist())
-            problem = self.problem.rows(row)
-            text = f"every value from {low} to {high} gives {equal(problem.levels)}"
-            failures[row] = Undetermined(problem, text, tuple(ends.tolist()))
-        return failures
+    def _undetermined(self, row: int, inside: Any) -> Undetermined:
+        """Return the error of a measured value that a stretch has, given points of the scan at both ends of this."""
+        rows, problem = numpy.full(2, row), self.problem.rows(row)
+        outside = numpy.clip(inside * [0.5, 2.0], *self.sizes)
+        ends, _ = bisected(inside, outside, lambda x: self._is_level(rows, self.function(rows, x)))
+        low, high = ends.tolist()
+        span = f"{amount(self.unknown, low)} to {amount(self.unknown, high)}"
+        return Undetermined(problem, f"every value from {span} gives {equal(problem.levels)}", (low, high))
 
-    def _have_level(self, rows: Rows, y: Any) -> Any:
+    def _is_level(self, rows: Rows, y: Any) -> Any:
         return abs(y - self.levels[rows]) <= _ROUNDING * abs(self.levels[rows])
-
-    def _is_on_stretch(self, rows: Rows, x: Any) -> Any:
-        return self._have_level(rows, self.function(rows, x))
 
     def _condition(self, values: Any) -> Any:
         """Return |d ln unknown / d ln quantity| by central differences, or one-sided ones where the quantity ends."""

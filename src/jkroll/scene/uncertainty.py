@@ -118,9 +118,12 @@ def _of_materials(scene: Scene) -> Iterable[Source]:
     return sources.values()
 
 
-def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
-    """Return the sources that enter quantities of a scene, as far as it allows them."""
-    return sources_of(scene, scene.inputs_of(*scene.possible(names)))
+def sources_of_results(scene: Scene | Problem, names: Sequence[str]) -> Sources:
+    """Return the sources that enter quantities of a scene, as far as it allows them, or the unknowns of a problem."""
+    if isinstance(scene, Scene):
+        return sources_of(scene, scene.inputs_of(*scene.possible(names)))
+    of_measured = [Source((quantity,), given) for quantity, given in scene.measured.items() if is_uncertain(given)]
+    return sources_of(scene.scene, scene.used(), of_measured)
 
 
 # --- Error bars -------------------------------------------------------------------------------------------------------
@@ -296,22 +299,13 @@ def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, floa
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
 
 
-# --- Unknowns ---------------------------------------------------------------------------------------------------------
-
-
-def sources_of_problem(problem: Problem) -> Sources:
-    """Return the sources of the uncertainty of unknowns: the measured values, and the inputs of the scene."""
-    of_measured = [Source((quantity,), given) for quantity, given in problem.measured.items() if is_uncertain(given)]
-    return sources_of(problem.scene, problem.used(), of_measured)
-
-
 def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
     """Return the uncertainties of the unknowns that solve a problem of numbers, or of arrays, and their sources."""
     import numpy
 
     from .unknowns import solutions
 
-    problem, sources = solution.problem, sources_of_problem(solution.problem)
+    problem, sources = solution.problem, sources_of_results(solution.problem, solution.problem.unknowns)
     size = numpy.size(solution.condition)
 
     def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
