@@ -154,6 +154,7 @@ jkroll.pull_of_force
 jkroll.pull_off_force(work_of_adhesion=0.05)
 jkroll.solve(["r_min"], radius=1e-7).r_min
 size: float = jkroll.infer(["gamma", "young"], measured={}).condition
+jkroll.infer(["gamma", "young"], measured={}).value
 """
 
 
@@ -172,5 +173,6 @@ def test_a_type_checker_knows_all_formulas(tmp_path: Path) -> None:
         "Module has no attribute",
         "Missing named argument",
         "",
+        "",
     ], out
-    assert [int(line.split(":")[1]) for line in out.splitlines() if "error: " in line] == [7, 8, 9]
+    assert [int(line.split(":")[1]) for line in out.splitlines() if "error: " in line] == [7, 8, 9, 11]
