@@ -147,7 +147,7 @@ def test_the_top_level_holds_what_it_may() -> None:
 USER = """
 import jkroll
 
-force: float = jkroll.pull_off_force(work_of_adhesion=0.05, reduced_radius=5e-8)
+force: float = float(jkroll.pull_off_force(work_of_adhesion=0.05, reduced_radius=5e-8))
 both: dict[str, object] = jkroll.solve(["r_min", "n_grav"], material="quartz", radius=1e-7)
 one: float = jkroll.solve("r_min", radius=1e-7)
 jkroll.pull_of_force

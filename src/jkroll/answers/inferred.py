@@ -1,4 +1,4 @@
-"""The answers of `infer`: the value of an input that a measured quantity implies, or of two by two, with what they rest on."""
+"""The answers of `infer`: the values of inputs that measured quantities imply, with what they rest on."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -129,7 +129,7 @@ class Inferred(Answer):
         return self.forward.validity
 
     def about(self, doubt: Doubt) -> str:
-        """Return what follows from a limit for what was measured; of a law that is not exact, the values by Maugis' law."""
+        """Return what follows from a limit; where the law is not exact, the values by Maugis' law."""
         symbols = {name: symbol_beside(name, {*self.inputs, *self.assumed}) for name in self.problem.unknowns}
         if doubt.bits & OF_LAW and BETWEEN in self._by_law:
             values = self._by_law[BETWEEN].values
@@ -179,23 +179,23 @@ class Inferred(Answer):
 
     @cached_property
     def explained(self) -> Answer:
-        """The answer with the measured quantities, computed from the inferred inputs, beside these, as `--explain` derives both."""
+        """The answer with the measured quantities beside the unknowns, as `--explain` derives both."""
         explained = copy(self)
         explained.results = (*self.results, *self.forward.results)
         return explained
 
 
-def _of_both(name: str, found: Scene) -> str:
-    """Return that the surface energy is meant of both bodies where these are not alike otherwise, with the work of adhesion."""
-    if name != "surface_energy" or "radius2" not in found.stated or "surface_energy2" in found.given:
+def _of_both(name: str, scene: Scene) -> str:
+    """Return that the surface energy is meant of both bodies, where these are not alike, and the work of adhesion."""
+    if name != "surface_energy" or "radius2" not in scene.stated or "surface_energy2" in scene.given:
         return ""
-    return f" if γ2 = γ1, so w = {amount('work_of_adhesion', found['work_of_adhesion'])}"
+    return f" if γ2 = γ1, so w = {amount('work_of_adhesion', scene['work_of_adhesion'])}"
 
 
-def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
-    """Return a note on each property of a material in whose place an inferred value stands. `found`: the scene with that value."""
-    used = found.data_used(found.inputs_of(*quantities))
-    materials = {one.name: one for one, _ in found.materials}
+def _unused(name: str, quantities: Sequence[str], scene: Scene) -> list[Note]:
+    """Return a note on each property of a material in whose place an inferred value stands in a scene."""
+    used = scene.data_used(scene.inputs_of(*quantities))
+    materials = {one.name: one for one, _ in scene.materials}
     return [
         Note("data", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
         for material in materials.values()

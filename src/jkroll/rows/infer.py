@@ -31,7 +31,7 @@ _TWO = "is not two quantities and their values", '"pull_off_force": "300 nN", "s
 class Unknowns(Wanted):
     """Unknowns of rows, each of which is a problem."""
 
-    def with_alternatives(self, scenes: Sequence[Any], names: Collection[str], *, data: bool = False) -> "Wanted":  # noqa: ARG002
+    def with_alternatives(self, *_: Any, **__: Any) -> "Wanted":
         """Return the same unknowns: each value is one of its own law."""
         return self
 
@@ -98,14 +98,14 @@ class Unknowns(Wanted):
         return dict.fromkeys([ROW] if is_of_both else self.names, error)
 
     def _left_out(self, scene: Problem) -> LeftOut | None:
-        """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one."""
+        """Return the remark on uncertainties without columns, if there are some. Raises NotShown if a cell has one."""
         if not self.uncertainties or (sources := self.sources_in(scene)) is None:
             return None
         stated = [name for name, value in scene.measured.items() if is_uncertain(value)]
         return left_out(self, scene.scene, sources, stated=stated)
 
     def _may_be_of_both(self, scene: Problem) -> bool:
-        """Return whether an unknown is that of both spheres in some rows: the materials of many rows together have no name."""
+        """Return whether an unknown may be that of both spheres: the materials of many rows together have no name."""
         solids = [solid for solid in (scene.scene.material, scene.scene.material2) if solid is not None]
         return (
             len(solids) > 1
@@ -137,7 +137,7 @@ class Problems(Sweep):
         return Problem.of(self.names, self.quantities, given, *spheres, model=model)
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
-        """Return the columns of the unknowns. Raises the error of the inputs, or MissingInput if no kind of rows allows to infer them."""
+        """Return the columns of the unknowns. Raises the error of the inputs; MissingInput if all rows lack some."""
         columns, lacking = self.headline((), (), doubts=True), []
         for problem in self.kinds:
             try:
@@ -188,7 +188,7 @@ def infer(
     model: str | None = None,
     **given: Any,
 ) -> Any:
-    """Return the value of an input at which a quantity has its measured value, or those of two inputs by two quantities.
+    """Return the value of an input at which a quantity has its measured value, or of two inputs by two quantities.
 
     Parameters
     ----------

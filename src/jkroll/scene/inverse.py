@@ -41,7 +41,7 @@ AS_SHOWN = 1e-3  # relative difference of a quantity at a solution, or at the di
 
 
 class CannotInfer(JkrollError):
-    """Error raised for a word that does not stand for an input that can be inferred, or where no formula gives what was measured."""
+    """Error raised for a word of no input that can be inferred, or where no formula gives what was measured."""
 
 
 class AlreadyGiven(JkrollError):
@@ -72,7 +72,7 @@ class NoDependence(Unsolved):
 
 
 class Undetermined(Unsolved):
-    """Error raised where the measured quantity has its value on a stretch on which it does not depend on the unknown."""
+    """Error raised where all values of the unknown on a stretch give the measured one."""
 
     phrase = "any value gives it"
 

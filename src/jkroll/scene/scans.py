@@ -52,7 +52,7 @@ def taken(name: str, values: Any) -> Any:
 
 
 def outcomes(problem: Problem, values: Values) -> Any:
-    """Return the measured quantities, a row for each, at values of the unknowns; nan where the physics has no result."""
+    """Return the measured quantities, a row for each, at values of the unknowns; nan where there is no result."""
     scene = problem.with_values({name: taken(name, x) for name, x in values.items()})
     quantities = numpy.full((len(problem.measured), len(next(iter(values.values())))), numpy.nan)
     for quantity, outcome in zip(quantities, scene.evaluate([*problem.measured]).values(), strict=True):
@@ -114,7 +114,7 @@ class Points(NamedTuple):
         return self._with(numpy.tile(rows, len(places)), numpy.concatenate(places), function)
 
     def _with_extremes(self, function: Function) -> "Points":
-        """Return these with the maxima and minima between them, where the slope changes its sign, but for those of rounding."""
+        """Return these with the maxima and minima between them: the slope changes its sign, and not by rounding."""
         rows, x, y = self
         before, after = y[1:-1] - y[:-2], y[2:] - y[1:-1]
         change = numpy.fmax(abs(before), abs(after))

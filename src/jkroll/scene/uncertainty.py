@@ -39,7 +39,7 @@ class TooManyRanges(JkrollError):
 
 
 class Inseparable(JkrollError):
-    """Error raised for a range of a radius with which the displacement of a material moves, of which it has a range at each."""
+    """Error raised for a range of a radius on which the displacement of a material depends, itself a range at each."""
 
 
 # --- Sources ----------------------------------------------------------------------------------------------------------
@@ -58,7 +58,7 @@ class Source(NamedTuple):
 
 
 class Sources(NamedTuple):
-    """The sources of uncertainty that enter a result, and those of materials that do not, as they are of the other kind."""
+    """The sources of uncertainty that enter a result, and those of materials that are left out: of the other kind."""
 
     entering: Sequence[Source]
     left_out: Sequence[Source] = ()
@@ -135,7 +135,7 @@ Evaluate = Callable[[Sequence[Place]], Mapping[str, list[Any]]]  # quantities at
 class Propagated(NamedTuple):
     """The uncertainty of a result, and the part that each source has in it.
 
-    Of arrays it has arrays: nan where a place of the sources has no value, and no width where no source has an influence.
+    Of arrays it has arrays: nan where a place of the sources has no value, no width where no source has an influence.
     """
 
     uncertainty: Uncertain
@@ -168,9 +168,9 @@ def uncertainties_of_elements(scene: Scene, values: Mapping[str, Any], sources: 
 
 
 def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
-    """Return the part of all values that standard uncertainties stand for, normally distributed, at which a load is beyond pull-off.
+    """Return the part of the values that standard uncertainties stand for, at which a load is beyond pull-off.
 
-    The distance P + P_c is taken as normally distributed, too. Ranges have none: their ends hold.
+    They and the distance P + P_c are taken as normally distributed. Ranges have no such part: their ends hold.
     """
     force = scene.numbers("pull_off_force")
     if not (force and sources and isinstance(sources[0].given, Measured)):
@@ -194,7 +194,7 @@ def _evaluation(
     sources: Sequence[Source],
     alternative: Callable[[Scene], Scene] | None = None,
 ) -> Evaluate:
-    """Return what computes quantities of a scene at places, one after the other, or many places of numbers as arrays."""
+    """Return what computes quantities of a scene at places: one by one, or many places of numbers as arrays."""
     middles = {name: given.value for name, given in scene.uncertain.items()}
 
     def outcomes(place: Place) -> Mapping[str, Any]:
@@ -279,7 +279,7 @@ def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
 
 
 def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
-    """Return the least and the largest value on the edges of the box of ranges, and the mean width along those of a source."""
+    """Return the least and the largest value on the edges of a box of ranges, and the mean width along those of a source."""
     ends, parts = [value], []
     for outcomes in of_sources:
         edges = [outcomes[start : start + STEPS + 1] for start in range(0, len(outcomes), STEPS + 1)]
@@ -290,7 +290,7 @@ def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
 
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
-    """Return the share of each source in the variance or in the width of a number, the largest first; none where it has no influence."""
+    """Return the share of each source that has one in the variance or the width of a number, the largest first."""
     if not all(isinstance(part, NUMBER) for part in parts):
         return {}
     power = 1 if isinstance(sources[0].given, Interval) else 2

@@ -1,4 +1,4 @@
-"""The solver of the inverse problem, for numbers and for arrays: one unknown by scans, two by Newton's method on a grid."""
+"""The solver of the inverse problem, for numbers and arrays: one unknown by scans, two by a grid and Newton's method."""
 
 from functools import cached_property
 from math import inf, log, nan
@@ -293,7 +293,7 @@ class Pairs:
         return heights[[*self.problem.measured].index(second)]
 
     def _left_open(self, matrix: Any) -> str:
-        """Return the direction in which both quantities stay as they are, to the first order, given their derivatives."""
+        """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
         steepest = max(matrix, key=lambda slope: float(numpy.hypot(*slope)))
         (one, other), (second, first) = self.problem.unknowns, steepest.tolist()
         for name, small, large in ((other, second, first), (one, first, second)):
