@@ -2,11 +2,12 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal
 
 from ..errors import JkrollError
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
+from ..record import Record
 from ..scene.alternatives import at_half_spacing, uses_law
 from ..scene.scene import Scene
 
@@ -17,7 +18,7 @@ else:
     Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
 
 
-class Result(NamedTuple):
+class Result(Record):
     """A quantity in SI units, or the reason why it has no value.
 
     `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies
@@ -73,7 +74,7 @@ Kind = Literal[
 ]
 
 
-class Note(NamedTuple):
+class Note(Record):
     """A sentence about an answer."""
 
     kind: Kind  # a warning is of a number without a meaning

@@ -3,8 +3,9 @@
 from collections.abc import Mapping, Sequence
 from math import floor, isinf, log10
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from ..record import Record
 from .nomenclature import INFINITY, NOMENCLATURE, header
 from .units import RAISED, Unit, convert, parse_unit, power_of_ten
 
@@ -23,7 +24,7 @@ _SHIFTS = ("", "e1", "e2")  # of a decimal point
 PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
-class Format(NamedTuple):
+class Format(Record):
     """Units and number of digits in which results are written."""
 
     units: Mapping[str, tuple[str, Unit]] = MappingProxyType({})  # by quantity: the unit to convert to

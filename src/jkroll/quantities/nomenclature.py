@@ -7,11 +7,12 @@ from collections.abc import Collection, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from ..record import Record
 from ..text import ascii_text
 from .laws import LAWS, routes_anywhere
 
 
-class Range(NamedTuple):
+class Range(Record):
     """An interval of values that a user may give, with the words for an error."""
 
     low: float

@@ -4,13 +4,14 @@ import operator
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cache, reduce
 from math import exp, inf, nan
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 from ..errors import JkrollError
 from ..physics.elementary import ln, where
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
+from ..record import Record
 from .alternatives import factor_of_data, factor_of_law, solid_of_kind
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
@@ -18,7 +19,7 @@ from .scene import Scene
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
 
-class Limit(NamedTuple):
+class Limit(Record):
     """A number that limits the model, the quantities whose use it touches, and the words for either side.
 
     A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order in
@@ -67,7 +68,7 @@ class Limit(NamedTuple):
         return (1 << len(self.codes)) - 1 << self.place
 
 
-class Doubt(NamedTuple):
+class Doubt(Record):
     """A limit that was judged: its number, and what is judged, which is another for a law: the factor between answers.
 
     Both are numbers, or arrays for a scene of arrays.
