@@ -17,7 +17,7 @@ from ..rows.columns import DOUBT, Columns, Wanted, as_list, middle, remarks_of
 from ..scene.limits import codes
 from ..text import spelled
 
-STRIP = 128  # rows whose numbers are written at once: their text stays in the cache
+STRIP = 128  # rows written at once: their text stays in the cache
 
 
 class Lines:
@@ -56,12 +56,17 @@ class Lines:
         size = len(before) or max(map(length, columns), default=0)
         columns = self._divided(columns)
         leads = self._leads(heads, is_begun=bool(before))
-        cells = [self._cells(column, lead, size) for column, lead in zip(columns, leads, strict=False)]
-        cells = [before, *cells] if before else cells
-        pieces = [self.end] * ((len(cells) + 1) * size)
-        for place, column in enumerate(cells):
-            pieces[place :: len(cells) + 1] = column
-        return b"".join([*pieces, rest])
+        cells = [self._texts(column, lead, size) for column, lead in zip(columns, leads, strict=False)]
+        strips = []
+        for start in range(0, size, STRIP):
+            place = slice(start, start + STRIP)
+            strip = [before[place]] if before else []
+            strip += [self._numbers(column, lead, place) for column, lead in zip(cells, leads, strict=False)]
+            pieces = [self.end] * ((len(strip) + 1) * len(strip[0]))
+            for each, column in enumerate(strip):
+                pieces[each :: len(strip) + 1] = column
+            strips.append(b"".join(pieces))
+        return b"".join([*strips, rest])
 
     @contextmanager
     def sink(self, stream: BinaryIO) -> Iterator[Callable[[bytes], None]]:
@@ -76,14 +81,20 @@ class Lines:
         """Return what stands before the cells of each column. `is_begun`: whether rows have a beginning."""
         return [self.separator if is_begun or place else b"" for place in range(len(heads))]
 
-    def _cells(self, column: Any, lead: bytes, size: int) -> Sequence[bytes]:
-        """Return the cells of a column, each behind its lead; or those of several columns in an array together."""
+    def _texts(self, column: Any, lead: bytes, size: int) -> Any:
+        """Return the cells of a column, each behind its lead; an array as it is."""
         if column is None or isinstance(column, str):
             return [lead + self._cell(column)] * size
         if isinstance(column, list):
             cells = {value: lead + self._cell(value) for value in {*column}}
             return [cells[value] for value in column]
-        rows = numbers_in_lines(column, self.separator, self.gap)
+        return column
+
+    def _numbers(self, column: Any, lead: bytes, place: slice) -> list[bytes]:
+        """Return some cells of a column; those of an array, which may be several columns, behind the lead."""
+        if isinstance(column, list):
+            return column[place]
+        rows = numbers_in_lines(column[..., place], self.separator, self.gap)
         if self.has_commas:
             rows = [row.replace(b".", b",") for row in rows]
         return rows if lead == self.separator else [lead + row[1:] for row in rows]
@@ -150,18 +161,14 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
     import numpy
     import orjson
 
-    rows = numpy.ascontiguousarray(numpy.atleast_2d(columns).T)
-    lines = []
-    for start in range(0, len(rows), STRIP):
-        strip = rows[start : start + STRIP]
-        text = orjson.dumps(strip + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
-        if gap != b"null" and b"n" in text:
-            text = text.replace(b"null", gap)
-        text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]: one byte is found fast
-        if separator != b",":
-            text = text.replace(b",", separator)
-        lines += text.split(b"]")[: len(strip)]
-    return lines
+    rows = numpy.atleast_2d(columns).T
+    text = orjson.dumps(numpy.ascontiguousarray(rows) + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
+    if gap != b"null" and b"n" in text:
+        text = text.replace(b"null", gap)
+    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]: one byte is found fast
+    if separator != b",":
+        text = text.replace(b",", separator)
+    return text.split(b"]")[: len(rows)]
 
 
 def divided(columns: Sequence[Any]) -> list[Any]:

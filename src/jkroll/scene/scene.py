@@ -45,7 +45,7 @@ def check_range(name: str, value: Any) -> None:
     if isinstance(value, NUMBER):
         if not takes(name, value):
             raise QuantityError(name, value, _wanted(limits, value))
-    elif not _takes_all(name, value):
+    elif not takes_all(name, value):
         refused = ~takes(name, value)
         place = tuple(places[0].item() for places in refused.nonzero())
         first = value[place].item()
@@ -60,9 +60,9 @@ def takes(name: str, value: Any) -> Any:
     return limits.admits(value) & is_large_enough & is_small_enough
 
 
-def _takes_all(name: str, values: Any) -> bool:
+def takes_all(name: str, values: Any) -> bool:
     """Return whether a scene takes each element of an array: nearly always all lie between two finite numbers that it takes."""
-    least, most = values.min(initial=INFINITY), values.max(initial=-INFINITY)
+    least, most = float(values.min(initial=INFINITY)), float(values.max(initial=-INFINITY))
     return bool((most < INFINITY and takes(name, least) and takes(name, most)) or takes(name, values).all())
 
 
