@@ -70,6 +70,18 @@ def test_error_bars_are_those_of_the_other_law() -> None:
     assert found == solve("pull_off_force", model="maugis", **given, atomic_spacing=4e-10)
 
 
+def test_objects_have_them_too(run: Run) -> None:
+    found = json.loads(run("pull-off quartz 100nm --gamma 25±5mJ/m2 --to nN --json").out)["laws"]["maugis"][
+        "pull_off_force"
+    ]
+    expected = solve("pull_off_force", model="maugis", **QUARTZ, gamma="25±5 mJ/m2", atomic_spacing=4e-10)
+    assert found["value"] == approx(expected.value * 1e9)
+    bar = found["uncertainty"]
+    assert (bar["minus"], bar["plus"]) == (approx(expected.minus * 1e9), approx(expected.plus * 1e9))
+    plain = json.loads(run("pull-off quartz 100nm --json").out)["laws"]["maugis"]["pull_off_force"]
+    assert "uncertainty" not in plain
+
+
 def test_lists_have_it_beside_the_headline(run: Run) -> None:
     out = run("pull-off quartz,iron 100nm,1mm", terminal=True).out
     assert "P_c by Maugis" in out

@@ -118,7 +118,7 @@ def test_words() -> None:
     scaled = words(of("quartz", 1e-7), "yield_force")
     assert "Q = 89–270 pN by forces on SiO2 of 1 µm (850–1200 pN), scaled to this size" in scaled
     assert words(of("ice-warm", 1e-6), "r_min").endswith(
-        "ξ is assumed (--xi): none of ice-warm was measured at this size"
+        "ξ is assumed (--xi): no ξ of ice-warm was measured at this size"
     )
     assert "polystyrene has 42 nm at 5 µm" in words(of("quartz", 1e-5), "r_min")
     assert words(of("quartz", 5e-8), "yield_force") == ""

@@ -1,7 +1,6 @@
 """Limits of the model: on which side of a threshold a number is in doubt, for what it is judged, and what is said."""
 
 import json
-import re
 from typing import Any
 
 import numpy as np
@@ -61,10 +60,11 @@ def test_an_excess_is_the_logarithm_of_a_factor() -> None:
     assert law.factor == approx(max(of_laws[1], fit) / of_laws[0] / 1.05)
 
 
-def test_a_threshold_that_words_name_is_the_one_that_is_judged() -> None:
-    for limit, threshold in THRESHOLDS:
-        for number, percent in re.findall(r"(?:above|below) ([\d.]+)( %)?", limit.fine):
-            assert float(number) / (100 if percent else 1) == threshold, limit.name
+def test_a_limit_that_holds_has_its_number_too() -> None:
+    (few,) = [
+        one for one in doubts(Scene(QUARTZ), ["pull_off_force"]) if one.limit.name == "contact_radius_in_spacings"
+    ]
+    assert few.text == "within the limit (a/z0 = 9.98)"
 
 
 def test_every_limit_touches_what_a_command_shows() -> None:

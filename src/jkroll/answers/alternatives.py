@@ -7,7 +7,7 @@ from ..errors import JkrollError
 from ..quantities.formatting import span
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, XI
-from ..quantities.values import Interval
+from ..quantities.values import Interval, is_uncertain
 from ..record import Record
 from ..scene.alternatives import (
     FORCES,
@@ -122,29 +122,29 @@ def _error_bars(scene: Scene, values: Mapping[str, Any], alternative: Callable[[
 # --- In full, for programs --------------------------------------------------------------------------------------------
 
 
-def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, float | None]]:
+def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, Any]]:
     """Return by quantity its value under the other law, over that under the law in use: with the atomic spacing and with half of it.
 
-    A rolling quantity has both readings: at equal displacement, and at equal hysteresis of adhesion.
+    A value has its error bar, and a rolling quantity both readings: at equal displacement, and at equal hysteresis.
     """
-    known = {name: value for name, value in scene.numbers(*names).items() if value}
     law, other = scene.law.name, by_law(scene)
-    between, missing = scene if law == BETWEEN else other, other.missing([*known])
-    values = other.evaluate([name for name in known if name in missing or uses_law(between, name)])
+    known = {name: value for name, value in scene.numbers(*names).items() if value}
+    values = by_other_law(scene, [*known]).values
+    numbers = other.numbers(*values)
     half = {} if law == BETWEEN else at_half_spacing(other).numbers(*values)
     rolled = rolling(values, BETWEEN)
     reading = at_other_reading(scene) if rolled else None
     readings = reading.numbers(*rolled) if reading is not None else {}
-    found: dict[str, dict[str, float | None]] = {}
-    for name, value in values.items():
-        own = known[name]
-        found[name] = (
-            {"value": None} if isinstance(value, JkrollError) else {"value": value, f"over_{law}": value / own}
-        )
+    found: dict[str, dict[str, Any]] = {}
+    for name in values:
+        own, number = known[name], numbers.get(name)
+        found[name] = {"value": number} | ({} if number is None else {f"over_{law}": number / own})
+        if is_uncertain(values[name]):
+            found[name]["uncertainty"] = values[name]
         if law != BETWEEN:
             found[name][f"over_{law}_at_half_spacing"] = half[name] / own if name in half else None
-        if name in readings and not isinstance(value, JkrollError):
-            both = [value / own, readings[name] / own]
+        if name in readings and number is not None:
+            both = [number / own, readings[name] / own]
             found[name] |= zip(readings_of(law), both if is_at_displacement(scene) else reversed(both), strict=True)
     return found
 
@@ -241,7 +241,7 @@ def about_unmeasured(scene: Scene) -> str:
         return ""
     of_solid = f" of {scene.material.name}" if scene.material is not None and scene.material2 is None else ""
     near = "" if radius < _LARGE else f"; {_ELSEWHERE}"
-    return f"ξ is assumed (--xi): none{of_solid} was measured at this size{near}"
+    return f"ξ is assumed (--xi): no ξ{of_solid} was measured at this size{near}"
 
 
 def _forces(scene: Scene) -> str:
@@ -273,6 +273,6 @@ _WORDS = {
 def about_displacement_of_rows(scene: Scene) -> str:
     """Return what was measured where ξ is assumed for rows of a kind, of which the scene is one."""
     if scene.material is not None and not solid_of_kind(scene):
-        return f"ξ is assumed (--xi): none of {scene.material.name} was measured"
+        return f"ξ is assumed (--xi): no ξ of {scene.material.name} was measured"
     ends = span(XI, *displacements_where_measured(scene))
     return f"ξ is assumed (--xi): forces on {SIO2} of 1 µm mean {ends}, and it grows with the sphere"

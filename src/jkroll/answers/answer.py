@@ -124,7 +124,7 @@ class Answer:
         return {name: one for name, one in given.items() if name in self.inputs}
 
     @cached_property
-    def laws(self) -> Mapping[str, Mapping[str, float | None]]:
+    def laws(self) -> Mapping[str, Mapping[str, Any]]:
         """The results under the other law, and their distance from these."""
         if self.scene.missing(["tabor_parameter"]):
             return {}

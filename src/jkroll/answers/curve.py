@@ -230,7 +230,7 @@ class AtState(Answer):
         return tuple(one if one.name not in known else _as_known(one, known[one.name]) for one in super().results)
 
     @cached_property
-    def laws(self) -> Mapping[str, Mapping[str, float | None]]:
+    def laws(self) -> Mapping[str, Mapping[str, Any]]:
         """The differences of Maugis' law from that of the curve."""
         return self.curve.laws
 

@@ -15,6 +15,7 @@ from .writers import WRITERS
 if TYPE_CHECKING:
     from ..answers.answer import Answer
     from ..answers.results import Result
+    from ..quantities.values import Uncertain
     from ..scene.limits import Doubt
 
 Cell = str | float | None
@@ -120,8 +121,7 @@ def _result_object(result: "Result", answer: "Answer", form: Format) -> dict[str
         if text := getattr(quantity, key):
             entry[key] = text
     if result.propagated is not None:
-        sides = {side: form.number(result.name, number) for side, number in result.sides().items()}
-        entry["uncertainty"] = {"kind": result.propagated.uncertainty.kind, **sides}
+        entry["uncertainty"] = _bar_object(result.name, result.propagated.uncertainty, form)
         entry["shares"] = dict(result.propagated.shares)
     if result.condition is not None:
         entry["condition"] = result.condition
@@ -136,11 +136,16 @@ def _result_object(result: "Result", answer: "Answer", form: Format) -> dict[str
     return entry
 
 
-def _law_object(name: str, numbers: Mapping[str, float | None], form: Format) -> dict[str, float | None]:
-    """Return what stands in place of a quantity under another law, in its unit."""
-    value = numbers["value"]
-    shown = None if value is None else form.number(name, value)
-    return {**numbers, "value": shown}
+def _bar_object(name: str, bar: "Uncertain", form: Format) -> dict[str, Any]:
+    """Return the kind of an error bar and its sides, in the unit of a quantity."""
+    return {"kind": bar.kind, **{side: form.number(name, number) for side, number in bar.sides.items()}}
+
+
+def _law_object(name: str, numbers: Mapping[str, Any], form: Format) -> dict[str, Any]:
+    """Return what stands in place of a quantity under another law, with its error bar, in its unit."""
+    value, bar = numbers["value"], numbers.get("uncertainty")
+    shown = {**numbers, "value": None if value is None else form.number(name, value)}
+    return shown if bar is None else {**shown, "uncertainty": _bar_object(name, bar, form)}
 
 
 def _displacement_object(found: Mapping[str, Any], form: Format) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from ..materials.library import Materials
 from ..quantities.formatting import AS_USUAL, in_units
-from ..quantities.laws import DEFAULT_LAW, LAWS, Law
+from ..quantities.laws import Law
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..scene.failures import MissingInput
@@ -196,8 +196,8 @@ def limits_of(scene: Scene, quantity: str) -> list[Limit]:
 
 def limits_of_paper(quantity: str) -> list[Limit]:
     """Return the limits of JKR that are drawn on a map of the paper."""
-    drawn = [limit for limit in LIMITS if is_drawn(limit) and DEFAULT_LAW in (limit.laws or LAWS)]
-    return sorted((limit for limit in drawn if limit.factor is None or has_law(quantity)), key=_place)
+    drawn = (limit for limit in LIMITS if is_drawn(limit) and (limit.factor is None or has_law(quantity)))
+    return sorted(drawn, key=_place)
 
 
 def is_drawn(limit: Limit) -> bool:

@@ -20,7 +20,7 @@ _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": ope
 
 
 class Limit(Record):
-    """A number that limits the model, the quantities whose use it touches, and the words for either side.
+    """A number that limits the model, the quantities whose use it touches, and what follows beyond it.
 
     A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order in
     which a value meets them, each with the code of the doubt.
@@ -30,10 +30,8 @@ class Limit(Record):
     touches: frozenset[str]
     sign: Literal["<", "<=", ">", ">="]
     codes: Mapping[float, str]  # by threshold
-    consequence: str  # for a number beyond the threshold
-    fine: str
+    consequence: str  # for a number beyond the threshold, or for any where there is none
     applies: Callable[[Scene, Collection[str]], bool] | None = None  # to some answers of a scene; None: to all
-    laws: tuple[str, ...] = ()  # of attraction, under which alone the limit is judged
     ends_meaning: bool = False  # a number that is said to be in doubt has no meaning
     conclusion: str = ""  # the name of what follows, if it is not that of the number
     factor: Callable[[Scene, Collection[str]], Any] | None = (
@@ -113,10 +111,9 @@ class Doubt(Record):
     @property
     def text(self) -> str:
         """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
-        if not self.is_exceeded:
-            return self.limit.fine
-        number = amount(self.limit.name, self.value, _SHORT)
-        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number})"
+        number = f"{NOMENCLATURE[self.limit.name].symbol} = {amount(self.limit.name, self.value, _SHORT)}"
+        holds = self.limit.codes and not self.is_exceeded
+        return f"within the limit ({number})" if holds else f"{self.limit.consequence} ({number})"
 
     @property
     def bits(self) -> Any:
@@ -158,63 +155,57 @@ LIMITS = (
     Limit(
         "tabor_parameter", _ELASTICITY, ">", {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
         f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {{}}",
-        f"within 5 % of {LAWS[BETWEEN].title}",
-        laws=tuple(law for law in LAWS if law != BETWEEN),
+        lambda scene, _: scene.law.name != BETWEEN,
         factor=factor_of_law,
     ),
-    Limit("tabor_parameter", _ELASTICITY, ">", {}, "", f"{LAWS[BETWEEN].title} covers all from DMT to JKR", laws=(BETWEEN,)),
+    Limit(
+        "tabor_parameter", _ELASTICITY, ">", {},
+        f"{LAWS[BETWEEN].title} covers all from DMT to JKR",
+        lambda scene, _: scene.law.name == BETWEEN,
+    ),
     Limit(
         "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
         "only fixed grips hold this state",
-        "stable at its load",
         _is_stated(STATE_OR_LOAD),
         ends_meaning=True,
     ),
     Limit(
         "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "xi-over-limit"},
         "ξ is too large for the formula, the leading edge would interpenetrate",
-        "below 1: the shifted contact is possible",
         ends_meaning=True,
     ),
     Limit(
         "displacement_over_contact_radius", _DISPLACEMENT, ">", {1.0: "xi-over-contact"},
         "ξ is larger than the contact",
-        "below 1: ξ is within the contact",
         ends_meaning=True,
     ),
     Limit(
         "rolling_over_sliding", frozenset({"yield_force"}), ">=", {1.0: "slides-first"},
         "the contact slides or peels off before it rolls",
-        "below 1: it rolls before it slides or peels off",
         ends_meaning=True,
     ),
     Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
         "the contact peels off before it slides, if it is brittle",
-        "above 1: it slides before it peels off",
     ),
     Limit(
         "yield_angle", frozenset({"yield_angle", "r_min"}), ">", {1.0: "large-angle"},
         "angles are small in the model",
-        "below 1 rad: a small angle",
     ),
     Limit(
         "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
         "no chain bends within one of its spheres",
-        "above 1: a chain can bend so far",
         ends_meaning=True,
     ),
     Limit(
         "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
         "held out level, even one sphere rolls down; it falls off where Bo is below 1",
-        "above 1: a sphere stands out level",
         ends_meaning=True,
     ),
     *(
         Limit(
             "energy_over_yield", frozenset({turns}), "<=", {least: code},
             f"with {energy} the contact springs back",
-            f"above {least:g}: with {energy} it rolls",
             ends_meaning=True,
         )
         for turns, least, code, energy in (
@@ -226,53 +217,44 @@ LIMITS = (
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
         "after a head-on impact on a held body 2, elastic spheres do not stick",
-        "below 1: the spheres stick",
         _is_stated(IMPACT),
         ends_meaning=True,
     ),
     Limit(
         "hysteresis_ratio", _MOMENT, ">", {1.0: "moment-unexplained"},
         "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
-        "below 1: adhesion hysteresis can supply it",
     ),
     Limit(
         "tabor_parameter", _STICKING, "<", {JUMP: "sticking-unsure"},
         "the contact forms and opens smoothly, adhesion alone loses almost no energy",
-        "contacts jump together and apart",
         conclusion="has_jump",
     ),
     Limit(
         "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "fitted-elsewhere"},
         "the viscous time was fitted at one size, and v_stick holds there alone; one code has 31.6 ps for silica of 0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
-        "no viscous damping",
     ),
     Limit(
         XI, _DISPLACEMENT, ">", {DATA_MATTER: "xi-off-data"},
         "ξ is assumed, and forces measured on the same solid mean another",
-        "no other ξ of this solid was measured near this size",
         lambda scene, _: bool(solid_of_kind(scene)) and not scene.missing(["reduced_radius"]),
         factor=factor_of_data,
     ),
     Limit(
         "radius", _PULLED, ">=", {1e-6: "rough-matters"},
         "most spheres of this size are rough, measured forces are 1/2 to 1/100 of P_c",
-        "many spheres of this size are smooth",
         lambda _, names: not _PULLED.isdisjoint(names),
     ),
     Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
         "contact radius below 3 atoms",
-        "many atoms in the contact",
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
         "even a solid without flaws yields under less; no plasticity is modelled",
-        "below 0.1: a solid without flaws would not yield",
     ),
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
         "contact too wide for the formulas",
-        "below 1 %: narrow enough for the formulas",
     ),
 )  # fmt: skip
 
@@ -321,11 +303,7 @@ def touched(scene: Scene, names: Collection[str]) -> list[Limit]:
     """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
     used = scene.plan(*names).taken.union(names)
     return [
-        limit
-        for limit in LIMITS
-        if limit.touches & used
-        and (not limit.laws or scene.law.name in limit.laws)
-        and (limit.applies is None or limit.applies(scene, names))
+        limit for limit in LIMITS if limit.touches & used and (limit.applies is None or limit.applies(scene, names))
     ]
 
 
