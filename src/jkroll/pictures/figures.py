@@ -5,7 +5,6 @@ The paper's other figures carry no data.
 
 from collections.abc import Callable, Mapping, Sequence
 from math import pi
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..materials.library import Materials
@@ -25,13 +24,20 @@ from .request import PlotRequest, map_of, mark_at
 # --- Maps: Figs. 3, 6 and 8 -------------------------------------------------------------------------------------------
 
 
+RADII = Axis("radius", 5e-10, 1e-3)
+_ENERGIES = Axis("surface_energy", 1e-3, 1e1)
+# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; elsewhere it enters only where the model has no meaning.
+_SOFT = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
+_LIGHT = {**_SOFT, "density": 2000.0}
+
+
 class PaperMap(NamedTuple):
-    """A map of the paper: its quantity, its axes, what it assumes, and what the paper's text reads off it."""
+    """A map of the paper over R1: its quantity, what the paper's text reads off it, its other axis, what it assumes."""
 
     quantity: str
-    x: Axis
-    given: Mapping[str, float]
     remark: str
+    x: Axis = _ENERGIES
+    given: Mapping[str, float] = _SOFT
     has_log_labels: bool = True
     guide: tuple[float, str] | None = None  # a radius that the text speaks of
     point: tuple[float, float, str] | None = None  # (x, R1) that the text speaks of
@@ -39,72 +45,56 @@ class PaperMap(NamedTuple):
     shades_no_rolling: bool = False  # where spheres spring back
 
 
-RADII = Axis("radius", 5e-10, 1e-3)
-_ENERGIES = Axis("surface_energy", 1e-3, 1e1)
-# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; elsewhere it enters only where the model has no meaning.
-_SOFT = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
-_LIGHT = {**_SOFT, "density": 2000.0}
-
-PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
-    {
-        "3a": PaperMap("pull_off_force", _ENERGIES, _SOFT,
-        "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧: JKR; small, hard spheres tend to "
-            "⟦4πγR⟧."),
-        "3b": PaperMap(
-            "yield_force_ratio",
-            _ENERGIES,
-            _SOFT,
-            "It does not depend on ⟦γ⟧. The forces are equal (contour 0) at ⟦R1 = 4ξ⟧ = 0.8 nm; the text has 1 nm. "
-                "There, "
-            "as the text warns, elasticity holds no longer.",
-            guide=(1e-9, "1 nm"),
-        ),
-        "3c": PaperMap(
-            "r_min",
-            _ENERGIES,
-            _SOFT,
-            "It does not depend on ⟦γ⟧: ⟦R1²/ξ⟧. At ⟦R1⟧ = 100 nm it is 50 µm (log: −4.3), 500 times the radius.",
-            guide=(1e-7, "100 nm"),
-        ),
-        "3d": PaperMap(
-            "n_grav",
-            _ENERGIES,
-            _LIGHT,
-            "About a thousand (contour 3) spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 0) rolls "
-                "from "
-            "8 µm (polystyrene) to 52 µm (iron) on; the text has about 100 µm.",
-            guide=(1e-4, "100 µm"),
-            point=(0.025, 1e-7, "1071"),
-        ),
-        "6a": PaperMap(
-            "vertical_frequency",
-            _ENERGIES,
-            _LIGHT,
-            "GHz (contour 9) at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of ⟦γ⟧, which "
-                "enters by its power 1/6.",
-        ),
-        "6b": PaperMap(
-            "rolling_frequency",
-            _ENERGIES,
-            _LIGHT,
-            "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At ⟦R1⟧ = "
-                "100 nm and "
-            "⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the vibration along the centres; the text has one to two orders.",
-            printed="rolling_frequency_as_printed",
-        ),
-        "8": PaperMap(
-            "n_roll",
-            Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
-            {},
-            "For ⟦W0 = P_cδ0⟧; in general these are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 of Eq (49). Below "
-                "10 nm, spheres "
-            "with ⟦E*/γ⟧ above 9·10¹¹ m⁻¹ do not roll; below 100 nm a full turn takes ⟦E*/γ⟧ below 1.5·10⁹ m⁻¹.",
-            has_log_labels=False,
-            guide=(1e-8, "10 nm"),
-            shades_no_rolling=True,
-        ),
-    }
-)  # fmt: skip
+PAPER_MAPS: Mapping[str, PaperMap] = {
+    "3a": PaperMap(
+        "pull_off_force",
+        "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧: JKR; small, hard spheres tend to ⟦4πγR⟧.",
+    ),
+    "3b": PaperMap(
+        "yield_force_ratio",
+        "It does not depend on ⟦γ⟧. The forces are equal (contour 0) at ⟦R1 = 4ξ⟧ = 0.8 nm; the text has 1 nm. "
+        "There, as the text warns, elasticity holds no longer.",
+        guide=(1e-9, "1 nm"),
+    ),
+    "3c": PaperMap(
+        "r_min",
+        "It does not depend on ⟦γ⟧: ⟦R1²/ξ⟧. At ⟦R1⟧ = 100 nm it is 50 µm (log: −4.3), 500 times the radius.",
+        guide=(1e-7, "100 nm"),
+    ),
+    "3d": PaperMap(
+        "n_grav",
+        "About a thousand (contour 3) spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 0) rolls "
+        "from 8 µm (polystyrene) to 52 µm (iron) on; the text has about 100 µm.",
+        given=_LIGHT,
+        guide=(1e-4, "100 µm"),
+        point=(0.025, 1e-7, "1071"),
+    ),
+    "6a": PaperMap(
+        "vertical_frequency",
+        "GHz (contour 9) at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of ⟦γ⟧, which "
+        "enters by its power 1/6.",
+        given=_LIGHT,
+    ),
+    "6b": PaperMap(
+        "rolling_frequency",
+        "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At ⟦R1⟧ = "
+        "100 nm and ⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the vibration along the centres; the text has one to "
+        "two orders.",
+        given=_LIGHT,
+        printed="rolling_frequency_as_printed",
+    ),
+    "8": PaperMap(
+        "n_roll",
+        "For ⟦W0 = P_cδ0⟧; in general these are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 of Eq (49). Below "
+        "10 nm, spheres with ⟦E*/γ⟧ above 9·10¹¹ m⁻¹ do not roll; below 100 nm a full turn takes ⟦E*/γ⟧ below "
+        "1.5·10⁹ m⁻¹.",
+        x=Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
+        given={},
+        has_log_labels=False,
+        guide=(1e-8, "10 nm"),
+        shades_no_rolling=True,
+    ),
+}
 
 
 def paper_map(
@@ -151,50 +141,47 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     import numpy
 
     scene = Scene(SIZE, materials["quartz"])
-    moduli = ("contact_modulus", "reduced_radius", "approach_at_load")
-    names = (*AREA_AND_PRESSURES, *moduli, "yield_moment", "half_circles_moment")
+    moduli = ("contact_modulus", "reduced_radius")
+    names = (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment")
     state = solved(scene, names, {})
     shift = float(scene["yield_displacement"])
     a = state["contact_radius_at_load"]
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
-    outlines = [Curve("contact, shifted by ⟦ξ⟧", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0)]
     half = numpy.linspace(numpy.pi / 2, 3 * numpy.pi / 2, POINTS)
-    outlines += [
+    outlines = (
+        Curve("contact, shifted by ⟦ξ⟧", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0),
         Curve("half-circle ⟦a + ξ⟧", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1, is_dashed=True),
         Curve("half-circle ⟦a − ξ⟧", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2, is_dashed=True),
-    ]
+    )
     reach = 1.5 * (a + shift)
-    view = Panel(
-        Axis("position_across", -reach, reach, is_log=False), Axis("position_beside", -reach, reach, is_log=False),
-        tuple(outlines), (Mark("contact point", 0.0, 0.0),), "from above, rolling to the right", is_true_to_scale=True,
-    )  # fmt: skip
-    given = {"contact_modulus": state["contact_modulus"], "reduced_radius": state["reduced_radius"]}
-    parts = {name: state[name] for name in AREA_AND_PRESSURES}
+    x, y = (Axis(name, -reach, reach, is_log=False) for name in ("position_across", "position_beside"))
+    point = Mark("contact point", 0.0, 0.0)
+    view = Panel(x, y, outlines, (point,), "from above, rolling to the right", is_true_to_scale=True)
+    of_pair = {name: state[name] for name in moduli}
+    of_circle = {name: state[name] for name in AREA_AND_PRESSURES}
+    of_half = {"approach_at_load": state["approach_at_load"], **of_pair}
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
     left, right = across(-a - shift, 0.0), across(0.0, a - shift)
-    at = {"approach_at_load": state["approach_at_load"], **given}
+    exact = exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **of_circle, **of_pair)
+    behind = half_circle_pressure(distance=-left, half_circle_radius=a + shift, **of_half)
+    ahead = half_circle_pressure(distance=right, half_circle_radius=a - shift, **of_half)
     curves = [
-        Curve("exact", shifted,
-        exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **parts, **given), 0),
-        Curve("half-circle ⟦a + ξ⟧", left, half_circle_pressure(distance=-left, half_circle_radius=a + shift, **at), 1,
-        is_dashed=True),
-        Curve("half-circle ⟦a − ξ⟧", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2,
-        is_dashed=True),
-        Curve("not shifted", centred, pressure(distance=abs(centred), **parts), 3),
-    ]  # fmt: skip
+        Curve("exact", shifted, exact, 0),
+        Curve("half-circle ⟦a + ξ⟧", left, behind, 1, is_dashed=True),
+        Curve("half-circle ⟦a − ξ⟧", right, ahead, 2, is_dashed=True),
+        Curve("not shifted", centred, pressure(distance=abs(centred), **of_circle), 3),
+    ]
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
-    exact, simple = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
+    moments = [amount(name, state[name]) for name in ("yield_moment", "half_circles_moment")]
     caption = (
         f"Two quartz spheres of 20 nm that have rolled by ⟦ξ⟧ = {amount('yield_displacement', shift)}, without load.",
-        f"Moment: exact {exact}, Eq (25); half-circles {simple}, Eq (19).",
+        f"Moment: exact {moments[0]}, Eq (25); half-circles {moments[1]}, Eq (19).",
     )
     remarks = (
         "The circle stays behind the contact point.",
-        (
-            "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load. Half-circles: Eq (16) at a "
-            "fixed approach, "
-            "not continuous at ⟦x = 0⟧. Ahead the pull at the rim is weaker, behind it is stronger."
-        ),
+        "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load.",
+        "Half-circles: Eq (16) at a fixed approach, not continuous at ⟦x = 0⟧.",
+        "Ahead the pull at the rim is weaker, behind it is stronger.",
     )
     return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks)
 
@@ -210,9 +197,8 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     size["load_constant"] = 0.0
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
     left, right = across(-a - shift, 0.0), across(0.0, a - shift)
-    exact = asymmetric_pressure(
-        position_in_strip=shifted + shift, contact_half_width=a, yield_displacement=shift, **size
-    )
+    of_shifted = {"contact_half_width": a, "yield_displacement": shift, **size}
+    exact = asymmetric_pressure(position_in_strip=shifted + shift, **of_shifted)
     behind = symmetric_pressure(position=left, contact_half_width=a + shift, **size)
     ahead = symmetric_pressure(position=right, contact_half_width=a - shift, **size)
     highest = modulus * a / (2 * radius)
@@ -222,26 +208,17 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
         Curve("half-strip ⟦a + ξ⟧", left, behind, 1, is_dashed=True),
         Curve("half-strip ⟦a − ξ⟧", right, ahead, 2, is_dashed=True),
     ]
-    moments = [
-        moment(contact_half_width=a, yield_displacement=shift, **size)
-        for moment in (contact_point_moment, half_strips_moment)
-    ]
+    moments = contact_point_moment(**of_shifted), half_strips_moment(**of_shifted)
+    shifted_by = amount("yield_displacement", shift)
     caption = (
-        (
-            "Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = "
-            f"{amount('yield_displacement', shift)}: "
-            "exact, Eq (64), and two halves of symmetric strips, Eq (71)."
-        ),
+        f"Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = {shifted_by}.",
+        "Exact: Eq (64). Half-strips: two halves of symmetric strips, Eq (71).",
     )
     remarks = (
-        (
-            f"Griffith's criterion gives ⟦a⟧ = {amount('contact_radius', a)}. The half-strips are not continuous at ⟦x "
-            "= 0⟧."
-        ),
-        (
-            f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected; "
-            f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, ⟦π/2⟧ where ⟦ξ⟧ ≪ ⟦a⟧."
-        ),
+        f"Griffith's criterion gives ⟦a⟧ = {amount('contact_radius', a)}.",
+        "The half-strips are not continuous at ⟦x = 0⟧.",
+        f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected.",
+        f"Half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, ⟦π/2⟧ where ⟦ξ⟧ ≪ ⟦a⟧.",
     )
     panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ⟦ξ⟧"))
     return Picture("Fig. 9: the line contact", panels, caption, remarks)
@@ -273,8 +250,8 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
     spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
     caption = (
         (
-            "Pull-off force over ⟦πwR⟧ by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % for "
-            "⟦0.01 ≤ μ ≤ 2⟧."
+            "Pull-off force over ⟦πwR⟧ by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % "
+            "for ⟦0.01 ≤ μ ≤ 2⟧."
         ),
         *((f"Grains at Maugis–Dugdale with ⟦z0⟧ = {spacing}: ⟦μ⟧ falls as ⟦1/z0⟧.",) if points else ()),
     )
