@@ -2,28 +2,20 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .cells import Indices, Numbers
 
+BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
+
 
 class Block(ABC):
     """Rows that are computed together."""
 
-    def __init__(
-        self,
-        size: int,
-        numbers: "Mapping[str, Numbers]",
-        kinds: "Sequence[Indices]" = (),
-        odd: Mapping[int, str] = MappingProxyType({}),
-    ) -> None:
-        """`numbers`: by the name of the input; `kinds`: rows with other whole numbers have other scenes.
-
-        `odd`: records that are no rows, and why.
-        """
-        self.size, self.numbers, self.kinds, self.odd = size, numbers, kinds, odd
+    def __init__(self, size: int, numbers: "Mapping[str, Numbers]", kinds: "Sequence[Indices]") -> None:
+        """`numbers`: by the name of the input; `kinds`: rows with other whole numbers have other scenes, BAD have none."""
+        self.size, self.numbers, self.kinds = size, numbers, kinds
 
     @abstractmethod
     def scene(self, given: Mapping[str, Any], rows: "Indices") -> Any:

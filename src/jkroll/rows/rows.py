@@ -13,11 +13,10 @@ import numpy
 from ..errors import JkrollError
 from ..quantities.values import Measured
 from ..scene.scene import FOLLOWS, takes, takes_all
-from .block import Block
+from .block import BAD, Block
 from .cells import Indices, Numbers
-from .columns import BadRecord, Columns, Wanted, alike, put_row
+from .columns import Columns, Wanted, alike, put_row
 
-BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
 
 
@@ -29,26 +28,23 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
         for rows, given in groups(block):
             places = rows.tolist()
             try:
-                part = wanted.columns(block.scene(given, rows), len(rows), partial(_scene_of, block, places))
+                of_group = wanted.columns(block.scene(given, rows), len(rows), partial(_scene_of, block, places))
             except JkrollError:
                 continue  # each row then has the reason by itself
             if len(rows) == block.size:
-                return part
+                return of_group
             columns = columns or _empty(wanted, block.size)
-            columns.put(places, part)
+            columns.put(places, of_group)
             left[rows] = False
         columns = columns or _empty(wanted, block.size)
         for row in numpy.flatnonzero(left).tolist():
-            put_row(columns, row, partial(_scene_of, block, range(block.size), row))
+            put_row(columns, row, partial(block.scene_of, row))
     return columns
 
 
 def _scene_of(block: Block, places: Sequence[int], row: int) -> Any:
-    """Return the scene of a row among those at some places. Raises BadRecord for a record that is no row."""
-    place = places[row]
-    if place in block.odd:
-        raise BadRecord(block.odd[place])
-    return block.scene_of(place)
+    """Return the scene of a row among those at some places."""
+    return block.scene_of(places[row])
 
 
 def _empty(wanted: Wanted, size: int) -> Columns:
@@ -60,15 +56,11 @@ def _empty(wanted: Wanted, size: int) -> Columns:
 def groups(block: Block) -> Iterator[tuple[Indices, dict[str, Any]]]:
     """Iterate over rows that are alike, with their inputs. Rows that are BAD are in none."""
     kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
-    of_rows = numpy.full(block.size, _PLAIN)
-    of_rows[[*block.odd]] = BAD
-    columns = [of_rows, *kinds.values()]
-    for rows in alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), [*columns, *block.kinds]):
-        of_cells = {name: int(own[rows[0]]) for name, own in kinds.items()}
-        yield (
-            rows,
-            {name: _values(block.numbers[name], rows, kind) for name, kind in of_cells.items() if kind != _EMPTY},
-        )
+    columns = [*kinds.values(), *block.kinds]
+    for rows in alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), columns):
+        of_cells = {name: int(of_input[rows[0]]) for name, of_input in kinds.items()}
+        filled = {name: kind for name, kind in of_cells.items() if kind != _EMPTY}
+        yield rows, {name: _values(block.numbers[name], rows, kind) for name, kind in filled.items()}
 
 
 def _kinds(name: str, column: Numbers) -> Indices:
@@ -81,19 +73,19 @@ def _kinds(name: str, column: Numbers) -> Indices:
     if name in FOLLOWS:
         kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
     kinds[[*column.odd]] = BAD
-    for row, found in column.uncertain.items():
+    for row, value in column.uncertain.items():
         if kinds[row] != BAD:
-            kinds[row] = _MEASURED if isinstance(found, Measured) else _INTERVAL
+            kinds[row] = _MEASURED if isinstance(value, Measured) else _INTERVAL
     return kinds
 
 
 def _values(column: Numbers, rows: Indices, kind: int) -> Any:
     """Return the values of cells of one kind: a number where more follows from it, else an array."""
-    found = column.values if len(rows) == len(column.values) else column.values[rows]
+    values = column.values if len(rows) == len(column.values) else column.values[rows]
     if kind == _SPECIAL:
-        return float(found[0])
+        return float(values[0])
     if kind == _PLAIN:
-        return found
+        return values
     uncertain: list[Any] = [column.uncertain[row] for row in rows.tolist()]
-    sides = {side: numpy.array([one.sides[side] for one in uncertain]) for side in uncertain[0].sides}
-    return uncertain[0]._replace(value=found, **sides)
+    sides = {side: numpy.array([value.sides[side] for value in uncertain]) for side in uncertain[0].sides}
+    return uncertain[0]._replace(value=values, **sides)

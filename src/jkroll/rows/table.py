@@ -22,7 +22,7 @@ from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
 from ..text import quoted, say, say_wrapped
-from .block import Block
+from .block import BAD, Block
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import Header, check_inputs
@@ -125,7 +125,7 @@ class Table:
         """
         if all(cells[name].strip() == self.texts[place].strip() for name, place in self.places.items()):
             raise BadRecord("the row repeats the header")
-        found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
+        given: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
         texts = {column.name: column.joined(*(cells[name] for name in column.places)) for column in self.inputs}
         texts |= {name: cells[name] for name in MATERIALS if name in cells}
         readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
@@ -135,18 +135,18 @@ class Table:
         for name, text in texts.items():
             try:
                 if text.strip():
-                    found[name] = readers[name](text)
+                    given[name] = readers[name](text)
             except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
-                found[name] = LABEL
+                given[name] = LABEL
                 labels.append(error)
             except JkrollError as error:
                 problems.append(error)
-        spheres = [found.pop(name) for name in MATERIALS]
-        if not problems and labels and not self.wanted.lacks(scene := self.fill.scene(found, *spheres)):
+        spheres = [given.pop(name) for name in MATERIALS]
+        if not problems and labels and not self.wanted.lacks(scene := self.fill.scene(given, *spheres)):
             return scene
         if problems or labels:
             raise BadCells([*labels, *problems])
-        return self.fill.scene(found, *spheres)
+        return self.fill.scene(given, *spheres)
 
 
 class TableBlock(Block):
@@ -160,12 +160,17 @@ class TableBlock(Block):
         odd: Mapping[int, str],
         numbers: Mapping[str, Numbers],
     ) -> None:
-        """`cells`: the columns that are read, by name; `numbers`: those of inputs as numbers."""
-        self.table, self.cells = table, cells
+        """`cells`: the columns that are read, by name; `numbers`: those of inputs as numbers.
+
+        `odd`: records that are no rows, and why.
+        """
+        self.table, self.cells, self.odd = table, cells, odd
         nothing = numpy.zeros(size, dtype=numpy.int64)
         lookups = table.lookups.items()
         self.indices = {name: lookup.indices(cells[name]) if name in cells else nothing for name, lookup in lookups}
-        super().__init__(size, numbers, [lookup.kinds(self.indices[name]) for name, lookup in lookups], odd)
+        are_rows = numpy.zeros(size, dtype=numpy.int64)
+        are_rows[[*odd]] = BAD
+        super().__init__(size, numbers, [are_rows, *(lookup.kinds(self.indices[name]) for name, lookup in lookups)])
 
     def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the scene of the inputs of rows that are alike."""
@@ -176,7 +181,9 @@ class TableBlock(Block):
         return scene
 
     def scene_of(self, row: int) -> Any:
-        """Return the scene of a row by itself."""
+        """Return the scene of a row by itself. Raises BadRecord for a record that is no row."""
+        if row in self.odd:
+            raise BadRecord(self.odd[row])
         return self.table.scene_of({name: cells[row].decode(errors="replace") for name, cells in self.cells.items()})
 
 
@@ -383,9 +390,8 @@ def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple
 
 def _sources_of(wanted: Wanted, block: TableBlock) -> "list[Sources]":
     """Return the sources of uncertainty of results of some rows."""
-    found: list[Sources] = []
+    every = []
     for places, given in groups(block):
         with suppress(JkrollError):  # bad rows, which their status will explain
-            sources = wanted.sources_in(block.scene(given, places))
-            found += [] if sources is None else [sources]
-    return found
+            every.append(wanted.sources_in(block.scene(given, places)))
+    return [sources for sources in every if sources is not None]
