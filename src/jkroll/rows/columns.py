@@ -91,11 +91,11 @@ class Wanted:
         """
         self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
         self.uncertainties = sides is not None
-        self.sides = {name: tuple(side for side in SIDES if side in own) for name, own in (sides or {}).items()}
-        self.alternatives = {name: own for name, own in alternatives.items() if name in self.names}
+        self.sides = {name: tuple(side for side in SIDES if side in some) for name, some in (sides or {}).items()}
+        self.alternatives = {name: kinds for name, kinds in alternatives.items() if name in self.names}
         self.keys = tuple(key for name in self.names for key in self.keys_of(name))
         self.places = {key: place for place, key in enumerate(self.keys)}
-        self.known_sides = frozenset(side for own in self.sides.values() for side in own)
+        self.known_sides = frozenset(side for some in self.sides.values() for side in some)
 
     def sides_of(self, name: str) -> dict[str, str]:
         """Return the keys of the columns of a quantity's uncertainty, by the side: "radius_minus"."""
@@ -133,10 +133,10 @@ class Wanted:
     def values_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
         """Return the values that may stand in place of the quantities shown, by their keys."""
         wanted = {name: kinds for name, kinds in self.alternatives.items() if name in shown}
-        outcomes = {
-            f"{name}_by_{kind}": written_outcome(name, one) for (name, kind), one in beside(scene, wanted).items()
+        results = {
+            f"{name}_by_{kind}": written_outcome(name, value) for (name, kind), value in beside(scene, wanted).items()
         }
-        return {key: outcome for key, outcome in outcomes.items() if not isinstance(outcome, JkrollError)}
+        return {key: value for key, value in results.items() if not isinstance(value, JkrollError)}
 
     def sources_in(self, scene: Any) -> "Sources | None":
         """Return the sources of uncertainty of the quantities of a scene; None if it has no uncertainty."""
@@ -156,19 +156,19 @@ class Wanted:
 
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
-        found = outcomes(scene, self.names, self.named)
-        reasons = reasons_of(found)
-        values = {name: outcome for name, outcome in found.items() if name not in reasons}
-        numbers: dict[str, float] = {**values, **self.values_beside(scene, [*found])}
+        results = outcomes(scene, self.names, self.named)
+        reasons = reasons_of(results)
+        values = {name: outcome for name, outcome in results.items() if name not in reasons}
+        numbers: dict[str, float] = {**values, **self.values_beside(scene, [*results])}
         inputs = scene.echo(scene.inputs_used(self.names, self.names)) if self.inputs else {}
         if self.uncertainties and scene.is_uncertain:
             from ..scene.uncertainty import uncertainties
 
-            bars, sources = uncertainties(scene, [*found])
+            bars, sources = uncertainties(scene, [*results])
             if (remark := left_out(self, scene, sources)) is not None:
                 reasons[UNCERTAINTY] = remark
             else:
-                inputs |= {name: one for name, one in sources.given.items() if name in inputs}
+                inputs |= {name: given for name, given in sources.given.items() if name in inputs}
                 fill_sides(self, bars, numbers, reasons)
         return Row(
             inputs,
@@ -263,12 +263,12 @@ class Columns:
         self.failed.difference_update(rows)
         self.failed.update(rows[row] for row in columns.failed)
 
-    def put_sides(self, found: "Mapping[str, Propagated | JkrollError]") -> Any:
+    def put_sides(self, bars: "Mapping[str, Propagated | JkrollError]") -> Any:
         """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
         import numpy
 
         again = numpy.zeros(len(self), dtype=bool)
-        for name, bar in found.items():
+        for name, bar in bars.items():
             if isinstance(bar, JkrollError):
                 again |= ~numpy.isnan(self.column(name))
                 continue
@@ -282,9 +282,9 @@ class Columns:
     def add_remark(self, remark: JkrollError) -> None:
         """Note a remark on all rows."""
         alone: Reasons = {UNCERTAINTY: remark}
-        beside = {id(reasons): {**reasons, **alone} for reasons in self.reasons.values()}
+        others = {id(reasons): {**reasons, **alone} for reasons in self.reasons.values()}
         self.reasons = {
-            row: beside[id(self.reasons[row])] if row in self.reasons else alone for row in range(len(self))
+            row: others[id(self.reasons[row])] if row in self.reasons else alone for row in range(len(self))
         }
 
     @property
@@ -318,34 +318,34 @@ def as_list(column: Any) -> list[Any]:
 
 
 def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict[str, Any]:
-    """Return the value of each quantity that concerns a scene of numbers, or the error that says why there is none.
+    """Return the value of each quantity that concerns a scene, or some elements, or the error that says why it has none.
 
     `named`: quantities that were asked for by name, and concern any scene.
     """
-    found = scene.evaluate([name for name in names if name in named or scene.shows(name)])
-    return {name: written_outcome(name, outcome) for name, outcome in found.items()}
+    results = scene.evaluate([name for name in names if name in named or scene.shows(name) is not False])
+    return {name: written_outcome(name, value) for name, value in results.items()}
 
 
-def reasons_of(found: Mapping[str, Any]) -> dict[str, JkrollError]:
+def reasons_of(results: Mapping[str, Any]) -> dict[str, JkrollError]:
     """Return why cells of a row are empty, of which some outcomes are known."""
-    if not found:
+    if not results:
         return {ROW: Failure(OF_IDENTICAL_SPHERES)}
-    return {name: outcome for name, outcome in found.items() if isinstance(outcome, JkrollError)}
+    return {name: outcome for name, outcome in results.items() if isinstance(outcome, JkrollError)}
 
 
 def fill_sides(
     wanted: Wanted,
-    found: "Mapping[str, Propagated | JkrollError]",
+    bars: "Mapping[str, Propagated | JkrollError]",
     numbers: dict[str, float],
     reasons: dict[str, JkrollError],
 ) -> None:
     """Add the columns of uncertainties to the numbers of a row, or the reasons why they have none."""
-    for name, one in found.items():
+    for name, bar in bars.items():
         for side, key in wanted.sides_of(name).items():
-            if isinstance(one, JkrollError):
-                reasons[key] = one
-            elif side in one.uncertainty.sides:
-                numbers[key] = one.uncertainty.sides[side]
+            if isinstance(bar, JkrollError):
+                reasons[key] = bar
+            elif side in bar.uncertainty.sides:
+                numbers[key] = bar.uncertainty.sides[side]
 
 
 def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[str] = ()) -> LeftOut | None:
@@ -381,19 +381,17 @@ class _Arrays:
         import numpy
 
         self.wanted, self.scene, self.size = wanted, scene, size
-        self.shown = {name: name in wanted.named or scene.shows(name) for name in wanted.names}
-        found = scene.evaluate([name for name, is_shown in self.shown.items() if is_shown is not False])
-        self.outcomes = {name: written_outcome(name, outcome) for name, outcome in found.items()}
+        self.outcomes = outcomes(scene, wanted.names, wanted.named)
+        self.shown = {name: name in wanted.named or scene.shows(name) for name in self.outcomes}
+        self.known = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, JkrollError)]
         numbers = numpy.full((len(wanted.keys), size), numpy.nan)
-        for name, outcome in self.outcomes.items():
-            if not isinstance(outcome, JkrollError):
-                numbers[wanted.places[name]] = where(self.shown[name], outcome, numpy.nan)
+        for name in self.known:
+            numbers[wanted.places[name]] = where(self.shown[name], self.outcomes[name], numpy.nan)
         for key, value in wanted.values_beside(scene, [*self.outcomes]).items():
             numbers[wanted.places[key]] = where(self.shown[key.rpartition("_by_")[0]], value, numpy.nan)
-        self.known = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, JkrollError)]
         inputs = scene.echo(scene.inputs_used(wanted.names, wanted.names)) if wanted.inputs else {}
         of_rows = {name: repeated(inputs.get(name), size) for name in wanted.inputs}
-        self.empty = {name: numpy.isnan(numbers[wanted.places[name]]) for name in wanted.names}
+        self.empty = {name: numpy.isnan(numbers[wanted.places[name]]) for name in self.outcomes}
         self.columns = Columns(wanted, of_rows, numbers, self._doubts())
 
     def _doubts(self) -> Any:
@@ -419,20 +417,20 @@ class _Arrays:
         import numpy
 
         again = numpy.zeros(self.size, dtype=bool)
-        names = [name for name, is_shown in self.shown.items() if is_shown is not False]
-        gaps = [self.empty[name] & self.shown[name] for name in names]
+        gaps = {name: self.empty[name] & is_shown for name, is_shown in self.shown.items()}
         is_lacking = numpy.zeros(self.size, dtype=bool)
-        for of_name in gaps:
+        for of_name in gaps.values():
             is_lacking |= of_name
-        if not any(self.shown[name] is True for name in names):  # some rows may show nothing
-            is_lacking |= ~numpy.any([self.shown[name] for name in names], axis=0)
+        if not any(is_shown is True for is_shown in self.shown.values()):  # some rows may show nothing
+            is_lacking |= ~numpy.any([*self.shown.values()], axis=0)
         rows = numpy.flatnonzero(is_lacking)
         if not len(rows):
             return again
         steps = [value for name, value in self.scene.values.items() if isinstance(value, numpy.ndarray)]
-        for places in alike(rows, [*gaps, *(numpy.broadcast_to(numpy.isnan(value), self.size) for value in steps)]):
+        is_nan = [numpy.broadcast_to(numpy.isnan(value), self.size) for value in steps]
+        for places in alike(rows, [*gaps.values(), *is_nan]):
             first = int(places[0])
-            lacking = {name for name, rows_without in zip(names, gaps, strict=True) if rows_without[first]}
+            lacking = {name for name, of_name in gaps.items() if of_name[first]}
             try:
                 reasons = reasons_of(outcomes(scene_of(first), self.wanted.names, self.wanted.named))
             except JkrollError:
@@ -456,8 +454,8 @@ class _Arrays:
         if (remark := left_out(self.wanted, self.scene, sources)) is not None:
             self.columns.add_remark(remark)
             return numpy.zeros(self.size, dtype=bool)
-        found = uncertainty.uncertainties_of_elements(self.scene, values, sources.entering)
-        return self.columns.put_sides(found)
+        bars = uncertainty.uncertainties_of_elements(self.scene, values, sources.entering)
+        return self.columns.put_sides(bars)
 
 
 def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
@@ -469,9 +467,9 @@ def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
 
     keys = numpy.zeros(len(rows), dtype=numpy.int64)
     for column in columns:
-        own = column[rows]
-        if len(own) and (own != own[0]).any():
-            keys = numpy.unique(keys * (own.max() + 1) + own, return_inverse=True)[1]
+        numbers = column[rows]
+        if len(numbers) and (numbers != numbers[0]).any():
+            keys = numpy.unique(keys * (numbers.max() + 1) + numbers, return_inverse=True)[1]
     for key in range(int(keys.max(initial=-1)) + 1):
         yield rows[keys == key]
 
