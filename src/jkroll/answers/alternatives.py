@@ -1,14 +1,13 @@
 """Alternatives to the results of one scene: by another law of attraction, or by forces that were measured."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.formatting import span
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, is_uncertain
-from ..record import Record
 from ..scene.alternatives import (
     FORCES,
     ROLLED,
@@ -55,7 +54,7 @@ _ALIKE = 0.2  # relative difference of radii that needs no scaling
 _ELSEWHERE = "polystyrene has 42 nm at 5 µm, ice 0.19 mm at 1 mm"  # Sümer & Sitti; Musiolik & Wurm 2019
 
 
-class Alternative(Record):
+class Alternative(NamedTuple):
     """The answers of a scene that may stand in place of the one that was asked, by quantity.
 
     A value is a number, one with its error bar, or a range; None stands for a quantity that has none there. A quantity that

@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import NamedTuple
 
 from ..quantities.errors import UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, named
-from ..record import Record
 
 
-class Grid(Record):
+class Grid(NamedTuple):
     """A table of one scene in which several quantities share a row: its heads, and by label the quantities of each cell."""
 
     heads: tuple[str, ...]
@@ -20,7 +20,7 @@ class Grid(Record):
         return tuple(name for cells in self.rows.values() for cell in cells for name in cell)
 
 
-class Question(Record):
+class Question(NamedTuple):
     """The quantities that answer a question, and how they are shown."""
 
     headline: tuple[str, ...]  # those that the command is named after; --bare writes them alone

@@ -2,12 +2,11 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
-from ..record import Record
 from ..scene.alternatives import at_half_spacing, uses_law
 from ..scene.scene import Scene
 
@@ -18,7 +17,7 @@ else:
     Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
 
 
-class Result(Record):
+class Result(NamedTuple):
     """A quantity in SI units, or the reason why it has no value.
 
     `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies
@@ -74,7 +73,7 @@ Kind = Literal[
 ]
 
 
-class Note(Record):
+class Note(NamedTuple):
     """A sentence about an answer."""
 
     kind: Kind  # a warning is of a number without a meaning

@@ -4,12 +4,11 @@ from collections.abc import Callable, Mapping
 from functools import cache, partial
 from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
-from ..record import Record
 from ..text import capitalized, quoted
 
 if TYPE_CHECKING:
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
 MAX_DIGITS = 9  # of a number
 
 
-class Option(Record):
+class Option(NamedTuple):
     """An option, by the name of its value in `Call`, in the settings of `batch`, or in the nomenclature.
 
     The help of an input is its sentence in the nomenclature, unless the option has a text of its own.
@@ -254,7 +253,7 @@ def input_options(quantities: tuple[str, ...], *, any_input: bool = False) -> tu
 Action = Callable[[], int]  # what a command line asks for; it returns the exit code
 
 
-class Words(Record):
+class Words(NamedTuple):
     """The words that a command takes besides its options: how the help shows them, and how many there may be."""
 
     metavar: str = ""
@@ -274,7 +273,7 @@ class Words(Record):
 JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
 
 
-class Command(Record):
+class Command(NamedTuple):
     """A command. Its runner, `module:function`, answers a call and returns the exit code.
 
     The module is imported when the command is called, so that each call pays for its own command only.

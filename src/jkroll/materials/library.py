@@ -17,7 +17,6 @@ from ..physics.elementary import cbrt, smaller_and_larger, sqrt
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, named
 from ..quantities.values import Interval, Uncertain, value_of
-from ..record import Record
 from ..text import closest, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
@@ -131,7 +130,7 @@ def checked_text(value: object, where: str) -> str:
 # --- Materials --------------------------------------------------------------------------------------------------------
 
 
-class Origin(Record):
+class Origin(NamedTuple):
     """The way in which a property was found: the method, the contact law assumed, and the key of the reference."""
 
     method: str = ""
@@ -139,7 +138,7 @@ class Origin(Record):
     reference: str = ""
 
 
-class Displacement(Record):
+class Displacement(NamedTuple):
     """A yield displacement with its ends, in SI units, and the radius of the identical pairs that were measured."""
 
     measured: Interval

@@ -3,9 +3,8 @@
 from collections.abc import Mapping, Sequence
 from math import floor, isinf, log10
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from ..record import Record
 from .nomenclature import INFINITY, NOMENCLATURE, header
 from .units import RAISED, Unit, convert, parse_unit, power_of_ten
 
@@ -24,7 +23,7 @@ _SHIFTS = ("", "e1", "e2")  # of a decimal point
 PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
-class Format(Record):
+class Format(NamedTuple):
     """Units and number of digits in which results are written."""
 
     units: Mapping[str, tuple[str, Unit]] = MappingProxyType({})  # by quantity: the unit to convert to

@@ -13,15 +13,15 @@ nomenclature takes the names of its formulas from the routes.
 from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
+from typing import NamedTuple
 
 from ..errors import JkrollError
-from ..record import Record
 from ..text import quoted
 
 Routes = Mapping[str, str | None]
 
 
-class Law(Record):
+class Law(NamedTuple):
     """A law of attraction, with its routes, and those that take their place where some input is given."""
 
     name: str

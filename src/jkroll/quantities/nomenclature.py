@@ -7,12 +7,11 @@ from collections.abc import Collection, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from ..record import Record
 from ..text import ascii_text
 from .laws import LAWS, routes_anywhere
 
 
-class Range(Record):
+class Range(NamedTuple):
     """An interval of values that a user may give, with the words for an error."""
 
     low: float

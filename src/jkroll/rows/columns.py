@@ -8,12 +8,11 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from functools import partial
 from math import isnan, nan
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import where
 from ..quantities.values import is_uncertain
-from ..record import Record
 from ..scene.alternatives import beside, kinds_beside
 from ..scene.failures import (
     OF_IDENTICAL_SPHERES,
@@ -193,7 +192,7 @@ class Wanted:
         return arrays.columns
 
 
-class Row(Record):
+class Row(NamedTuple):
     """A row of columns."""
 
     inputs: Mapping[str, Any]  # SI values, with their uncertainties, names of materials, the law

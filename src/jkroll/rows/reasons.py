@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
-from ..record import Record
 from ..scene.failures import NO_END, Failure, MissingInput, grouped, needs_in_words
 from ..scene.limits import CODES, NOT_JUDGED, codes_of
 from ..text import first_of
@@ -23,7 +22,7 @@ _NO_GAPS: "Mapping[str, Gaps]" = {}  # which can be pickled
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
 
 
-class Gaps(Record):
+class Gaps(NamedTuple):
     """Rows with the same status: their number, and the first of them, counted from 1, with its reasons in full."""
 
     rows: int

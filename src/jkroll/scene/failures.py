@@ -5,7 +5,7 @@ Below: the numbers for which the physics gives a formula no result, with the err
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isinf
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.collision import LARGEST
@@ -15,7 +15,6 @@ from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
 from ..quantities.values import parse_quantity
-from ..record import Record
 from ..text import listed
 from .wiring import parameters_of
 
@@ -102,7 +101,7 @@ class Contradiction(JkrollError):
         return f"{listed(self.names)} {self.words}"
 
 
-class Kind(Record):
+class Kind(NamedTuple):
     """The words of failures that have one reason."""
 
     phrase: str  # of the status of a row

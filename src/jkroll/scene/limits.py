@@ -4,14 +4,13 @@ import operator
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cache, reduce
 from math import exp, inf, nan
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import ln, where
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
-from ..record import Record
 from .alternatives import factor_of_data, factor_of_law, solid_of_kind
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
@@ -19,7 +18,7 @@ from .scene import Scene
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
 
-class Limit(Record):
+class Limit(NamedTuple):
     """A number that limits the model, the quantities whose use it touches, and what follows beyond it.
 
     A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order in
@@ -66,7 +65,7 @@ class Limit(Record):
         return (1 << len(self.codes)) - 1 << self.place
 
 
-class Doubt(Record):
+class Doubt(NamedTuple):
     """A limit that was judged: its number, and what is judged, which is another for a law: the factor between answers.
 
     Both are numbers, or arrays for a scene of arrays.

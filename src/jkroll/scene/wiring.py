@@ -8,19 +8,18 @@ was not given is that of sphere 1, unless sphere 2 has a material of its own tha
 
 from collections.abc import Collection, Iterable, Mapping
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Routes, differs, law_of, routes, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, of_sphere
-from ..record import Record
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
 OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
 
 
-class Step(Record):
+class Step(NamedTuple):
     """One formula to run: the name of its result, the formula, and the names of its arguments."""
 
     name: str
@@ -28,7 +27,7 @@ class Step(Record):
     arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
 
 
-class Missing(Record):
+class Missing(NamedTuple):
     """The inputs that a quantity needs, and quantities that may be given in place of them."""
 
     names: tuple[str, ...]
@@ -36,7 +35,7 @@ class Missing(Record):
     lacking: tuple[str, ...] = ()  # quantities that the law of attraction does not have
 
 
-class Plan(Record):
+class Plan(NamedTuple):
     """The steps that lead to the wanted quantities, and the inputs they start from, in the order of the nomenclature."""
 
     steps: tuple[Step, ...]
