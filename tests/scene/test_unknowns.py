@@ -225,6 +225,16 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
             "r_min depends on neither (κ is above "
             "1e8)"
         )),
+        *(  # f = √(K/m)/2π, and under a large load K does not depend on γ
+            (
+                names,
+                {"stiffness": 1e3, "vertical_frequency": 1e6},
+                {**PLANE, "density": 2e3, "load": 1e3},
+                Unseparated,
+                "they leave γ1 open (κ is above 1e8)",
+            )
+            for names in (NAMES, NAMES[::-1])
+        ),
         (
             NAMES,
             {"pull_off_force": 3e-7, "stiffness": 1e12},

@@ -104,12 +104,12 @@ class Inferred(Answer):
         """The solution under each other law of attraction that has the measured quantities by other formulas."""
         from ..scene.unknowns import solution
 
-        own = self.scene.plan(*self.problem.measured).steps
+        steps = self.scene.plan(*self.problem.measured).steps
         solutions: dict[str, Solution] = {}
         for law in LAWS:
             other = self.problem._replace(scene=self.problem.scene.replace(model=law))
             with suppress(MissingInput, NoResult):
-                if other.filled().plan(*self.problem.measured).steps != own:
+                if other.filled().plan(*self.problem.measured).steps != steps:
                     solutions[law] = solution(other)
         return solutions
 
@@ -133,7 +133,7 @@ class Inferred(Answer):
         symbols = {name: symbol_beside(name, {*self.inputs, *self.assumed}) for name in self.problem.unknowns}
         if doubt.bits & OF_LAW and BETWEEN in self._by_law:
             values = self._by_law[BETWEEN].values
-            told = listed(f"{symbols[name]} = {span(name, one, one)}" for name, one in values.items())
+            told = listed(f"{symbols[name]} = {span(name, value, value)}" for name, value in values.items())
             better = f"by Maugis' law, better here than {self.scene.law.title}"
             return f"{told} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
         if doubt.code == "rough-matters":
@@ -146,12 +146,12 @@ class Inferred(Answer):
         """The proof of what is found, and what the measured quantities rest on."""
         if self.solution is None:
             return ()
-        found, sources = self._uncertainties
+        bars, sources = self._uncertainties
         notes = (
             *self._proofs(self.solution),
             *self.forward.notes,
             *about_missing([*self.results], {}),
-            *(about_uncertainties(found, sources) if sources is not None else ()),
+            *(about_uncertainties(bars, sources) if sources is not None else ()),
         )
         return tuple(dict.fromkeys(notes))  # both ways leave out the same
 
@@ -194,13 +194,13 @@ def _of_both(name: str, scene: Scene) -> str:
 
 def _unused(name: str, quantities: Sequence[str], scene: Scene) -> list[Note]:
     """Return a note on each property of a material in whose place an inferred value stands in a scene."""
-    used = scene.data_used(scene.inputs_of(*quantities))
-    materials = {one.name: one for one, _ in scene.materials}
+    used = {(material.name, each) for material, each in scene.data_used(scene.inputs_of(*quantities))}
+    materials = {material.name: material for material, _ in scene.materials}
     return [
         Note("data", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
         for material in materials.values()
         for each in _REPLACED.get(name, (name,))
-        if each in material.properties and all(one.name != material.name or other != each for one, other in used)
+        if each in material.properties and (material.name, each) not in used
     ]
 
 

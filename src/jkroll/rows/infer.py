@@ -149,7 +149,7 @@ class Problems(Sweep):
         if len(lacking) == len(self.kinds):
             raise lacking[0]
         sources = [*filter(None, map(columns.sources_in, self.kinds))]
-        sides = {side for one in sources for side in one.sides}
+        sides = {side for of_kind in sources for side in of_kind.sides}
         inputs = {name for problem in self.kinds for name in problem.echo()}
         return Unknowns(self.names, named=self.names, inputs=in_order(inputs), sides=dict.fromkeys(self.names, sides))
 
@@ -228,8 +228,8 @@ def infer(
         raise QuantityError("measured", str(measured), problem, f"write {{{example}}}")
     known, _ = in_si({str(word): value for word, value in measured.items()}, named)
     described, _ = in_si(given)
-    for both in known.keys() & described.keys():
-        raise already_given(both, both)
+    for name in known.keys() & described.keys():
+        raise already_given(name, name)
     for each, value in {**known, **described}.items():
         check_range(each, value.value if is_uncertain(value) else value)
     spheres = materials_of(material, material2, materials)

@@ -97,17 +97,17 @@ class SeveralSolutions(Unsolved):
         """Return all values, with as many digits as typing them back takes: next to pull-off that is more."""
         every = range(DIGITS, MAX_DIGITS)
         form = Format(digits=next((digits for digits in every if self._may_be_typed(digits)), MAX_DIGITS))
-        texts = [", ".join(amount(name, value, form) for name, value in one.items()) for one in self.values]
+        texts = [", ".join(amount(name, value, form) for name, value in values.items()) for values in self.values]
         if len(self.problem.unknowns) > 1:
             texts = [f"the pairs ({texts[0]})", *(f"({text})" for text in texts[1:])]
         return f"{listed(texts)} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
 
     def _may_be_typed(self, digits: int) -> bool:
         """Return whether the values with so many digits give the measured ones."""
-        typed = [{name: float(f"{value:.{digits}g}") for name, value in one.items()} for one in self.values]
+        typed = [{name: float(f"{value:.{digits}g}") for name, value in values.items()} for values in self.values]
         return all(
             abs(forward.get(name, inf) - level) <= AS_SHOWN * abs(level)
-            for forward in (self.problem.with_values(one).numbers(*self.problem.measured) for one in typed)
+            for forward in (self.problem.with_values(values).numbers(*self.problem.measured) for values in typed)
             for name, level in self.problem.levels.items()
         )
 
@@ -193,8 +193,8 @@ class Problem(NamedTuple):
 
     def names_of(self, unknown: str) -> tuple[str, ...]:
         """Return the names of an unknown in the scene: those of both spheres if one material was named for both."""
-        one, two = self.scene.material, self.scene.material2
-        is_shared = one is not None and two is not None and one.key == two.key and unknown in PROPERTIES
+        first, second = self.scene.material, self.scene.material2
+        is_shared = first is not None and second is not None and first.key == second.key and unknown in PROPERTIES
         twin = of_sphere(2, unknown)
         return (unknown, twin) if is_shared and twin not in self.scene.stated else (unknown,)
 
@@ -225,8 +225,9 @@ class Problem(NamedTuple):
 
     def used(self) -> list[str]:
         """Return the other inputs on which the measured quantities depend."""
-        own = {each for name in self.unknowns for each in self.names_of(name)}
-        return [name for name in self.filled().inputs_used([*self.measured], [*self.measured]) if name not in own]
+        unknowns = {each for name in self.unknowns for each in self.names_of(name)}
+        inputs = self.filled().inputs_used([*self.measured], [*self.measured])
+        return [name for name in inputs if name not in unknowns]
 
     def echo(self) -> dict[str, Any]:
         """Return these inputs as they were understood, and the measured values."""
@@ -292,13 +293,13 @@ class Solution(NamedTuple):
         """The measured quantities in this scene."""
         return self.scene.numbers(*self.problem.measured)
 
-    def put(self, rows: Sequence[int], part: "Solution") -> None:
+    def put(self, rows: Sequence[int], solution: "Solution") -> None:
         """Take the solution of some rows."""
-        for columns, own in ((self.values, part.values), (self.growths, part.growths)):
-            for name, column in columns.items():
-                column[rows] = own[name]
-        self.condition[rows] = part.condition
+        for name in self.values:
+            self.values[name][rows] = solution.values[name]
+            self.growths[name][rows] = solution.growths[name]
+        self.condition[rows] = solution.condition
         for place, row in enumerate(rows):
             self.failures.pop(row, None)
-            if place in part.failures:
-                self.failures[row] = part.failures[place]
+            if place in solution.failures:
+                self.failures[row] = solution.failures[place]

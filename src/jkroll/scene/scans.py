@@ -120,10 +120,10 @@ class Points(NamedTuple):
         change = numpy.fmax(abs(before), abs(after))
         turns = (rows[:-2] == rows[2:]) & (before * numpy.sign(after) < 0) & (change > _ROUNDING * abs(y[1:-1]))
         start = numpy.flatnonzero(turns)
-        own, left, right, sign = rows[start], x[start], x[start + 2], numpy.sign(before[start])
+        row, left, right, sign = rows[start], x[start], x[start + 2], numpy.sign(before[start])
         step = _SLOPE * (right - left)
-        turn, _ = bisected(left, right, lambda x: sign * (function(own, x + step) - function(own, x - step)) > 0)
-        return self._with(own, turn, function)
+        turn, _ = bisected(left, right, lambda x: sign * (function(row, x + step) - function(row, x - step)) > 0)
+        return self._with(row, turn, function)
 
     def repeated(self, count: int) -> "Points":
         """Return the points of a single row for so many rows."""
@@ -138,16 +138,16 @@ class Points(NamedTuple):
         rows, x, y = self
         side = numpy.sign(y - levels[rows])
         left = numpy.flatnonzero((rows[:-1] == rows[1:]) & (side[:-1] * side[1:] < 0))
-        own, level, first, second = rows[left], levels[rows[left]], y[left], y[left + 1]
-        both = bisected(x[left], x[left + 1], lambda x: (function(own, x) < level) == (first < level))
-        off = numpy.array([abs(function(own, root) - level) for root in both])
-        root = numpy.where(off[0] < off[1], *both)
+        row, level, first, second = rows[left], levels[rows[left]], y[left], y[left + 1]
+        ends = bisected(x[left], x[left + 1], lambda x: (function(row, x) < level) == (first < level))
+        off = numpy.array([abs(function(row, end) - level) for end in ends])
+        root = numpy.where(off[0] < off[1], *ends)
         scale = numpy.where(level == 0, numpy.maximum(abs(first), abs(second)), abs(level))
         is_root = off.min(axis=0) <= AS_SHOWN * scale
         exact = side == 0
-        every = numpy.array([numpy.append(rows[exact], own[is_root]), numpy.append(x[exact], root[is_root])])
-        own, root = numpy.unique(every, axis=1)
-        return own.astype(int), root
+        every = numpy.array([numpy.append(rows[exact], row[is_root]), numpy.append(x[exact], root[is_root])])
+        row, root = numpy.unique(every, axis=1)
+        return row.astype(int), root
 
 
 class Scan:

@@ -70,7 +70,7 @@ def solutions(problem: Problem, size: int, near: Values | None = None) -> Soluti
             whole.put(range(size), pairs)
         for row in rest:
             try:
-                whole.put([row], Pairs(problem.rows(row)).found())
+                whole.put([row], Pairs(problem.rows(row)).pair())
             except NoResult as error:
                 whole.failures[row] = error
     for column in (whole.condition, *growths.values()):
@@ -223,7 +223,7 @@ class Pairs:
         """The quantities at the places of the grid."""
         return outcomes(self.problem, self.values(self._mesh.reshape(2, -1)))
 
-    def found(self) -> Solution:
+    def pair(self) -> Solution:
         """Return the one pair. Raises the reason why there is none."""
         sample = self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1)
         _, matrices = self.slopes(sample)
@@ -258,8 +258,8 @@ class Pairs:
         )
         cells = may_cross.all(axis=0)
         first, last = self._mesh[:, :-1, :-1][:, cells], self._mesh[:, 1:, 1:][:, cells]
-        parts = [(0.5, 0.5), *((i, j) for i in (0.2, 0.8) for j in (0.2, 0.8))]
-        return numpy.concatenate([first + numpy.reshape(part, (2, 1)) * (last - first) for part in parts], axis=1)
+        shares = [(0.5, 0.5), *((i, j) for i in (0.2, 0.8) for j in (0.2, 0.8))]
+        return numpy.concatenate([first + numpy.reshape(share, (2, 1)) * (last - first) for share in shares], axis=1)
 
     # --- Why there is none ---
 
@@ -295,12 +295,13 @@ class Pairs:
     def _left_open(self, matrix: Any) -> str:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
         steepest = max(matrix, key=lambda slope: float(numpy.hypot(*slope)))
-        (one, other), (second, first) = self.problem.unknowns, steepest.tolist()
-        for name, small, large in ((other, second, first), (one, first, second)):
-            if abs(small) <= _LEFT_OPEN * abs(large):
-                return f"they leave {NOMENCLATURE[name].symbol} open"
-        power = f"{NOMENCLATURE[other].symbol}^{-first / second:.3g}"
-        return f"both stay as they are along {NOMENCLATURE[one].symbol} ∝ {power}"
+        (left, right), (by_left, by_right) = (
+            (NOMENCLATURE[name].symbol for name in self.problem.unknowns),
+            steepest.tolist(),
+        )
+        if min(abs(by_left), abs(by_right)) <= _LEFT_OPEN * max(abs(by_left), abs(by_right)):
+            return f"they leave {left if abs(by_left) < abs(by_right) else right} open"
+        return f"both stay as they are along {left} ∝ {right}^{-by_right / by_left:.3g}"
 
 
 def _conditions(matrices: Any) -> Any:
