@@ -6,6 +6,7 @@ import csv
 import json
 import math
 from collections.abc import Callable
+from itertools import product
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -390,6 +391,24 @@ def test_ranges_of_both_measurements_enter() -> None:
     ends = [(both[name].low / both[name].value, both[name].high / both[name].value) for name in NAMES]
     assert ends[0] == approx((14 / 15, 16 / 15), rel=1e-12)
     assert ends[1] == approx((0.9**1.5 * (16 / 15) ** -0.5, 1.1**1.5 * (14 / 15) ** -0.5), rel=1e-12)
+
+
+def test_ranges_are_those_of_their_corners_where_the_middle_is_beyond_pull_off_at_one() -> None:
+    """The load of the middle breaks the contact of the smallest sphere."""
+    measured = {"contact_radius_at_load": (1.9e-9, 2.6e-9), "pull_off_force": (2e-8, 2.8e-8)}
+    spans = {**measured, "radius": (1.1e-7, 1.6e-7)}
+    ranges = {name: Interval(sum(span) / 2, *span) for name, span in spans.items()}
+    given: dict[str, Any] = {"material": "quartz", "radius2": "plane", "model": "maugis"}
+
+    def inferred(values: dict[str, Any]) -> dict[str, Any]:
+        known = {name: values[name] for name in measured}
+        return infer(["load", "gamma"], measured=known, radius=values["radius"], **given)
+
+    found = inferred(ranges)
+    corners = [inferred(dict(zip(spans, corner, strict=True))) for corner in product(*spans.values())]
+    for name in ("load", "surface_energy"):
+        values = [corner[name] for corner in corners]
+        assert [found[name].low, found[name].high] == approx([min(values), max(values)], rel=1e-6)
 
 
 # --- Python and the command -------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 """The solver of the inverse problem, for numbers and arrays: one unknown by scans, two by a grid and Newton's method."""
 
 from functools import cached_property
-from math import inf, log, nan
+from math import expm1, inf, log, nan
 from typing import Any
 
 import numpy
@@ -64,10 +64,13 @@ def solutions(problem: Problem, size: int, near: Values | None = None) -> Soluti
             rows = range(start, min(start + step, size))
             whole.put(rows, _of_one(problem.rows(slice(start, rows.stop)), len(rows)))
     else:
-        rest = [*range(size)]
+        rest = range(size)
         if near is not None:
-            pairs, rest = Pairs(problem, size).followed(near)
-            whole.put(range(size), pairs)
+            known = numpy.flatnonzero(~numpy.isnan([*near.values()]).any(axis=0))
+            pairs = Pairs(problem.rows(known), len(known))
+            followed, is_lost = pairs.followed({name: values[known] for name, values in near.items()})
+            whole.put(known.tolist(), followed)
+            rest = known[is_lost].tolist()
         for row in rest:
             try:
                 whole.put([row], Pairs(problem.rows(row)).pair())
@@ -117,12 +120,11 @@ class Pairs:
         return values
 
     def places(self, values: Values) -> Any:
-        """Return the places at which the unknowns have some values."""
-        with numpy.errstate(divide="ignore", invalid="ignore"):
-            return numpy.array([
-                numpy.log1p(column / self._force(values)) if name == "load" else numpy.log(column)
-                for name, column in values.items()
-            ])  # fmt: skip
+        """Return the places at which the unknowns have some values; a load beyond pull-off counts as one next to it."""
+        places = {name: numpy.log(column) for name, column in values.items() if name != "load"}
+        if self.load is not None:
+            places["load"] = numpy.log1p(numpy.maximum(values["load"] / self._force(values), expm1(_OF_LOAD[0])))
+        return numpy.array([places[name] for name in self.problem.unknowns])
 
     def _force(self, values: Values) -> Any:
         """Return the pull-off force; the smallest load that is scanned where there is none."""
@@ -197,15 +199,14 @@ class Pairs:
             is_pair &= ((values >= least * (1 - _SAME)) | (name == "load")) & (values <= most * (1 + _SAME))
         return best, numpy.where(is_pair, distance, nan)
 
-    def followed(self, near: Values) -> tuple[Solution, list[int]]:
+    def followed(self, near: Values) -> tuple[Solution, Any]:
         """Return the solutions to which Newton's method leads from values, and the rows in which it leads to none."""
-        start = self.places(near)
-        places, distance = self.improved(start)
+        places, distance = self.improved(self.places(near))
         pairs = self.solution(places)
         is_lost = ~((distance <= _NEAR) & (pairs.condition <= MAX_CONDITION))
         for column in pairs.values.values():
             column[is_lost] = nan
-        return pairs, numpy.flatnonzero(is_lost & numpy.isfinite(start).all(axis=0)).tolist()
+        return pairs, is_lost
 
     # --- The search, in one row ---
 
