@@ -70,6 +70,14 @@ def test_error_bars_are_those_of_the_other_law() -> None:
     assert found == solve("pull_off_force", model="maugis", **given, atomic_spacing=4e-10)
 
 
+def test_what_is_inferred_by_another_law_has_its_own_error_bar(run: Run) -> None:
+    words = "infer gamma quartz 2um --radius2 plane --measured P_c=300±20nN"
+    of_maugis = dict(line.split()[:2] for line in run(f"{words} --model maugis").out.splitlines())
+    value, minus = (float(of_maugis[name]) * 1e3 for name in ("surface_energy", "surface_energy_minus"))
+    (row,) = [line for line in run(words, terminal=True).out.splitlines() if line.startswith("surface energy")]
+    assert f"{value:.2f} ± {minus:.2f}" in row
+
+
 def test_objects_have_them_too(run: Run) -> None:
     found = json.loads(run("pull-off quartz 100nm --gamma 25±5mJ/m2 --to nN --json").out)["laws"]["maugis"][
         "pull_off_force"

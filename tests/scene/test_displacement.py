@@ -113,7 +113,7 @@ def words(scene: Scene, *names: str) -> str:
 
 def test_words() -> None:
     assert words(of("quartz", ROLLED["radius"]), "yield_force") == (
-        "Q = 850–1200 pN by forces on SiO2 of 1 µm; ξ is assumed (--xi); above Q = 900 pN, adhesion cannot lose enough"
+        "Q = 850–1200 pN by forces on SiO2 of 1 µm; ξ is assumed (--xi); adhesion alone can supply up to Q = 900 pN"
     )
     scaled = words(of("quartz", 1e-7), "yield_force")
     assert "Q = 89–270 pN by forces on SiO2 of 1 µm (850–1200 pN), scaled to this size" in scaled

@@ -259,7 +259,7 @@ def _beyond_hysteresis(scene: Scene) -> str:
     if len(most) < 2 or most["hysteresis_ratio"] <= 1:
         return ""
     force = most["yield_force"] / most["hysteresis_ratio"]
-    return f"; above Q = {span('yield_force', force, force)}, adhesion cannot lose enough"
+    return f"; adhesion alone can supply up to Q = {span('yield_force', force, force)}"
 
 
 _WORDS = {

@@ -120,8 +120,20 @@ class Inferred(Answer):
 
     @cached_property
     def alternatives(self) -> list[Alternative]:
-        """The values under the other laws."""
-        return [Alternative(law, head_of(law), solution.values) for law, solution in self._by_law.items()]
+        """The values under the other laws, with their error bars."""
+        return [Alternative(law, head_of(law), self._measures(solution)) for law, solution in self._by_law.items()]
+
+    def _measures(self, solution: Solution) -> dict[str, Any]:
+        """Return the values of a solution, with their error bars."""
+        if not self.problem.is_uncertain:
+            return dict(solution.values)
+        from ..scene.uncertainty import uncertainties_of_unknowns
+
+        bars, _ = uncertainties_of_unknowns(solution)
+        propagated = {name: propagated_of(bars, name) for name in solution.values}
+        return {
+            name: bar.uncertainty if (bar := propagated[name]) else value for name, value in solution.values.items()
+        }
 
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:
@@ -138,7 +150,7 @@ class Inferred(Answer):
             return f"{told} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
         if doubt.code == "rough-matters":
             unknowns = listed(symbols.values())
-            return f"{unknowns}: of smooth spheres; what rough ones give is an effective value, of this size alone"
+            return f"{unknowns}: for smooth spheres; rough ones give an effective value, of this size alone"
         return self.forward.about(doubt)
 
     @cached_property
