@@ -2,16 +2,15 @@
 
 From the bottom up:
 
-reasons            why cells are empty: a phrase for the status, and in full; the counts of rows
+reasons            why cells are empty: a phrase for the status, and in full; the counts of such rows
 columns            what is wanted of rows, and their columns: by floats, which defines them, and by arrays
-inferred           the same where an input is sought
+cells              a column of texts as SI numbers, or as materials
 words, readings    the words of headers as data, and the meaning of one header
-sides, header      the columns of error bars, and all columns of a table
-cells              a column of texts as SI numbers
+header             all columns of a table, with those of error bars
 block, rows        rows that are computed together, which are scenes of arrays as far as they are alike
 sweep              the rows of lists and ranges
+infer              the same where an input is sought, and the rows of arrays from Python
 table              the rows of a table
-infer              the rows of arrays from Python, where an input is sought
 
 No file is opened here: `batch` reads and writes.
 """

@@ -156,11 +156,11 @@ class Kept(dict[Any, Any]):
         self.meaning = meaning
 
     def __missing__(self, key: Hashable) -> Any:
-        found = self.meaning(key)
+        meaning = self.meaning(key)
         if len(self) >= MAX_KEPT:
             self.clear()
-        self[key] = found
-        return found
+        self[key] = meaning
+        return meaning
 
 
 class Reader:
@@ -212,11 +212,11 @@ class Reader:
             elif cell and not cell.isspace():
                 others.append(place)
         for unit, places in by_unit.items():
-            found = self._together([cells[place] for place in places], unit)
-            if found is None:
+            numbers = self._together([cells[place] for place in places], unit)
+            if numbers is None:
                 others += places
             else:
-                values[places] = found
+                values[places] = numbers
         odd: list[int] = []
         uncertain: dict[int, Uncertain] = {}
         for place in others:
@@ -268,12 +268,12 @@ def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) ->
     while has_empty and empty in text:  # in a run of them, every other one is found
         text = text.replace(empty, b",null,")
     try:
-        found = orjson.loads(b"[" + text[1:-1] + b"]")
+        values = orjson.loads(b"[" + text[1:-1] + b"]")
     except orjson.JSONDecodeError:
         return None
-    if len(found) != count:
+    if len(values) != count:
         return None
-    numbers = numpy.array(found, dtype=float)
+    numbers = numpy.array(values, dtype=float)
     return None if not numbers.all() and _TINY.search(text) else numbers
 
 
@@ -302,10 +302,10 @@ class Lookup:
 
     def material(self, text: str) -> Material:
         """Return the material of a name. Raises UnknownMaterial, UnclearMaterial or MaterialsFileError."""
-        found: Material | JkrollError = self._of_names[text]
-        if isinstance(found, JkrollError):
-            raise found.with_traceback(None)
-        return found
+        solid: Material | JkrollError = self._of_names[text]
+        if isinstance(solid, JkrollError):
+            raise solid.with_traceback(None)
+        return solid
 
     def _found(self, text: str) -> Material | JkrollError:
         """Return the material of a name, or why there is none: to word that takes as long as a hundred rows."""
@@ -316,13 +316,13 @@ class Lookup:
 
     def _index(self, cell: bytes | str) -> int:
         text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
-        found = self._of_names[text] if text.strip() else self.known[0]
-        if isinstance(found, JkrollError):
-            found = LABEL
-        if found not in self.known:
-            self.known.append(found)
-            self._kinds.append(self._of_kinds.setdefault(_kind(found), len(self._of_kinds)))
-        return self.known.index(found)
+        solid = self._of_names[text] if text.strip() else self.known[0]
+        if isinstance(solid, JkrollError):
+            solid = LABEL
+        if solid not in self.known:
+            self.known.append(solid)
+            self._kinds.append(self._of_kinds.setdefault(_kind(solid), len(self._of_kinds)))
+        return self.known.index(solid)
 
     def kinds(self, indices: Indices) -> Indices:
         """Return a number for each row, which is the same for materials that can be one scene's."""
@@ -336,10 +336,9 @@ class Lookup:
         first = self.known[int(indices[0])]
         if first is None or not first.properties or _is_special(first) or (indices == indices[0]).all():
             return first
+        solids = [solid.properties if solid else {} for solid in self.known]
         properties: Any = {
-            name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])[
-                indices
-            ]
+            name: numpy.array([of_solid.get(name, numpy.nan) for of_solid in solids])[indices]
             for name in first.properties
         }
         return LABEL._replace(properties=properties)

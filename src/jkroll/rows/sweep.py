@@ -57,9 +57,9 @@ class Sweep:
     def value(self, name: str, place: int) -> Any:
         """Return the value of an input at a place of its lists and ranges, which stand behind each other."""
         starts = self.starts[name]
-        at = bisect(starts, place) - 1
-        spread = self.spreads[name][at]
-        return spread.uncertainty or spread.value(place - starts[at])
+        number = bisect(starts, place) - 1
+        spread = self.spreads[name][number]
+        return spread.uncertainty or spread.value(place - starts[number])
 
     def __len__(self) -> int:
         """Return the number of rows."""
@@ -120,9 +120,9 @@ class Sweep:
 
     def _may_be_alike(self, name: str) -> bool:
         """Return whether an input of sphere 2 may have a value of sphere 1, and one of them has several."""
-        own, first = self.spreads[name], self.spreads.get(of_sphere(1, name), ())
-        several = sum(map(len, own)) + sum(map(len, first)) > 2
-        overlap = any(one.low <= other.high and other.low <= one.high for one in own for other in first)
+        second, first = self.spreads[name], self.spreads.get(of_sphere(1, name), ())
+        several = sum(map(len, second)) + sum(map(len, first)) > 2
+        overlap = any(spread.low <= other.high and other.low <= spread.high for spread in second for other in first)
         return NOMENCLATURE[name].sphere == 2 and several and overlap
 
     # --- Columns ------------------------------------------------------------------------------------------------------
@@ -188,32 +188,24 @@ def entering(
     inputs: set[str] = set()
     sides: dict[str, set[str]] = {}
     for scene in scenes:
-        own = shown(scene)
-        inputs.update(scene.echo(scene.inputs_used(quantities, own)))
+        names = shown(scene)
+        inputs.update(scene.echo(scene.inputs_used(quantities, names)))
         if scene.is_uncertain:
-            for name, of_name in _sides(scene, own).items():
-                sides.setdefault(name, set()).update(of_name)
+            from ..scene.uncertainty import sources_of
+
+            inputs_of = {name: {*scene.inputs_of(name)} for name in scene.possible(names)}
+            for source in sources_of(scene, set().union(*inputs_of.values())).entering:
+                for name, of_name in inputs_of.items():
+                    if not of_name.isdisjoint(source.names):
+                        sides.setdefault(name, set()).update(source.given.sides)
     return inputs, sides
 
 
 def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
     """Return a value of each kind that an input has: plain, one from which more follows, and uncertain."""
     special = FOLLOWS[name][0] if name in FOLLOWS else None
-    found: dict[object, Any] = {}
+    values: dict[object, Any] = {}
     for spread in spreads:
         kind = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
-        found.setdefault(kind, spread.uncertainty or spread.low)
-    return [*found.values()]
-
-
-def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
-    """Return by quantity the sides of the uncertainty that it can have."""
-    from ..scene.uncertainty import sources_of
-
-    inputs = {name: {*scene.inputs_of(name)} for name in scene.possible(names)}
-    entering = sources_of(scene, set().union(*inputs.values())).entering
-    sides = {
-        name: {side for one in entering if own & {*one.names} for side in one.given.sides}
-        for name, own in inputs.items()
-    }
-    return {name: own for name, own in sides.items() if own}
+        values.setdefault(kind, spread.uncertainty or spread.low)
+    return [*values.values()]

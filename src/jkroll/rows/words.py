@@ -109,15 +109,15 @@ def meanings() -> dict[str, str]:
 @cache
 def symbols() -> dict[str, list[str]]:
     """Return the inputs by their symbols, with Greek letters spelt out, with the index of sphere 1 or without it."""
-    found: dict[str, list[str]] = {}
+    names: dict[str, list[str]] = {}
     for name in INPUTS:
         if name in RATIOS or any(dimension_of(NOMENCLATURE[name].unit)):
             symbol = symbol_of(NOMENCLATURE[name].symbol)
             for spelt in {symbol, symbol.removesuffix("1")}:
-                found.setdefault(spelt, []).append(name)
+                names.setdefault(spelt, []).append(name)
     for spelt, name in SYMBOLS_TOO.items():
-        found.setdefault(spelt, []).append(name)
-    return found | {spelt: [doubt.name] for spelt, doubt in DOUBTFUL.items() if len(spelt) <= 2}
+        names.setdefault(spelt, []).append(name)
+    return names | {spelt: [doubt.name] for spelt, doubt in DOUBTFUL.items() if len(spelt) <= 2}
 
 
 @cache
@@ -149,11 +149,11 @@ _COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2
 @cache
 def units_by_letters() -> dict[str, list[str]]:
     """Return common units by their letters and digits, as they are and in small letters."""
-    found = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"]}
+    units = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"]}
     for unit in _COMMON:
         for letters in dict.fromkeys((squeezed(unit), squeezed(unit).casefold())):
-            found.setdefault(letters, []).append(unit)
-    return found | {"mn": [], "mj": []}  # milli or mega?
+            units.setdefault(letters, []).append(unit)
+    return units | {"mn": [], "mj": []}  # milli or mega?
 
 
 def squeezed(text: str) -> str:
