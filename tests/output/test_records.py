@@ -9,6 +9,7 @@ import pytest
 
 from harness import Stream
 from jkroll.output.records import Cell, write_records
+from jkroll.output.writers import Lines
 
 HEADS = ("name", "value [N]")
 RECORDS: Sequence[Sequence[Cell]] = (("iron, γ = 3", 1.2345678901234567e-08), ("[gold]", None))
@@ -23,6 +24,18 @@ def written(kind: str, encoding: str = "utf-8") -> str:
 
 def test_plain_lines_are_separated_by_tabs() -> None:
     assert written("plain") == "name\tvalue [N]\niron, γ = 3\t1.2345678901234567e-8\n[gold]\t-\n"
+
+
+@pytest.mark.parametrize(("kind", "line"), [("plain", "\t-"), ("csv", ",")])
+def test_an_empty_text_is_no_missing_value(kind: str, line: str) -> None:
+    out = Stream(encoding="utf-8")
+    write_records(HEADS, [("", None)], kind, out)
+    assert out.text().splitlines()[1] == line
+
+
+@pytest.mark.parametrize(("separator", "row"), [(";", 'x;"no, yes; no"'), (",", 'x,"no, yes; no"')])
+def test_a_text_with_the_separator_of_a_table_stands_in_quotes(separator: str, row: str) -> None:
+    assert Lines(separator).rows(("name", "status"), [["x"], ["no, yes; no"]]).decode() == f"{row}\n"
 
 
 def test_csv_reads_back() -> None:

@@ -100,7 +100,7 @@ class Lines:
         return rows if lead == self.separator else [lead + row[1:] for row in rows]
 
     def _cell(self, value: str | float | None) -> bytes:
-        if value is None or value == "":
+        if value is None:
             return self.gap
         if not isinstance(value, float):
             return self._text(str(value))
