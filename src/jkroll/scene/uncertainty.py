@@ -236,7 +236,7 @@ def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[
         of_sources = [outcomes[name][size * axis : size * (axis + 1)] for axis in range(len(sources))]
         sides, parts = (_range if is_range else _quadrature)(value, of_sources)
         is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
-        if is_still is not True:  # or some elements of arrays are not
+        if getattr(is_still, "shape", ()) or not is_still:  # of arrays, some elements may be
             sides = {side: where(is_still, value if is_range else 0.0, end) for side, end in sides.items()}
             bars[name] = Propagated(given._replace(value=value, **sides), _shares(sources, parts))
     return bars
