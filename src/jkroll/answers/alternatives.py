@@ -27,26 +27,9 @@ from ..scene.alternatives import (
     solid_of_kind,
     uses_law,
 )
-from ..scene.limits import JUMP, LAW_MATTERS, OF_LAW, Doubt, codes_of
+from ..scene.limits import JUMP, LAW_MATTERS, OF_LAW, Doubt
 from ..scene.scene import Scene
 
-# Below the Tabor parameter of a jump, Maugis' law is no correction to energies: a well of Lennard-Jones' law is deeper still, and its
-# contacts form and open without a jump.
-_OF_ENERGY = (
-    "fold_energy",
-    "break_energy_dust_simulation",
-    "disruption_energy_dust_simulation",
-    "disruption_speed_dust_simulation",
-    "well_energy",
-    "pull_off_work",
-    "pull_off_work_at_dead_load",
-    "sticking_energy",
-    "sticking_speed",
-    "restitution",
-    "lost_energy",
-    "disruption_energy",
-    "disruption_speed",
-)
 MAX_TOLD = 2  # quantities in a note
 _SMALLEST = 1e-7  # radius of an identical pair below which nothing is said of measurements
 _LARGE = 3e-6  # and from which measurements on other solids are told
@@ -185,19 +168,30 @@ def in_words(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequenc
 
     `headline`: the results that a command is named after; `known`: all of them.
     """
-    words = _WORDS.get(doubt.code)
-    return words(doubt, scene, headline or known, known) if words is not None else doubt.text
+    if doubt.bits & OF_LAW:
+        return _about_law(doubt, scene, headline or known)
+    if doubt.code == "xi-off-data":
+        return _about_displacement(scene, rolling(headline, scene.law.name) or rolling(known, scene.law.name))
+    return _about_roughness(scene) if doubt.code == "rough-matters" else doubt.text
 
 
-def _about_law(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:  # noqa: ARG001
+def _about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
     """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law"."""
-    told = [
-        text for name in headline if doubt.value >= JUMP or name not in _OF_ENERGY for text in _advised(scene, name)
-    ]
+    told = [text for name in names if doubt.value >= JUMP or not _rests_on_well(name) for text in _advised(scene, name)]
     spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
     inexact = f"neither {scene.law.title} nor Maugis' law is exact here"
     lead = ", ".join(told[:MAX_TOLD]) + f" by Maugis' law, better here than {scene.law.title}" if told else inexact
     return f"{lead} (Tabor parameter {doubt.value:.2g}, z0 = {spacing}): --model {BETWEEN}"
+
+
+def _rests_on_well(name: str) -> bool:
+    """Return whether a quantity is an energy to separate spheres, or follows from one.
+
+    Below the Tabor parameter of a jump, Maugis' law is no correction to these: a well of Lennard-Jones' law is deeper
+    still, and its contacts form and open without a jump.
+    """
+    has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
+    return has_energy and not rolling([name], BETWEEN)
 
 
 def _advised(scene: Scene, name: str) -> Iterator[str]:
@@ -218,15 +212,14 @@ def _advised(scene: Scene, name: str) -> Iterator[str]:
         yield f"{symbol} = {span(name, min(found), max(found))}"
 
 
-def _about_displacement(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:  # noqa: ARG001
+def _about_displacement(scene: Scene, names: Sequence[str]) -> str:
     """Return what stands in place of answers with the assumed displacement: "Q = 89–270 pN by forces on SiO2 of 1 µm"."""
-    names = rolling(headline, scene.law.name) or rolling(known, scene.law.name)
     values = by_data(scene, names[:MAX_TOLD]).values
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, one.low, one.high)}" for name, one in values.items() if one)
     return f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi){_beyond_hysteresis(scene)}"
 
 
-def _about_roughness(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:  # noqa: ARG001
+def _about_roughness(scene: Scene) -> str:
     """Return what was measured where the pull-off force is that of smooth spheres."""
     force = scene.numbers("pull_off_force").get("pull_off_force", 0.0)
     smooth, rough = (span("pull_off_force", force / most, force / least) for most, least in ((4, 2), (100, 10)))
@@ -260,13 +253,6 @@ def _beyond_hysteresis(scene: Scene) -> str:
         return ""
     force = most["yield_force"] / most["hysteresis_ratio"]
     return f"; adhesion alone can supply up to Q = {span('yield_force', force, force)}"
-
-
-_WORDS = {
-    **dict.fromkeys(codes_of(OF_LAW), _about_law),
-    "xi-off-data": _about_displacement,
-    "rough-matters": _about_roughness,
-}
 
 
 def about_displacement_of_rows(scene: Scene) -> str:
