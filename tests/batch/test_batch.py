@@ -564,6 +564,14 @@ def test_compressed_tables(run: Run, compression: str) -> None:
     assert not Path("cut.csv").exists()
 
 
+@pytest.mark.parametrize("words", ["batch none.csv.zst -o out.csv", "batch none.csv -o out.csv.zst"])
+def test_a_missing_library_is_named_before_a_file_is_opened(
+    run: Run, monkeypatch: pytest.MonkeyPatch, words: str
+) -> None:
+    monkeypatch.setitem(sys.modules, "zstandard", None)
+    assert run(words) == (2, "", "jkroll: this needs zstandard: pip install 'jkroll[zstd]'\n")
+
+
 def test_tabs_and_formulas(run: Run) -> None:
     name = table(
         GRAINS.replace(",", "\t") + "=1+1\tquartz\t100\t-2\n'-x\tquartz\t100\t-2\n-2+3\tquartz\t100\t-2\n", "grains.tsv"

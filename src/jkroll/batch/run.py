@@ -73,7 +73,7 @@ def convert_one(path: str, job: Job) -> Tally:
     form = input_format(path, settings)
     compression = output_format(settings, form).compression
     for kind in (form.compression, compression):
-        compressed(b"", kind)  # a missing library is named before anything is opened
+        compressed(b"\n", kind)  # a missing library is named before anything is opened
     processes, source_of = settings.processes, lines_of
     if form.kind == "parquet":
         with missing_extra("parquet"):
