@@ -291,7 +291,7 @@ def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
     """Return the share of each source that has one in the variance or the width of a number, the largest first."""
-    if not all(isinstance(part, NUMBER) for part in parts):
+    if not all(isinstance(part, NUMBER) for part in parts) or not max(parts):
         return {}
     power = 1 if isinstance(sources[0].given, Interval) else 2
     sizes = [(part / max(parts)) ** power for part in parts]  # squares of the parts may leave the doubles
