@@ -581,19 +581,19 @@ def test_every_value_of_the_other_sets_says_where_it_is_from(material: Material)
     keys = {entry["key"] for entry in material.references}
     for name in material.properties:
         origin = material.origins[name]
-        assert origin.method
-        assert origin.reference in keys
-        assert ("no uncertainty stated" in origin.method) == (
+        assert origin["method"]
+        assert origin["reference"] in keys
+        assert ("no uncertainty stated" in origin["method"]) == (
             name not in material.uncertainties
-        ) or "-16 °C" in origin.method
+        ) or "-16 °C" in origin["method"]
     if "surface_energy" in material.properties:
-        assert material.origins["surface_energy"].law
+        assert material.origins["surface_energy"]["law"]
     else:
         assert NEAR(material.notes["surface_energy"])
     texts = [
         material.state,
         *material.notes.values(),
-        *(text for origin in material.origins.values() for text in origin),
+        *(text for origin in material.origins.values() for text in origin.values()),
     ]
     assert not any(text.endswith("...") for text in texts)
 

@@ -130,12 +130,7 @@ def checked_text(value: object, where: str) -> str:
 # --- Materials --------------------------------------------------------------------------------------------------------
 
 
-class Origin(NamedTuple):
-    """The way in which a property was found: the method, the contact law assumed, and the key of the reference."""
-
-    method: str = ""
-    law: str = ""
-    reference: str = ""
+ORIGIN = ("method", "law", "reference")  # of a property: how it was found, by which contact law, and where it stands
 
 
 class Displacement(NamedTuple):
@@ -168,7 +163,7 @@ class Material(NamedTuple):
     path: str
     state: str = ""  # "below 175 K"
     uncertainties: Mapping[str, "Uncertain"] = MappingProxyType({})  # of properties that have one
-    origins: Mapping[str, Origin] = MappingProxyType({})  # of properties whose origin is stated
+    origins: Mapping[str, Mapping[str, str]] = MappingProxyType({})  # of properties: what is stated of `ORIGIN`
     displacement: Displacement | None = None  # from which that of a contact follows
     replaced: frozenset[str] = frozenset()  # properties with another value than its data have
     mistake: MaterialsFileError | None = None  # what is wrong with it in its file
@@ -186,7 +181,7 @@ class Material(NamedTuple):
 
     def sources_of(self, name: str) -> list[Mapping[str, str]]:
         """Return the references of a property: its own, or else those that belong to no other property."""
-        of_properties = {name: origin.reference for name, origin in self.origins.items() if origin.reference}
+        of_properties = {name: origin["reference"] for name, origin in self.origins.items() if "reference" in origin}
         if name in of_properties:
             return [entry for entry in self.references if entry["key"] == of_properties[name]]
         return [entry for entry in self.references if entry["key"] not in of_properties.values()]
@@ -285,7 +280,7 @@ def _with_data(material: Material, table: Mapping[str, Any], references: Mapping
     _refuse_unknown_keys(name, table, (*PROPERTIES, XI, "aliases", "notes", "references", "state", "source"))
     properties: dict[str, float] = {}
     uncertainties: dict[str, Uncertain] = {}
-    origins: dict[str, Origin] = {}
+    origins: dict[str, dict[str, str]] = {}
     for key in (key for key in PROPERTIES if key in table):
         value, where = table[key], f"{name}.{key}"
         if isinstance(value, dict):
@@ -303,7 +298,7 @@ def _with_data(material: Material, table: Mapping[str, Any], references: Mapping
         if key not in (*PROPERTIES, *table):
             raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
     general = checked_list(table.get("references", []), f"{name}.references")
-    cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
+    cited = dict.fromkeys([*general, *(origin["reference"] for origin in origins.values() if "reference" in origin)])
     checked_text(table.get("source", ""), f"{name}.source")
     return material._replace(
         properties=MappingProxyType(properties),
@@ -316,7 +311,7 @@ def _with_data(material: Material, table: Mapping[str, Any], references: Mapping
     )
 
 
-def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Origin]:
+def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, dict[str, str]]:
     """Return the yield displacement of a material, and its origin."""
     where = f"{name}.{XI}"
     for key in ("value", "radius"):
@@ -330,10 +325,10 @@ def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Or
     return Displacement(Interval(*ends), radius), _origin(where, table, "radius")
 
 
-def _origin(where: str, table: Mapping[str, Any], *others: str) -> Origin:
-    """Return what the table of a property says besides the value."""
-    _refuse_unknown_keys(where, table, ("value", *others, *Origin._fields))
-    return Origin(**checked_texts({key: text for key, text in table.items() if key in Origin._fields}, where))
+def _origin(where: str, table: Mapping[str, Any], *others: str) -> dict[str, str]:
+    """Return what the table of a property says of its origin."""
+    _refuse_unknown_keys(where, table, ("value", *others, *ORIGIN))
+    return checked_texts({key: table[key] for key in ORIGIN if table.get(key, "") != ""}, where)
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:

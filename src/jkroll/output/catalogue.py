@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
-from ..materials.library import Material
+from ..materials.library import ORIGIN, Material
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, header
@@ -89,7 +89,7 @@ def _known(material: Material, name: str) -> float | Uncertain | None:
 def _how(material: Material) -> str:
     """Return the first words of the method by which a surface energy was found; without a method, the references."""
     if "surface_energy" in material.origins:
-        return re.split("[:;,]", material.origins["surface_energy"].method)[0]
+        return re.split("[:;,]", material.origins["surface_energy"].get("method", ""))[0]
     return _keys(material)
 
 
@@ -110,7 +110,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
         **measured,
         "state": material.state,
         "uncertainties": {name: found.as_object() for name, found in material.uncertainties.items()},
-        "origins": {name: origin._asdict() for name, origin in material.origins.items()},
+        "origins": {name: {**dict.fromkeys(ORIGIN, ""), **origin} for name, origin in material.origins.items()},
         "notes": dict(material.notes),
         "references": [dict(entry) for entry in material.references],
         "source": material.title,
@@ -149,7 +149,7 @@ def _write_lines(material: Material, out: TextIO) -> None:
             say(f"{name}.stated {' '.join(AS_USUAL.rounded(name, material.uncertainties[name]))}", out)
         if name in own:
             say(f"{name}.stated {_stated(material, name)}", out)
-        for field, text in _origin(material, name):
+        for field, text in material.origins.get(name, {}).items():
             say(f"{name}.{field} {text}", out)
 
 
@@ -158,7 +158,10 @@ def _write_material(material: Material, out: TextIO) -> None:
     aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
     facts = [("state", material.state)]
     for name in (*PROPERTIES, *([] if material.displacement is None else [XI])):
-        facts += [(name, _stated(material, name)), *((f"  {field}", text) for field, text in _origin(material, name))]
+        facts += [
+            (name, _stated(material, name)),
+            *((f"  {field}", text) for field, text in material.origins.get(name, {}).items()),
+        ]
     for name, note in material.notes.items():
         about = NOMENCLATURE[name].sentence if name in NOMENCLATURE else name
         facts.append(("note", f"{about}: {note}"))
@@ -191,12 +194,6 @@ def _stated(material: Material, name: str) -> str:
     if name not in material.properties:
         return f"none in {material.title}"
     return amount(name, material.uncertainties.get(name) or in_words(name, material.properties[name]))
-
-
-def _origin(material: Material, name: str) -> list[tuple[str, str]]:
-    """Return the fields of the origin of a property, with their names."""
-    origin = material.origins.get(name)
-    return [(field, text) for field, text in origin._asdict().items() if text] if origin else []
 
 
 # --- Quantities -------------------------------------------------------------------------------------------------------
