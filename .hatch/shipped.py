@@ -1,7 +1,7 @@
-"""Build hook: writes the content of `materials.toml` into the wheel as a Python module, which the interpreter compiles once.
+"""Build hook: writes the content of `materials.toml` into the wheel as a Python module.
 
-A call that names a shipped material then parses no TOML. The file stays the only copy in the repository; a checkout, where it
-may be edited, has no such module.
+A call that names a shipped material then parses no TOML, as the interpreter compiles the module once. The file stays
+the only copy in the repository; a checkout, where it may be edited, has no such module.
 """
 
 import tempfile

@@ -96,7 +96,7 @@ def ulps(value: float, other: float) -> float:
     return abs(value - other) / math.ulp(other)
 
 
-# --- The same numbers as one-liners --------------------------------------------------------------------------------------
+# --- The same numbers as one-liners -----------------------------------------------------------------------------------
 
 ONE_LINERS = {
     "a,quartz,100 nm,,,,,": "report quartz 100nm",
@@ -174,7 +174,10 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     assert unknown.endswith(": row 3")
     assert [*lines[1:], failed] == [
         "note: assumed ξ = 200 pm (--xi), no load (--load)",
-        "note: 2 of 3 rows are doubtful (law-off-2x in 2, xi-over-limit in 1, xi-over-contact in 1, slides-first in 1 and 5 more); column doubt says why",
+        (
+            "note: 2 of 3 rows are doubtful (law-off-2x in 2, xi-over-limit in 1, xi-over-contact in 1, slides-first "
+            "in 1 and 5 more); column doubt says why"
+        ),
         "jkroll: 1 of 3 rows failed; column status says why",
     ]
     found = read_table(end)
@@ -242,7 +245,7 @@ def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
     assert found.odd == [1]
 
 
-# --- Rows that go wrong ---------------------------------------------------------------------------------------------------
+# --- Rows that go wrong -----------------------------------------------------------------------------------------------
 
 STATUS = {
     "x,unobtainium,100,0": (
@@ -382,7 +385,7 @@ def test_a_row_with_other_cells_keeps_what_it_has(run: Run, cells: str, kept: st
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[-1].startswith(f"{kept},,,")
 
 
-# --- Headers --------------------------------------------------------------------------------------------------------------
+# --- Headers ----------------------------------------------------------------------------------------------------------
 
 
 def mistaken(text: str, problem: str, meant: str) -> str:
@@ -407,13 +410,28 @@ HEADERS = {
     "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
         "\\t", "?"
     ),
-    "radius [],x": "header: 'radius []' has no unit, and neither has its first cell '100'. Write --column 'radius []=radius [UNIT]' with its unit, or --column 'radius []=' to pass it through",
-    "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'. Write --column 'radius=radius [UNIT]' with its unit, or --column 'radius=' to pass it through",
+    "radius [],x": (
+        "header: 'radius []' has no unit, and neither has its first cell '100'. Write --column 'radius []=radius "
+        "[UNIT]' with its unit, or --column 'radius []=' to pass it through"
+    ),
+    "radius,x": (
+        "header: 'radius' has no unit, and neither has its first cell '100'. Write --column 'radius=radius [UNIT]' "
+        "with its unit, or --column 'radius=' to pass it through"
+    ),
     "radius [nm],status": "header: the table already has a column 'status'; rename it",
     "radius [nm],doubt": "header: the table already has a column 'doubt'; rename it, or write --no-doubt",
-    "radius [nm],r_min [m]": "header: the table already has a column 'r_min [m]'; rename it, or leave it out of the results with --quantities",
-    "poisson_ratio,x": "pull-off force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius such as 100nm; --work-of-adhesion 50mJ/m2 may replace some",
-    "name,x": "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write --column 'HEADER=INPUT [UNIT]'",
+    "radius [nm],r_min [m]": (
+        "header: the table already has a column 'r_min [m]'; rename it, or leave it out of the results with "
+        "--quantities"
+    ),
+    "poisson_ratio,x": (
+        "pull-off force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius "
+        "such as 100nm; --work-of-adhesion 50mJ/m2 may replace some"
+    ),
+    "name,x": (
+        "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write "
+        "--column 'HEADER=INPUT [UNIT]'"
+    ),
     "# grains of 2020,x": "header: '100' is a number; begin with a line of the columns' names",
     '"radius [nm],x': "header: has a quote that is not closed",
     "": "header: is empty",
@@ -496,7 +514,7 @@ def test_the_mass_of_a_plane_is_infinite_and_no_empty_cell_without_a_reason(run:
     assert (sphere["mass2 [kg]"], sphere["status"]) == (sphere["mass [kg]"], "")
 
 
-# --- What passes through --------------------------------------------------------------------------------------------------
+# --- What passes through ----------------------------------------------------------------------------------------------
 
 ODD_TABLES = {
     "crlf": GRAINS.replace("\n", "\r\n"),
@@ -610,7 +628,7 @@ def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
     assert found[2]["status"] == "bad radius"
 
 
-# --- Files ----------------------------------------------------------------------------------------------------------------
+# --- Files ------------------------------------------------------------------------------------------------------------
 
 
 def test_the_input_is_not_overwritten(run: Run) -> None:
@@ -700,7 +718,7 @@ def test_an_open_file_is_not_replaced(name: str) -> None:
     assert piped.stdout.startswith("name,material,")
 
 
-# --- The rows that decide how a table is read -----------------------------------------------------------------------------
+# --- The rows that decide how a table is read -------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -739,7 +757,7 @@ def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
     assert first.count(b"\n") > SAMPLE
 
 
-# --- Columns that exclude each other, and quantities that a law does not have --------------------------------------------
+# --- Columns that exclude each other, and quantities that a law does not have -----------------------------------------
 
 
 @pytest.mark.parametrize(

@@ -162,7 +162,8 @@ def test_random_tables_have_what_infer_finds_for_each_row(run: Run, count: int) 
         }
         used = [
             head for place, head in enumerate(columns)
-            if not head.startswith(f"{name} ") and (name, head) != ("radius", "R1 [nm]") and (place < 2 or random.random() < 0.4)
+            if not head.startswith(f"{name} ") and (name, head) != ("radius",
+            "R1 [nm]") and (place < 2 or random.random() < 0.4)
         ]  # fmt: skip
         rows = [{head: columns[head]() for head in used} for _ in range(4)]
         measured = [f"{10 ** random.uniform(*decades):.5g}" for _ in rows]

@@ -1,4 +1,4 @@
-"""Memory of long runs: all processes together, as the kernel counts them (a page that several share is divided among them)."""
+"""Memory of long runs: all processes together, as the kernel counts them (a shared page is divided among them)."""
 
 import contextlib
 import os

@@ -1,4 +1,4 @@
-"""Parquet: the rows of a CSV table to within roundings, and columns that carry units, nulls or nothing that can be read."""
+"""Parquet: the rows of a CSV table to within roundings, and columns with units, nulls or nothing that can be read."""
 
 import csv
 import datetime
@@ -95,7 +95,8 @@ def test_what_is_no_parquet(run: Run) -> None:
     name = write({"radius [nm]": [100.0]})
     assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
     assert run("batch", name, "-o", "y.csv").err == (
-        "jkroll: -o: the output has the format of the input, parquet; write 'y.parquet', and convert it with another program\n"
+        "jkroll: -o: the output has the format of the input, parquet; write 'y.parquet', and convert it with "
+        "another program\n"
     )
     assert run("batch", name, "-o", name).err == f"jkroll: -o: '{name}' is the input; it is not overwritten\n"
     assert not Path("y.parquet").exists()

@@ -100,7 +100,7 @@ def test_the_quick_way_is_taken() -> None:
 @settings(deadline=None)
 @given(text=st.text(st.sampled_from('a,"\n\r'), max_size=24).map(str.encode))
 def test_records_are_those_of_csv(text: bytes) -> None:
-    """Where the csv module of Python takes all of a text, its records and cells are the same, and so are their lines."""
+    """Where Python's csv module takes all of a text, its records and cells are the same, and so are their lines."""
     dialect, lines = DIALECTS["csv"], as_lines(text)
     records = [*dialect.records(lines)]
     assert "".join("".join(lines[record.start : record.stop]) for record in records).encode() == text

@@ -40,8 +40,8 @@ _ELSEWHERE = "polystyrene has 42 nm at 5 µm, ice 0.19 mm at 1 mm"  # Sümer & S
 class Alternative(NamedTuple):
     """The answers of a scene that may stand in place of the one that was asked, by quantity.
 
-    A value is a number, one with its error bar, or a range; None stands for a quantity that has none there. A quantity that
-    is not among them is the same.
+    A value is a number, one with its error bar, or a range; None stands for a quantity that has none there. A quantity
+    that is not among them is the same.
     """
 
     key: str  # in names of columns and in JSON
@@ -88,7 +88,7 @@ def between(one: Any, other: Any) -> Interval | None:
 
 
 def _error_bars(scene: Scene, values: Mapping[str, Any], alternative: Callable[[Scene], Scene]) -> dict[str, Any]:
-    """Return those values of an alternative that have error bars, with them. Sources of two kinds together give none."""
+    """Return those values of an alternative that have error bars, with these. Sources of two kinds give none."""
     known = [name for name, value in values.items() if value is not None]
     if not scene.is_uncertain or not known:
         return {}
@@ -105,7 +105,7 @@ def _error_bars(scene: Scene, values: Mapping[str, Any], alternative: Callable[[
 
 
 def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, Any]]:
-    """Return by quantity its value under the other law, over that under the law in use: with the atomic spacing and with half of it.
+    """Return by quantity its value under the other law over that in use: with the atomic spacing and half of it.
 
     A value has its error bar, and a rolling quantity both readings: at equal displacement, and at equal hysteresis.
     """
@@ -137,7 +137,7 @@ def readings_of(law: str) -> tuple[str, str]:
 
 
 def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] | None:
-    """Return the measured displacement where it was measured and here, and the results with it, also over those with the assumed one.
+    """Return the measured displacement there and here, and the results with it, also over those of the assumed one.
 
     None where it is not assumed, enters no result, or the spheres are small.
     """
@@ -164,7 +164,7 @@ def _radius(scene: Scene) -> float:
 
 
 def in_words(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:
-    """Return what follows from a limit for results: of one that is exceeded, the values that may stand in their place if there are some.
+    """Return what follows from a limit for results: of an exceeded one, the values that may stand in their place.
 
     `headline`: the results that a command is named after; `known`: all of them.
     """
@@ -195,7 +195,7 @@ def _rests_on_well(name: str) -> bool:
 
 
 def _advised(scene: Scene, name: str) -> Iterator[str]:
-    """Iterate over the text on a quantity that the law which holds moves: its range, from half the atomic spacing to all of it.
+    """Iterate over the text on a quantity that the law which holds moves: its range, from half the atomic spacing on.
 
     A pull-off force by Lennard-Jones' law is above Maugis' in every scene that was tried.
     """
@@ -213,7 +213,7 @@ def _advised(scene: Scene, name: str) -> Iterator[str]:
 
 
 def _about_displacement(scene: Scene, names: Sequence[str]) -> str:
-    """Return what stands in place of answers with the assumed displacement: "Q = 89–270 pN by forces on SiO2 of 1 µm"."""
+    """Return what stands in place of answers with the assumed ξ: "Q = 89–270 pN by forces on SiO2 of 1 µm"."""
     values = by_data(scene, names[:MAX_TOLD]).values
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, one.low, one.high)}" for name, one in values.items() if one)
     return f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi){_beyond_hysteresis(scene)}"
@@ -223,11 +223,14 @@ def _about_roughness(scene: Scene) -> str:
     """Return what was measured where the pull-off force is that of smooth spheres."""
     force = scene.numbers("pull_off_force").get("pull_off_force", 0.0)
     smooth, rough = (span("pull_off_force", force / most, force / least) for most, least in ((4, 2), (100, 10)))
-    return f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 ({rough})"
+    return (
+        f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 "
+        f"({rough})"
+    )
 
 
 def about_unmeasured(scene: Scene) -> str:
-    """Return that no displacement of a solid was measured near the size of a scene, where ξ is assumed; empty where it was."""
+    """Return that no displacement was measured near the size of a scene, where ξ is assumed; empty where it was."""
     radius = _radius(scene)
     if not assumes_displacement(scene) or radius < _SMALLEST or rolled_solid(scene):
         return ""

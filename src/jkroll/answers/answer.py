@@ -187,7 +187,7 @@ class Answer:
 
     @property
     def width(self) -> float:
-        """The size of the smallest error bar of the results, as the logarithm of a factor: no smaller doubt matters to any of them."""
+        """The size of the smallest error bar of the results, as the logarithm of a factor: no smaller doubt matters."""
         return min(map(_width, self.results), default=0.0)
 
     @cached_property

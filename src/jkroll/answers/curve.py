@@ -97,7 +97,7 @@ def states_between(scene: Scene, loads: Loads) -> list[State]:
 
 
 def _stable(scene: Scene, loads: Loads) -> list[State]:
-    """Return the states of the stable branch at loads that are closer to each other where its slope is steep, near pull-off."""
+    """Return the states of the stable branch at loads that are closer to each other near pull-off."""
     given, name = _OF_LOAD.get(scene.law.name, ("load", "load"))
     pull_off = -scene["pull_off_force"]
     least = max(loads.low, pull_off)
@@ -122,7 +122,7 @@ def _of_jkr(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
 
 
 def _branch(value: float, fold: float, pull_off: float) -> str:
-    """Return the name of the branch on which a state lies, given the values of its input at the fold and at pull-off."""
+    """Return the name of the branch of a state, given the values of its input at the fold and at pull-off."""
     if value < fold:
         return "unstable"
     return "fixed grips" if value < pull_off else "stable"
@@ -256,7 +256,7 @@ def _as_known(result: Result, value: float | Failure) -> Result:
 
 
 class OfCurve(Wanted):
-    """The columns of force curves: the inputs, among them those that set the states, the names of these, and the results."""
+    """The columns of force curves: the inputs, with those that set the states, the names of these, and the results."""
 
     @classmethod
     def of(cls, samples: Sequence[At], names: Sequence[str]) -> "OfCurve":

@@ -26,14 +26,17 @@ MAX_NAMES = 3  # of quantities in a note
 LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
 UNLIKE = 3.0  # ratio of two surface energies from which on a note has their harmonic mean
-_STICKING = "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, of silica-dry 1.7 m/s"
+_STICKING = (
+    "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, "
+    "of silica-dry 1.7 m/s"
+)
 _OF_TURNING = ("yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment")
 # The models of the rolling moment.
 MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 
 
 def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
-    """Return the notes that follow from what is given, and not from numbers: they are the same for all rows of a kind."""
+    """Return the notes that follow from what is given, not from numbers: the same for all rows of a kind."""
     if not (possible := scene.possible(names)):
         return []
     notes: list[Note] = []
@@ -112,13 +115,16 @@ def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_
 def parts_of_assumed(names: Collection[str]) -> list[str]:
     """Return the parts of an enumeration of inputs that were assumed, with the options that set them."""
     return [
-        f"{f'{symbol_of(name)} = {amount(name, DEFAULTS[name])}' if DEFAULTS[name] else 'no load'} ({NOMENCLATURE[name].option})"
+        (
+            f"{f'{symbol_of(name)} = {amount(name, DEFAULTS[name])}' if DEFAULTS[name] else 'no load'} "
+            f"({NOMENCLATURE[name].option})"
+        )
         for name in names
     ]
 
 
 def _about_work(scene: Scene, inputs: Collection[str], steps: Collection[str]) -> Iterator[str]:
-    """Iterate over what a Hamaker constant stands for, also at another cutoff, and the harmonic mean of two unlike surface energies."""
+    """Iterate over what a Hamaker constant stands for, also at another cutoff, and the harmonic mean of unlike γ."""
     if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
         values = ((name, scene[name]) for name in ("work_of_adhesion", "atomic_spacing"))
         here = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in values)
@@ -129,7 +135,10 @@ def _about_work(scene: Scene, inputs: Collection[str], steps: Collection[str]) -
     is_mixed = "work_of_adhesion" in steps and "surface_energy2" in inputs
     if is_mixed and all(isinstance(one, float) for one in energies) and max(energies) > UNLIKE * min(energies):
         work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
-        yield f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike: --work-of-adhesion"
+        yield (
+            f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike: "
+            "--work-of-adhesion"
+        )
 
 
 def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
@@ -144,7 +153,7 @@ def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
 
 
 def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
-    """Return the note where values have uncertainties and the results, of a picture or another program's input, have none."""
+    """Return the note where values have uncertainties and the results, of a picture or an export, have none."""
     middles = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in uncertain.items())
     return [Note("result", f"computed with the middle of {middles}")] if middles else []
 
@@ -173,7 +182,10 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
             notes.append(Note(kind, f"{symbol_beside(name, ())} of {material.name}: {material.notes[name]}"))
         if name == XI and material.displacement is not None:
             radius = amount("radius", material.displacement.radius)
-            text = f"{material.name}: ξ was measured with spheres of {radius}; elsewhere it is the range between our scalings, R^(2/3) to R"
+            text = (
+                f"{material.name}: ξ was measured with spheres of {radius}; elsewhere it is the range between our "
+                "scalings, R^(2/3) to R"
+            )
             notes.append(Note("data", text))
     return [*dict.fromkeys(notes)]
 
@@ -228,7 +240,7 @@ def _about_contact(scene: Scene, names: Collection[str]) -> Iterator[Note]:
 
 
 def _about_hysteresis(scene: Scene, names: Collection[str]) -> str:
-    """Return the part of the work of adhesion that a displacement stands for, or the displacement for which a part stands."""
+    """Return the part of the work of adhesion that a displacement stands for, or the displacement of a part."""
     if is_at_displacement(scene):
         ratio = scene.numbers("hysteresis_ratio").get("hysteresis_ratio", 1.0)
         lost = f"{significant(100 * ratio, 2)} % of w must be lost where the contact opens and closes"
@@ -248,13 +260,16 @@ def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
     spinning = [symbol_of(name) for name in _OF_SPINNING if name in names]
     if spinning and "speed" in scene.stated:
         are = "are those" if spinning[1:] else "is that"
-        text = f"a sphere that arrives at a speed does not spin yet and turns n_imp times; {listed(spinning)} {are} of one that rolls from the start"
+        text = (
+            f"a sphere that arrives at a speed does not spin yet and turns n_imp times; {listed(spinning)} {are} of "
+            "one that rolls from the start"
+        )
         notes.insert(0, Note("caveat", text))
     return notes
 
 
 def _first_to_yield(scene: Scene) -> Note:
-    """Return what yields first where a pair is pushed, and where it is turned. A brittle contact shrinks while it is pushed."""
+    """Return what yields first where a pair is pushed or turned. A brittle contact shrinks when pushed."""
     names = ("yield_force", "sliding_or_peeling_force", "yield_moment", "twisting_moment", "peeling_over_sliding")
     roll, first, bend, twist, ratio = scene.evaluate(names).values()
     gives_way = "peels off before it slides" if ratio < 1 else "slides before it peels off"
@@ -319,18 +334,21 @@ def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources
 
 
 def about_lost_contacts(scene: Scene, sources: "Sources") -> list[Note]:
-    """Return a note where a load is beyond pull-off at a part of the values that the error bars of the inputs stand for."""
+    """Return a note where a load is beyond pull-off at a part of the values within the error bars of the inputs."""
     from ..scene.uncertainty import part_beyond_pull_off
 
     part = part_beyond_pull_off(scene, sources.entering)
     if part < LOST:
         return []
-    text = f"error bars are of contacts that hold: at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
+    text = (
+        f"error bars are of contacts that hold: at {100 * part:.2g} % of the uncertain values the load is beyond "
+        "pull-off"
+    )
     return [Note("error bars", text)]
 
 
 def left_out_in_words(sources: "Iterable[tuple[Source, str]]") -> Iterator[str]:
-    """Iterate over sentences on sources that enter no error bar, as others are of the other kind; each has a text behind its symbol."""
+    """Iterate over sentences on sources that enter no error bar, as others are of another kind, with their texts."""
     found: dict[str, dict[str, None]] = {}
     for source, text in sources:
         reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"

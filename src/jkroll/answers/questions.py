@@ -9,7 +9,7 @@ from ..quantities.nomenclature import NOMENCLATURE, named
 
 
 class Grid(NamedTuple):
-    """A table of one scene in which several quantities share a row: its heads, and by label the quantities of each cell."""
+    """A table of one scene in which quantities share a row: its heads, and by label the quantities of each cell."""
 
     heads: tuple[str, ...]
     rows: Mapping[str, tuple[tuple[str, ...], ...]]

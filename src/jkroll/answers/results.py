@@ -51,7 +51,7 @@ class Result(NamedTuple):
         return self.propagated.uncertainty if self.propagated is not None else self.value
 
     def sides(self) -> dict[str, float]:
-        """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""
+        """Return the numbers of the uncertainty by name: minus and plus, or low and high; none without one."""
         return self.propagated.uncertainty.sides if self.propagated is not None else {}
 
 

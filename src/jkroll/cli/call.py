@@ -255,7 +255,7 @@ def known_materials_of(option: str | None) -> Materials:
 
 
 def worded(error: JkrollError, command: str, options: Collection[str]) -> str:
-    """Return the message of an error in the words that were typed: the command that lacks an input, the option of a bad one."""
+    """Return the message of an error in the words typed: the command that lacks an input, the option of a bad one."""
     from ..answers.questions import QUESTIONS
 
     if type(error) is MissingInput and command in QUESTIONS:

@@ -60,7 +60,7 @@ def _check(words: Iterable[str]) -> None:
 
 
 def _report(error: Exception, words: Sequence[str]) -> int:
-    """Print an error on stderr, in one line unless a terminal is narrower, and return the exit code; `words`: that were typed."""
+    """Print an error on stderr, in one line unless a terminal is narrower; return the exit code. `words`: as typed."""
     if isinstance(error, JkrollError):
         from .call import worded
 

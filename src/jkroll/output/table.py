@@ -188,7 +188,7 @@ class _Pairs:
 
     @cached_property
     def doubts(self) -> list[str]:
-        """The worst doubt of each pair, with the number of others; one about the law or the displacement has a column of values."""
+        """The worst doubt of each pair, with the number of others, but those that have columns of values."""
         texts = []
         for bits in as_list(self.columns.doubts):
             codes = codes_of(bits & ~IN_COLUMNS)

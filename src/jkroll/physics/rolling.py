@@ -146,7 +146,8 @@ def mean_rolling_moment(*, yield_moment: Moment) -> Moment:
         ⟨M⟩ = M/2 = 2 P_c â^(3/2) ξ
 
     Source:   Eq (43).
-    Valid:    If the contact springs back to a symmetric one after each step; one that rolls with the full lag gives twice this.
+    Valid:    If the contact springs back to a symmetric one after each step; one that rolls with the full lag gives
+              twice this.
     """
     return yield_moment / 2
 

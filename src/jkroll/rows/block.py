@@ -14,7 +14,7 @@ class Block(ABC):
     """Rows that are computed together."""
 
     def __init__(self, size: int, numbers: "Mapping[str, Numbers]", kinds: "Sequence[Indices]") -> None:
-        """`numbers`: by the name of the input; `kinds`: rows with other whole numbers have other scenes, BAD have none."""
+        """`numbers`: by input; `kinds`: rows with other whole numbers have other scenes, BAD have none."""
         self.size, self.numbers, self.kinds = size, numbers, kinds
 
     @abstractmethod

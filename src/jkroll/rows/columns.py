@@ -317,7 +317,7 @@ def as_list(column: Any) -> list[Any]:
 
 
 def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict[str, Any]:
-    """Return the value of each quantity that concerns a scene, or some elements, or the error that says why it has none.
+    """Return the value of each quantity that concerns a scene, or some elements, or the error that says why not.
 
     `named`: quantities that were asked for by name, and concern any scene.
     """

@@ -1,4 +1,4 @@
-"""Scenes that may stand in place of the one that was asked: under another law of attraction, or with the displacement that measured forces mean."""
+"""Scenes that may stand in place of one: under another law, or with the displacement of measured forces."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import reduce
@@ -27,7 +27,7 @@ def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
 
 @_kept
 def by_law(scene: Scene) -> Scene:
-    """Return the scene under the law that holds between JKR and DMT; under that law, by JKR. The atomic spacing is as given or assumed."""
+    """Return the scene under the law between JKR and DMT, or for that under JKR, at its atomic spacing."""
     if scene.law.name == BETWEEN:
         return scene.replace(model=DEFAULT_LAW)
     return scene.replace(model=BETWEEN, atomic_spacing=scene["atomic_spacing"])
@@ -50,7 +50,7 @@ def is_at_displacement(scene: Scene) -> bool:
 
 
 def at_other_reading(scene: Scene) -> Scene | None:
-    """Return the scene under the other law with the other of equal displacement and equal hysteresis; None without a contact."""
+    """Return the scene under the other law with the other of equal displacement and hysteresis, or None."""
     other, needed = by_law(scene), ("adhesive_force", "zone_radius")
     own, theirs = scene.numbers(XI, *needed), other.numbers(*needed)
     if len(own) <= len(needed) or len(theirs) < len(needed):
@@ -92,13 +92,13 @@ _SIZES = {
 
 
 def rolled_solid(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it, near enough in size, and ξ is assumed; else an empty text."""
+    """Return the solid on which rolling was measured, if both spheres are of it, near in size, with ξ assumed."""
     solid = solid_of_kind(scene)
     return solid if solid and _is_near(scene, solid) else ""
 
 
 def _is_near(scene: Scene, solid: str) -> Any:
-    """Return whether spheres of a solid have the size and the surface energy of those that were rolled, by element for arrays."""
+    """Return whether spheres of a solid have the size and γ of those that were rolled, by element for arrays."""
     known = scene.numbers("surface_energy", "reduced_radius")
     least, most = _SIZES[solid]
     low, high = _OF_SPHERES if solid == SIO2 else (0.0, INFINITY)
@@ -107,7 +107,7 @@ def _is_near(scene: Scene, solid: str) -> Any:
 
 
 def solid_of_kind(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it, whatever their size and surface energy are, and ξ is assumed.
+    """Return the solid on which rolling was measured, if both spheres are of it, of any size and γ, and ξ is assumed.
 
     The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
     """
@@ -125,7 +125,7 @@ def assumes_displacement(scene: Scene) -> bool:
 
 
 def displacements_where_measured(scene: Scene) -> tuple[float, float]:
-    """Return the displacements for which the forces on SiO2 stand, with the work of adhesion, the modulus and the law in use."""
+    """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
     is_same = (
         scene.material is not None and SIO2 in scene.material.aliases and scene.material2 in (None, scene.material)
     )
@@ -159,7 +159,7 @@ def at_most_measured(scene: Scene) -> Scene:
 
 
 def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
-    """Return how far the assumed displacement is from what forces on the same solid mean, as the larger factor; 1 where none is near enough."""
+    """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
     measured, solid = _measured(scene), solid_of_kind(scene)
     factor = farthest(end / scene[XI] for end in (measured.low, measured.high))
     return where(_is_near(scene, solid), factor, 1.0)
@@ -171,7 +171,7 @@ DATA = ("data_low", "data_high")  # the ends of what measured forces mean
 
 
 def kinds_beside(scenes: Sequence[Scene], names: Sequence[str], *, data: bool) -> dict[str, tuple[str, ...]]:
-    """Return by the quantity which kinds of alternatives have columns: the name of the other law, and the ends of measured forces.
+    """Return by quantity the kinds of alternatives with columns: the name of the other law, ends of measured forces.
 
     `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
     """
@@ -184,7 +184,7 @@ def kinds_beside(scenes: Sequence[Scene], names: Sequence[str], *, data: bool) -
 
 
 def beside(scene: Scene, wanted: Mapping[str, Collection[str]]) -> dict[tuple[str, str], Any]:
-    """Return what may stand in place of quantities, by the quantity and the kind: nothing in a column of the law in use."""
+    """Return what may stand in place of quantities, by quantity and kind: nothing in a column of the law in use."""
     found: dict[tuple[str, str], Any] = {}
     if not wanted:
         return found
@@ -227,12 +227,12 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
 
 
 def ratio(theirs: Any, own: Any) -> Any:
-    """Return the ratio of two answers: 0, or nan in an array, where only the second exists, 1 where that has none or is nought."""
+    """Return the ratio of two answers: 0, in an array nan, where only the second exists, 1 where it is none or 0."""
     return quotient(0.0 if isinstance(theirs, JkrollError) else theirs, own, 1.0)
 
 
 def farthest(ratios: Iterable[Any]) -> Any:
-    """Return the one of some ratios that is farthest from 1, or its inverse if that is larger; infinite where answers differ in sign, 1 if there are none."""
+    """Return the ratio farthest from 1, or its inverse if larger; infinite where signs differ, 1 without any."""
     every = [*ratios] or [1.0]
     least, most = reduce(at_most, every), reduce(at_least, every)
     is_positive = least > 0

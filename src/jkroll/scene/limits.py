@@ -1,4 +1,4 @@
-"""The limits of the model: one table of numbers, thresholds and codes, and the doubts that follow from it for any scene."""
+"""The limits of the model: one table of numbers, thresholds and codes, and the doubts that follow for any scene."""
 
 import operator
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
@@ -21,8 +21,8 @@ _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": ope
 class Limit(NamedTuple):
     """A number that limits the model, the quantities whose use it touches, and what follows beyond it.
 
-    A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order in
-    which a value meets them, each with the code of the doubt.
+    A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order
+    in which a value meets them, each with the code of the doubt.
     """
 
     name: str
@@ -42,7 +42,7 @@ class Limit(NamedTuple):
         return sum(1 * _COMPARISONS[self.sign](number, threshold) for threshold in self.codes)
 
     def excess(self, number: Any) -> Any:
-        """Return how far a number, or each element of an array, is beyond the first threshold: ln of their ratio, or the distance from 0."""
+        """Return how far numbers are beyond the first threshold: ln of their ratio, or the distance from 0."""
         if not self.codes:
             return -inf
         first = next(iter(self.codes))
@@ -104,7 +104,7 @@ class Doubt(NamedTuple):
 
     @property
     def factor(self) -> float | None:
-        """The number over the first threshold, below 1 where the limit holds; None if that is 0, or the ratio infinite."""
+        """The number over the first threshold, below 1 where the limit holds; None if infinite or over 0."""
         return exp(self.excess) if self.threshold and self.excess < inf else None
 
     @property
@@ -130,7 +130,8 @@ def percent(factor: float) -> str:
     return f"{100 * (factor - 1):.0f} %" if 1 < factor < 2 else f"a factor of {factor:g}"
 
 
-# What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does Q/P_c without load.
+# What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does
+# Q/P_c without load.
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 _MOMENT = frozenset({"yield_moment", "yield_force"})
@@ -230,7 +231,8 @@ LIMITS = (
     ),
     Limit(
         "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "fitted-elsewhere"},
-        "the viscous time was fitted at one size, and v_stick holds there alone; one code has 31.6 ps for silica of 0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
+        "the viscous time was fitted at one size, and v_stick holds there alone; one code has 31.6 ps for silica of "
+            "0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
     ),
     Limit(
         XI, _DISPLACEMENT, ">", {DATA_MATTER: "xi-off-data"},
@@ -272,7 +274,7 @@ IN_COLUMNS = sum(limit.bits for limit in LIMITS if limit.factor is not None)  # 
 
 
 def doubts(scene: Scene, names: Collection[str]) -> list[Doubt]:
-    """Return the limits of the answers to these names, judged as far as the scene allows it, or with the reason why not."""
+    """Return the limits of the answers to these names, judged as far as possible, or with the reason why not."""
     return judged(touched(scene, names), scene, names)
 
 
@@ -283,13 +285,14 @@ def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> lis
         if isinstance(value, MissingInput):
             found.append(Doubt(limit, nan, nan, value))
             continue
-        judged = value if limit.factor is None else where(value == value, limit.factor(scene, names), nan)  # noqa: PLR0124
+        is_known = value == value  # noqa: PLR0124
+        judged = value if limit.factor is None else where(is_known, limit.factor(scene, names), nan)
         found.append(Doubt(limit, value, judged))
     return found
 
 
 def _with_numbers(limits: Iterable[Limit], scene: Scene) -> Iterator[tuple[Limit, Any]]:
-    """Iterate over limits, each with its number or the input that it needs. One that the law or the contact does not have is left out."""
+    """Iterate over limits that law and contact have, each with its number or the input that it needs."""
     limits = [*limits]
     values = scene.evaluate([limit.name for limit in limits])
     for limit in limits:

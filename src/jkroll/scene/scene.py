@@ -1,4 +1,4 @@
-"""From what is given to what is asked: a scene evaluates the formulas that its questions need, and says what is missing.
+"""From what is given to what is asked: a scene evaluates the formulas that questions need, and says what is missing.
 
 The assumptions of a scene are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and
 the names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, from
@@ -61,7 +61,7 @@ def takes(name: str, value: Any) -> Any:
 
 
 def takes_all(name: str, values: Any) -> bool:
-    """Return whether a scene takes each element of an array: nearly always all lie between two finite numbers that it takes."""
+    """Return whether a scene takes each element of an array: nearly always all lie between two that it takes."""
     least, most = float(values.min(initial=INFINITY)), float(values.max(initial=-INFINITY))
     return bool((most < INFINITY and takes(name, least) and takes(name, most)) or takes(name, values).all())
 
@@ -85,7 +85,7 @@ MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quant
 
 
 def is_answer(name: str, value: Any, radius2: Any = None) -> Any:
-    """Return whether a double, or each element of an array, is a result with all digits, or a zero or an infinity that the physics has."""
+    """Return whether doubles are results with all digits, or a zero or an infinity that the physics has."""
     size = abs(value)
     is_of_plane = name in _OF_A_PLANE and radius2 == INFINITY
     is_zero = (value == 0) & (name in MAY_BE_ZERO)
@@ -146,7 +146,8 @@ _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in
 # The inputs that decide whether a body deforms, so that a contact has an area.
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
-# Quantities that need a contact area: they have no value where both bodies are rigid. All others of JKR follow from them.
+# Quantities that need a contact area: they have no value where both bodies are rigid. All others of JKR follow from
+# them.
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
@@ -259,7 +260,7 @@ class Scene:
         return any(material.displacement is not None for material, _ in self.materials)
 
     def _displacement_of_solid(self) -> Interval | None:
-        """Return the yield displacement that the solid of both spheres has at these radii; None if they are of two, or it is stated."""
+        """Return the yield displacement that the solid of both spheres has at these radii, unless it is stated."""
         material, radius = self.material, self.given.get("radius")
         if material is None or material.displacement is None or radius is None:
             return None
@@ -301,12 +302,12 @@ class Scene:
         return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacking)
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
-        """Return the materials and those of their properties that are among the inputs and were not stated otherwise."""
+        """Return the materials and those of their properties that are inputs and were not stated otherwise."""
         return [used for name, used in self.data.items() if name in inputs]
 
     @property
     def stated_of_1(self) -> dict[str, Any]:
-        """The stated inputs that hold for two spheres like sphere 1: nothing of sphere 2, and no work of adhesion of two materials."""
+        """The stated inputs that hold for two spheres like sphere 1: none of sphere 2, no w of two solids."""
         of_pair = () if self.material2 is None else ("work_of_adhesion",)
         return {
             name: value for name, value in self.stated.items() if NOMENCLATURE[name].sphere != 2 and name not in of_pair
@@ -315,7 +316,7 @@ class Scene:
     # --- Plans --------------------------------------------------------------------------------------------------------
 
     def plan(self, *wanted: str) -> Plan:
-        """Return the formulas that lead to the wanted quantities; raise MissingInput if the scene does not allow one."""
+        """Return the formulas that lead to the wanted quantities; raise MissingInput if the scene allows none."""
         found = self._plan_for(wanted)
         for name, missing in found.missing.items():
             raise self._missing_input(name, missing)
@@ -367,7 +368,7 @@ class Scene:
         return [name for name in names if name not in missing]
 
     def inputs_used(self, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
-        """Return the inputs on which quantities depend, as far as the scene allows them; `shown`: those that concern it."""
+        """Return the inputs on which quantities depend, as far as the scene has them; `shown`: its own."""
         if possible := self.possible(shown):
             return self.inputs_of(*possible)
         return depends_on(names) & self.given.keys()
@@ -459,7 +460,7 @@ class Scene:
                 failures[name] = failure_of(name, given) or no_finite_value(name, value)
 
     def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
-        """Return an array with nan in place of the elements that are no answer, or whose formula has an argument that is none."""
+        """Return an array with nan in place of elements that are no answer, or follow from one that is none."""
         found = with_nan(name, value, self.values.get("radius2"))
         for source in self._gaps.intersection(sources):  # which the formula may not have used
             import numpy

@@ -77,8 +77,9 @@ def solve(
         The law of attraction: "jkr" (the paper's, the default), "maugis" or "dmt".
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity,
-        which an array of xarray or dask may hold. Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
-        Single values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", or a pint Measurement.
+        which an array of xarray or dask may hold. Arrays broadcast. `radius2` may be infinite (a plane), and one
+        Young's modulus too (a rigid body). Single values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to
+        30 mJ/m2", or a pint Measurement.
 
     Returns
     -------
@@ -158,7 +159,7 @@ def materials_of(
 
 
 def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """Return the values of quantities, for large arrays a block of elements at a time; raise the error of the first that has none."""
+    """Return the values of quantities, for large arrays in blocks; raise the error of the first that has none."""
     if math.prod(scene.shape) <= ELEMENTS_AT_ONCE or scene.has_rigid_elements:  # of which a block may have none
         return _answers(scene, names)
     return _in_blocks(scene, names)
@@ -299,7 +300,7 @@ def _registry(value: Any) -> Any:
 
 
 def _number(name: str, value: Any) -> Any:
-    """Return a float, an uncertain value or an array of floats for a number, a text, a Quantity, or a sequence of these."""
+    """Return a float, an uncertain value or an array of floats for a number, text, Quantity, or a sequence of these."""
     if hasattr(value, "m_as"):
         if not value.is_compatible_with(NOMENCLATURE[name].unit):
             raise QuantityError(name, str(value), "is of another dimension")

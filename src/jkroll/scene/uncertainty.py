@@ -279,7 +279,7 @@ def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
 
 
 def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
-    """Return the least and the largest value on the edges of a box of ranges, and the mean width along those of a source."""
+    """Return the least and the largest value on the edges of a box of ranges, and mean widths along sources."""
     ends, parts = [value], []
     for outcomes in of_sources:
         edges = [outcomes[start : start + STEPS + 1] for start in range(0, len(outcomes), STEPS + 1)]

@@ -1,4 +1,4 @@
-"""The solver of the inverse problem, for numbers and arrays: one unknown by scans, two by a grid and Newton's method."""
+"""The solver of the inverse problem, of numbers and arrays: one unknown by scans, two by a grid and Newton's method."""
 
 from functools import cached_property
 from math import expm1, inf, log, nan

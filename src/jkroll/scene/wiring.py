@@ -36,7 +36,7 @@ class Missing(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """The steps that lead to the wanted quantities, and the inputs they start from, in the order of the nomenclature."""
+    """The steps that lead to the wanted quantities, and the inputs they start from, in the nomenclature's order."""
 
     steps: tuple[Step, ...]
     inputs: tuple[str, ...]
@@ -127,7 +127,7 @@ class _Path:
 
 @cache
 def _mixes_laws(name: str, model: str, known: frozenset[str]) -> bool:
-    """Return whether a formula of another law would take what these two laws have by different formulas: a contact of neither."""
+    """Return whether another law's formula would take what these two have by different ones: a contact of neither."""
     owner = law_of(name)
     if owner is None or owner == model:
         return False
