@@ -393,6 +393,16 @@ def test_elements_have_the_uncertainties_of_their_scenes(given: Uncertain) -> No
                 assert values[place] == approx(known[name].sides[side], rel=1e-12)
 
 
+@pytest.mark.parametrize("given", [Measured(1e-7, 1e-8, 1e-8), Interval(1e-7, 9e-8, 1.1e-7)])
+def test_elements_of_a_quantity_that_is_the_same_in_all_may_have_no_uncertainty(given: Uncertain) -> None:
+    scene = Scene({**QUARTZ, "radius2": numpy.array([1e-7, 3e-7])})
+    values = {"contact_modulus": numpy.full(2, scene["contact_modulus"])}
+    bar = uncertainties_of_elements(scene, values, [Source(("radius",), given)])["contact_modulus"]
+    assert isinstance(bar, Propagated)
+    arrays: Any = bar.uncertainty
+    assert arrays.low.tolist() == arrays.high.tolist() == values["contact_modulus"].tolist()
+
+
 def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_beside_one(tmp_path: Path) -> None:
     """It has a range at each radius, which moves with it. Measured radii move it to first order."""
     path = tmp_path / "mine.toml"

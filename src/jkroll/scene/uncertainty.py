@@ -12,7 +12,7 @@ from math import erfc, fsum, isfinite, isnan, sqrt
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
-from ..physics.elementary import NUMBER, absolute, at_least, at_most, hypot, where
+from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Problem, Solution
@@ -236,8 +236,11 @@ def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[
         of_sources = [outcomes[name][size * axis : size * (axis + 1)] for axis in range(len(sources))]
         sides, parts = (_range if is_range else _quadrature)(value, of_sources)
         is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
-        if getattr(is_still, "shape", ()) or not is_still:  # of arrays, some elements may be
-            sides = {side: where(is_still, value if is_range else 0.0, end) for side, end in sides.items()}
+        if not isinstance(is_still, bool):
+            still = value if is_range else 0.0
+            sides = {side: where(is_still, still, end) for side, end in sides.items()}
+            bars[name] = Propagated(given._replace(value=value, **sides), {})
+        elif not is_still:
             bars[name] = Propagated(given._replace(value=value, **sides), _shares(sources, parts))
     return bars
 
@@ -291,8 +294,6 @@ def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
     """Return the share of each source that has one in the variance or the width of a number, the largest first."""
-    if not all(isinstance(part, NUMBER) for part in parts) or not max(parts):
-        return {}
     power = 1 if isinstance(sources[0].given, Interval) else 2
     sizes = [(part / max(parts)) ** power for part in parts]  # squares of the parts may leave the doubles
     shares = {source.names[0]: size / fsum(sizes) for source, size in zip(sources, sizes, strict=True) if size}
