@@ -17,7 +17,6 @@ from ..quantities.laws import DEFAULT_LAW, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput, NotInLaw
-from ..scene.inverse import Problem
 from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
@@ -26,7 +25,6 @@ from .block import BAD, Block
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import Header, check_inputs
-from .infer import Unknowns
 from .rows import groups
 from .words import MATERIALS
 
@@ -72,6 +70,8 @@ class Fill(NamedTuple):
             return Scene(given, *spheres, model=self.model)
         if self.inverse.quantity not in given:
             raise BadRecord(f"{self.inverse.quantity}: the row has no measured value", "no measured value")
+        from ..scene.inverse import Problem  # for which a table without an unknown does not pay
+
         return Problem.of([self.inverse.name], [self.inverse.quantity], given, *spheres, model=self.model)
 
 
@@ -281,6 +281,8 @@ def wanted_of(
     `labels`: names that are no material's, if the scenes leave out what they would give.
     """
     if fill.inverse is not None:
+        from .infer import Unknowns
+
         scenes[0].check()
         return Unknowns([fill.inverse.name], named=[fill.inverse.name], sides={}, doubts=doubts)
     explicit, offered = asked
