@@ -13,6 +13,7 @@ from itertools import combinations
 from types import MappingProxyType
 from typing import NamedTuple
 
+from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import is_in_table
 from ..text import ascii_text, composed
 from . import words
@@ -192,9 +193,12 @@ def _refusal(splits: Sequence[_Split], known: Mapping[str, str]) -> Reading | No
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not is_shared
         if (unit_text and (is_slip or not is_shared)) or (is_telling and not split.unit):
             is_whole = unit_text and (is_slip or key(split.word).endswith(word))
-            meant = () if word in DOUBTFUL else (with_unit(name, unit_text) if is_whole else with_unit(name),)
-            problem = DOUBTFUL[word].problem if word in DOUBTFUL else f"it may be {name}"
-            return Reading(name, problem=problem, meant=meant)
+            both = (name, f"{name}2") if not is_slip and f"{name}2" in NOMENCLATURE else (name,)  # of which sphere?
+            meant = [with_unit(each, unit_text) if is_whole else with_unit(each) for each in both]
+            problem = f"it may be {name}"
+            if word in DOUBTFUL:
+                problem, meant = DOUBTFUL[word].problem, []
+            return Reading(name, problem=problem, meant=tuple(meant))
     return None
 
 

@@ -18,6 +18,8 @@ SYNONYMS: Mapping[str, Sequence[str]] = {
     "contact_modulus": ("E_star", "reduced modulus", "reduced Young's modulus", "effective Young's modulus"),
     "reduced_radius": ("effective radius",),
     "surface_energy": ("surface free energy",),
+    "work_of_adhesion": ("W_adh", "adhesion work", "delta gamma"),
+    "yield_displacement": ("critical rolling displacement", "rolling displacement"),
     "hamaker": ("Hamaker constant",),
     "density": ("mass density",),
     "load": ("applied load", "normal load"),
@@ -25,7 +27,12 @@ SYNONYMS: Mapping[str, Sequence[str]] = {
     "energy": ("impact energy", "collision energy"),
     "gravity": ("gravitational acceleration",),
 }  # fmt: skip
-SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus"}  # what symbols mean besides
+SYMBOLS_TOO = {
+    "E": "energy",
+    "Er": "contact_modulus",
+    "W": "work_of_adhesion",
+    "SFE": "surface_energy",
+}  # what symbols mean besides
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
@@ -38,20 +45,25 @@ class Doubt(NamedTuple):
 
 
 SIZE = "a radius is half of a diameter or a size, and r may be a distance"
+_FORCE = Doubt("load", "it may be a load, or a force that was measured", ("load",))
 _DOUBTS = {
     **dict.fromkeys("r d D diam dia diameter diameters durchmesser size".split(), Doubt("radius", SIZE)),
+    "R": Doubt("radius", "", ("radius", "reduced_radius")),  # which of them, sphere 2 says
     "surfacetension": Doubt("surface_energy", "it may be the tension of a liquid", ("surface_energy",)),
-    **dict.fromkeys(
-        ("modulus", "effectivemodulus"), Doubt("youngs_modulus", "it may be another modulus", ("youngs_modulus",))
-    ),
+    "modulus": Doubt("youngs_modulus", "it may be another modulus", ("youngs_modulus",)),
+    "effectivemodulus": Doubt("youngs_modulus", "it may be another modulus", ("youngs_modulus",)),
+    **dict.fromkeys(("normalforce", "appliedforce", "preload", "Fn", "FN"), _FORCE),
+    "adhesionenergy": Doubt("work_of_adhesion", "it may be that of a pair", ("work_of_adhesion", "surface_energy")),
+    "hysteresis": Doubt("adhesion_hysteresis", "it may be another hysteresis", ("adhesion_hysteresis",)),
 }
-DOUBTFUL = {
-    word + sphere: doubt._replace(
+DOUBTFUL = _DOUBTS | {
+    f"{word}{sphere}": doubt._replace(
         name=doubt.name + sphere.strip("1"), meant=tuple(name + sphere.strip("1") for name in doubt.meant)
     )
     for word, doubt in _DOUBTS.items()
-    for sphere in ("", "1", "2")
-} | {"R": Doubt("radius", "", ("radius", "reduced_radius"))}  # which of them, sphere 2 says
+    if f"{doubt.name}2" in NOMENCLATURE and word != "R"
+    for sphere in ("1", "2")
+}
 
 # Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
 SHARED = (
