@@ -193,12 +193,11 @@ def _refusal(splits: Sequence[_Split], known: Mapping[str, str]) -> Reading | No
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not is_shared
         if (unit_text and (is_slip or not is_shared)) or (is_telling and not split.unit):
             is_whole = unit_text and (is_slip or key(split.word).endswith(word))
-            both = (name, f"{name}2") if not is_slip and f"{name}2" in NOMENCLATURE else (name,)  # of which sphere?
-            meant = [with_unit(each, unit_text) if is_whole else with_unit(each) for each in both]
-            problem = f"it may be {name}"
             if word in DOUBTFUL:
-                problem, meant = DOUBTFUL[word].problem, []
-            return Reading(name, problem=problem, meant=tuple(meant))
+                return Reading(name, problem=DOUBTFUL[word].problem)
+            both = (name, f"{name}2") if not is_slip and f"{name}2" in NOMENCLATURE else (name,)  # of which sphere?
+            remedies = (with_unit(each, unit_text) if is_whole else with_unit(each) for each in both)
+            return Reading(name, problem=f"it may be {name}", meant=tuple(remedies))
     return None
 
 
