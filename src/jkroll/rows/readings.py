@@ -186,18 +186,18 @@ def _refusal(splits: Sequence[_Split], known: Mapping[str, str]) -> Reading | No
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if word in DOUBTFUL or ((is_label or is_other) and not split.is_explicit):
                 return None
-            meant = (with_unit(name),) if split.unit[0].isalpha() else ()
-            return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
+            unit = (with_unit(name),) if split.unit[0].isalpha() else ()
+            return Reading(name, problem=f"what stands behind {name} is not its unit", meant=unit)
         is_explicit = split.is_explicit and is_in_table(split.unit)
         unit_text = "" if name in MATERIALS else unit_for(split.unit, name, is_explicit=is_explicit)
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not is_shared
         if (unit_text and (is_slip or not is_shared)) or (is_telling and not split.unit):
             is_whole = unit_text and (is_slip or key(split.word).endswith(word))
-            if word in DOUBTFUL:
-                return Reading(name, problem=DOUBTFUL[word].problem)
             both = (name, f"{name}2") if not is_slip and f"{name}2" in NOMENCLATURE else (name,)  # of which sphere?
             remedies = (with_unit(each, unit_text) if is_whole else with_unit(each) for each in both)
-            return Reading(name, problem=f"it may be {name}", meant=tuple(remedies))
+            meant = () if word in DOUBTFUL else tuple(remedies)
+            problem = DOUBTFUL[word].problem if word in DOUBTFUL else f"it may be {name}"
+            return Reading(name, problem=problem, meant=meant)
     return None
 
 
