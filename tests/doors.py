@@ -51,7 +51,7 @@ class Refused(Exception):
 class Rows(NamedTuple):
     """What a door answers: for each row its values, without the gaps, its doubts as bits, and the reasons of gaps.
 
-    Only the first of rows that arrays computed has reasons; each has its status.
+    Rows that arrays computed have the reasons of the first one that lacks the same.
     """
 
     keys: Sequence[str]  # of the columns
@@ -67,11 +67,12 @@ def rows_of(every: Sequence[Columns]) -> Rows:
     values, doubts, reasons, status = [], [], [], []
     for columns in every:
         numbers = {key: np.asarray(columns.column(key), dtype=float).tolist() for key in found.keys}
+        statuses = columns.status
         for row in range(len(columns)):
             values.append({key: own[row] for key, own in numbers.items() if not math.isnan(own[row])})
             doubts.append(int(columns.doubts[row]))
             reasons.append(dict(columns.reasons.get(row, {})))
-            status.append(columns.status.get(row, ""))
+            status.append(statuses.get(row, ""))
     return Rows(found.keys, values, doubts, reasons, status)
 
 

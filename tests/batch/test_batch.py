@@ -139,10 +139,11 @@ def agree(size: int, seed: int) -> None:
     block = table.block(size, {name: [row[place] for row in rows] for name, place in table.places.items()}, {})
     together = evaluated(table.wanted, block)
     singly = Columns.of_rows(table.wanted, [by_itself(table.wanted, block, row) for row in range(size)])
+    statuses = singly.status, together.status
     checked = 0
     for row, line in enumerate(lines):
         assert singly.doubts[row] == together.doubts[row], line
-        assert singly.status.get(row) == together.status.get(row), line
+        assert statuses[0].get(row) == statuses[1].get(row), line
         for key in table.wanted.keys:
             value, other = singly.column(key)[row], together.column(key)[row]
             assert math.isnan(value) == math.isnan(other), (key, line)

@@ -212,7 +212,7 @@ def _in_words(name: str, column: Any) -> Any:
 
 def columns_of(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
     """Return the columns of results, in their units and with their digits, and of remarks."""
-    status = [*map(columns.status.get, range(len(columns)))] if columns.status else None
+    status = [*map(columns.status.get, range(len(columns)))] if columns.reasons else None
     of_remarks = [_codes(columns) if name == DOUBT else status for name in remarks]
     if isinstance(columns.numbers, list) or any(map(form.changes, columns.wanted.names)):
         return [*_formatted(columns, form), *of_remarks]
