@@ -666,7 +666,7 @@ def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) 
         code: f"{NOMENCLATURE[limit.name].symbol}{limit.sign[0]}" for limit in LIMITS for code in limit.codes.values()
     }
     for code in codes:
-        said = "JKRisoff" if code.startswith("law") else "ξisassumed" if code == "xi-off-data" else conditions[code]
+        said = "JKRisoff" if code.startswith("law") else conditions[code]
         assert (said in drawn, said in plain) == (True, False), code
 
 

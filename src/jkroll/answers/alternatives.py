@@ -19,6 +19,8 @@ from ..scene.alternatives import (
     at_other_reading,
     by_law,
     displacements_where_measured,
+    factor_of_data,
+    factor_of_law,
     farthest,
     is_at_displacement,
     ratio,
@@ -27,7 +29,7 @@ from ..scene.alternatives import (
     solid_of_kind,
     uses_law,
 )
-from ..scene.limits import JUMP, LAW_MATTERS, OF_LAW, Doubt
+from ..scene.limits import JUMP, LAW_MATTERS, Doubt
 from ..scene.scene import Scene
 
 MAX_TOLD = 2  # quantities in a note
@@ -168,9 +170,9 @@ def in_words(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequenc
 
     `headline`: the results that a command is named after; `known`: all of them.
     """
-    if doubt.bits & OF_LAW:
+    if doubt.limit.factor is factor_of_law and doubt.is_exceeded:
         return _about_law(doubt, scene, headline or known)
-    if doubt.code == "xi-off-data":
+    if doubt.limit.factor is factor_of_data and doubt.is_exceeded:
         return _about_displacement(scene, rolling(headline, scene.law.name) or rolling(known, scene.law.name))
     return _about_roughness(scene) if doubt.code == "rough-matters" else doubt.text
 

@@ -20,7 +20,7 @@ from ..scene.failures import (
     rests_on_spacing,
     without_value,
 )
-from ..scene.limits import Doubt, doubts, not_judged
+from ..scene.limits import Doubt, doubts_of_answer, not_judged
 from ..scene.scene import Scene
 from .notes import (
     about_given,
@@ -164,7 +164,7 @@ class Answer:
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:
         """The limits of the model, judged for these results or with the reason why not."""
-        return tuple(doubts(self.scene, self._known))
+        return tuple(doubts_of_answer(self.scene, self._known))
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""

@@ -11,9 +11,10 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.alternatives import factor_of_law
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, sizes_in_words
-from ..scene.limits import OF_LAW, Doubt
+from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..text import listed
 from .alternatives import Alternative, head_of
@@ -143,7 +144,7 @@ class Inferred(Answer):
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit; where the law is not exact, the values by Maugis' law."""
         symbols = {name: symbol_beside(name, {*self.inputs, *self.assumed}) for name in self.problem.unknowns}
-        if doubt.bits & OF_LAW and BETWEEN in self._by_law:
+        if doubt.is_exceeded and doubt.limit.factor is factor_of_law and BETWEEN in self._by_law:
             values = self._by_law[BETWEEN].values
             told = listed(f"{symbols[name]} = {span(name, value, value)}" for name, value in values.items())
             better = f"by Maugis' law, better here than {self.scene.law.title}"

@@ -10,7 +10,7 @@ from ..answers.results import Kind, Note
 from ..errors import JkrollError
 from ..rows.columns import Columns
 from ..rows.reasons import Tally
-from ..scene.limits import ENDING_MEANING, IN_COLUMNS, MEANINGS, OF_LAW, codes_of
+from ..scene.limits import ENDING_MEANING, MEANINGS, OF_LAW, codes_of
 from ..scene.scene import Scene
 from ..text import first_of
 
@@ -106,7 +106,7 @@ class OfRows:
 
         It has columns beside the values of a law that is not exact, too.
         """
-        of_law, left_out = codes_of(OF_LAW), codes_of(IN_COLUMNS) if has_table else ()
+        of_law, left_out = codes_of(OF_LAW), codes_of(OF_LAW) if has_table else ()
         codes = sorted(self.tally.codes, key=of_law.__contains__)  # those of the law last
         ending = [code for code in codes if code in ENDING_MEANING]
         doubts = [code for code in codes if code not in (*ending, *left_out)]

@@ -19,7 +19,7 @@ from ..quantities.units import Unit, convert
 from ..quantities.values import of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA
-from ..scene.limits import IN_COLUMNS, OF_LAW, codes_of
+from ..scene.limits import OF_LAW, codes_of
 from ..text import NO_BREAK_SPACE, fitting, say, terminal_width, wrapped
 
 if TYPE_CHECKING:
@@ -191,7 +191,7 @@ class _Pairs:
         """The worst doubt of each pair, with the number of others, but those that have columns of values."""
         texts = []
         for bits in as_list(self.columns.doubts):
-            codes = codes_of(bits & ~IN_COLUMNS)
+            codes = codes_of(bits & ~OF_LAW)
             texts.append(codes[0] + (f" ({len(codes) - 1} more)" if codes[1:] else "") if codes else "")
         return texts
 

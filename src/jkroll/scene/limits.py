@@ -235,12 +235,6 @@ LIMITS = (
             "0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
     ),
     Limit(
-        XI, _DISPLACEMENT, ">", {DATA_MATTER: "xi-off-data"},
-        "ξ is assumed, and forces measured on the same solid mean another",
-        lambda scene, _: bool(solid_of_kind(scene)) and not scene.missing(["reduced_radius"]),
-        factor=factor_of_data,
-    ),
-    Limit(
         "radius", _PULLED, ">=", {1e-6: "rough-matters"},
         "most spheres of this size are rough, measured forces are 1/2 to 1/100 of P_c",
         lambda _, names: not _PULLED.isdisjoint(names),
@@ -259,6 +253,14 @@ LIMITS = (
     ),
 )  # fmt: skip
 
+# Of an answer about one pair alone, without a code: rows of several solids are judged together, and have no name.
+ASSUMED_DISPLACEMENT = Limit(
+    XI, _DISPLACEMENT, ">", {DATA_MATTER: ""},
+    "ξ is assumed, and forces measured on the same solid mean another",
+    lambda scene, _: bool(solid_of_kind(scene)) and not scene.missing(["reduced_radius"]),
+    factor=factor_of_data,
+)  # fmt: skip
+
 # In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
 CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
 MEANINGS = {
@@ -270,7 +272,11 @@ ENDING_MEANING = frozenset(code for limit in LIMITS if limit.ends_meaning for co
 NOT_JUDGED = 1 << len(CODES)
 UNCHECKED = "unchecked"
 OF_LAW = LIMITS[0].bits  # the codes of a law that is not exact
-IN_COLUMNS = sum(limit.bits for limit in LIMITS if limit.factor is not None)  # and of what has columns of values
+
+
+def doubts_of_answer(scene: Scene, names: Collection[str]) -> list[Doubt]:
+    """Return the limits of an answer, as `doubts` does, and what its assumed displacement is worth."""
+    return judged(touched(scene, names, (*LIMITS, ASSUMED_DISPLACEMENT)), scene, names)
 
 
 def doubts(scene: Scene, names: Collection[str]) -> list[Doubt]:
@@ -301,11 +307,11 @@ def _with_numbers(limits: Iterable[Limit], scene: Scene) -> Iterator[tuple[Limit
             yield limit, value
 
 
-def touched(scene: Scene, names: Collection[str]) -> list[Limit]:
+def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
     """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
     used = scene.plan(*names).taken.union(names)
     return [
-        limit for limit in LIMITS if limit.touches & used and (limit.applies is None or limit.applies(scene, names))
+        limit for limit in limits if limit.touches & used and (limit.applies is None or limit.applies(scene, names))
     ]
 
 
