@@ -81,17 +81,18 @@ def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FOR
 
 def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
     """Iterate over the doors that do not refuse what cannot be rows. A table does so row by row."""
+    said = str(error).partition(": ")[2] or str(error)  # behind the name of an input, which the prompt has as typed
     for form in ("--json", "--csv", "ndjson"):
         try:
             printed(run, ask, form, by_arrays=True)
             yield f"{form} does not refuse: {error}"
         except Refused as other:
-            if str(error) not in str(other):
+            if said not in str(other):
                 yield f"{form}: {error} and {other}"
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as other:
-        in_option = bool(ask.options) and str(error) in str(other)  # an option is that of all rows
+        in_option = bool(ask.options) and said in str(other)  # an option is that of all rows
         if not in_option and not _lacks(str(other)):
             yield f"table: {error} and {other}"
         return

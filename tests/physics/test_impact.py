@@ -127,7 +127,7 @@ def test_viscous_time_of_a_measured_sticking_speed() -> None:
 
 def test_a_measured_restitution_bounds_the_surface_energy(run: Run) -> None:
     ran = run("infer gamma quartz 1um --speed 1m/s --measured restitution=0.9")
-    assert "γ1 is an upper limit: other losses of the collision are taken for it" in " ".join(ran.err.split())
+    assert "γ is an upper limit: other losses of the collision are taken for it" in " ".join(ran.err.split())
     assert "upper limit" not in run("infer gamma quartz 1um --measured pull_off_force=100nN").err
 
 

@@ -177,8 +177,9 @@ class Inferred(Answer):
                 yield Note("caveat", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
         for name in names:
             if name in _RAISING and not _LOSING.isdisjoint(forward):
-                text = f"{symbols[name]} is an upper limit: other losses of the collision are taken for it"
-                yield Note("result", text)
+                symbol = symbol_beside(name, solution.scene.given)
+                text = f"{symbol} is an upper limit: other losses of the collision are taken for it"
+                yield Note("caveat", text)
         for name in names:
             yield from _unused(name, [*forward], solution.scene)
         if names[1:]:

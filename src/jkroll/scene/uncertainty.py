@@ -176,7 +176,7 @@ def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
     if not (force and sources and isinstance(sources[0].given, Measured)):
         return 0.0
     bar = uncertainties(scene, [*force])[0].get("pull_off_force")
-    of_force = bar.uncertainty.sides["minus"] if isinstance(bar, Propagated) else 0.0
+    of_force = bar.uncertainty.sides.get("minus", 0.0) if isinstance(bar, Propagated) else 0.0
     of_load = sum(source.given.sides["minus"] for source in sources if "load" in source.names)
     spread = hypot(of_force, of_load)
     distance = scene["load"] + force["pull_off_force"]
