@@ -810,7 +810,8 @@ def test_notes_are_few_and_say_their_rows(run: Run) -> None:
     assert assumed == "assumed: z0 = 400 pm (--z0)"
     assert doubts == (
         "note: doubts: rough-matters in 1, few-atoms in 2, may-yield in 2 and 3 more of 3 rows (rough-matters: "
-        "most spheres of this size are rough, measured forces are 1/2 to 1/100 of P_c): jkroll guide models"
+        "most spheres of this size are rough, measured forces are 1/2 to 1/100 of a smooth sphere's): "
+        "jkroll guide models"
     )
     assert last == "more: --explain"
 

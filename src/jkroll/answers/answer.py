@@ -196,7 +196,7 @@ class Answer:
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
-        """What was assumed, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
+        """The assumptions, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
         return assumed(self.scene, self._entering[0], self._possible)
 
     @cached_property

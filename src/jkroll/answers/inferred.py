@@ -68,7 +68,7 @@ class Inferred(Answer):
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
-        """What was assumed for what was measured: none that was measured itself."""
+        """The assumptions about what was measured: none that was measured itself."""
         return {name: text for name, text in self.forward.assumed.items() if name not in self.problem.measured}
 
     @cached_property

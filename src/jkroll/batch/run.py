@@ -47,7 +47,7 @@ class Converter(NamedTuple):
 
     @property
     def header(self) -> Any:
-        """What the header becomes."""
+        """The header of the output."""
         return compressed(self.writer.header(self.table.added, [self.head.header]), self.compression)
 
     def __call__(self, block: Any) -> Converted:

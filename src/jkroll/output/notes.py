@@ -98,7 +98,7 @@ class OfRows:
 
     @cached_property
     def assumed(self) -> dict[str, str]:
-        """What was assumed for rows, each with the option that sets it, by name."""
+        """The assumptions about rows, each with the option that sets it, by name."""
         return {name: text for kind in self._kinds for name, text in assumed_of_rows(*kind).items()}
 
     def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:

@@ -281,7 +281,7 @@ _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
 
 
 class Sources:
-    """What an answer's results rest on: equations of the paper, references of the law, conventions and data."""
+    """The foundations of an answer's results: equations of the paper, references of the law, conventions and data."""
 
     def __init__(self, answer: Answer) -> None:
         self.names = [result.name for result in answer.results if result.value is not None]

@@ -232,11 +232,11 @@ LIMITS = (
     Limit(
         "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "fitted-elsewhere"},
         "the viscous time was fitted at one size, and v_stick holds there alone; one code has 31.6 ps for silica of "
-            "0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
+        "0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
     ),
     Limit(
         "radius", _PULLED, ">=", {1e-6: "rough-matters"},
-        "most spheres of this size are rough, measured forces are 1/2 to 1/100 of P_c",
+        "most spheres of this size are rough, measured forces are 1/2 to 1/100 of a smooth sphere's",
         lambda _, names: not _PULLED.isdisjoint(names),
     ),
     Limit(
