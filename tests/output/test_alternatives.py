@@ -62,6 +62,10 @@ def test_where_columns_do_not_fit_they_are_a_second_table(run: Run, monkeypatch:
     assert "JKR" in heads[0]
     assert "by 1 µm data" not in heads[0]
     assert "by 1 µm data" in heads[1]
+    words = "force that starts rolling"
+    for columns, count in (("46", 0), ("70", 2)):  # what a row is stands in the second table, too, where it fits
+        monkeypatch.setenv("COLUMNS", columns)
+        assert run("yield-force quartz 100nm", terminal=True).out.count(words) == count
 
 
 def test_error_bars_are_those_of_the_other_law() -> None:
@@ -74,7 +78,7 @@ def test_what_is_inferred_by_another_law_has_its_own_error_bar(run: Run) -> None
     words = "infer gamma quartz 2um --radius2 plane --measured P_c=300±20nN"
     of_maugis = dict(line.split()[:2] for line in run(f"{words} --model maugis").out.splitlines())
     value, minus = (float(of_maugis[name]) * 1e3 for name in ("surface_energy", "surface_energy_minus"))
-    (row,) = [line for line in run(words, terminal=True).out.splitlines() if line.startswith("surface energy")]
+    row, *_ = [line for line in run(words, terminal=True).out.splitlines() if line.startswith("surface energy")]
     assert f"{value:.2f} ± {minus:.2f}" in row
 
 

@@ -73,7 +73,9 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     styles = [""] * len(rows)
     if rows:
         say("", out)
-        is_printed("symbol", *(one.head for one in left), "unit", anyway=True)
+        heads = ("symbol", *(one.head for one in left), "unit")
+        if not is_printed("quantity", *heads):
+            is_printed(*heads, anyway=True)
 
 
 def _rows(answer: "Answer") -> "list[Result]":
