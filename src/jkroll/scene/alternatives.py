@@ -7,7 +7,7 @@ from typing import Any
 from ..errors import JkrollError
 from ..materials.library import Displacement
 from ..physics.elementary import at_least, at_most, quotient, where
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, routed_apart
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law, routed_apart
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval
 from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
@@ -28,9 +28,10 @@ def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
 @_kept
 def by_law(scene: Scene) -> Scene:
     """Return the scene under the law between JKR and DMT, or for that under JKR, at its atomic spacing."""
-    if scene.law.name == BETWEEN:
-        return scene.replace(model=DEFAULT_LAW)
-    return scene.replace(model=BETWEEN, atomic_spacing=scene["atomic_spacing"])
+    law = other_law(scene.law.name)
+    spacing = {} if law == DEFAULT_LAW else {"atomic_spacing": scene["atomic_spacing"]}
+    changed = routed_apart(scene.law.name, law, scene.known)
+    return scene.replace(model=law, **spacing).with_results_of(scene, changed)
 
 
 @_kept

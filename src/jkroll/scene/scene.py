@@ -234,9 +234,10 @@ class Scene:
         return Scene(given, *spheres.values(), model=model)
 
     def with_results_of(self, other: "Scene", changed: Collection[str]) -> "Scene":
-        """Return the scene with the results of another one of the same law that do not follow from some inputs.
+        """Return the scene with the results of another one that do not follow from what is changed.
 
-        Between laws most of the cost is the state of the contact, from which no displacement follows.
+        That is what an input or the law changes. Between laws most of the cost is the state of the contact, from which
+        no displacement follows.
         """
         changed = {*changed}
         for name, _, arguments in other._plan.steps:
