@@ -20,7 +20,6 @@ SYMBOLS = {
 }  # fmt: skip
 DIGITS = 60
 _CONTEXT = Context(prec=DIGITS)
-_ROUGH = Context(prec=18)
 _STEP = Decimal("1e-20")  # of an input, relative, for a slope: its square is beyond the digits that are compared
 
 Way = Callable[..., Any]  # a function whose parameters are the paper's symbols
@@ -134,11 +133,7 @@ class Equations:
 
 
 def _cube_root(value: Decimal) -> Decimal:
-    """Return a root of 18 digits that is refined by Newton's method."""
-    root = _ROUGH.power(value, _ROUGH.divide(Decimal(1), Decimal(3)))
-    for _ in range(2):
-        root = (2 * root + value / (root * root)) / 3
-    return root
+    return value ** (1 / Decimal(3))
 
 
 def _arc_tangent(value: Decimal) -> Decimal:
