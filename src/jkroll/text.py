@@ -209,7 +209,7 @@ def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
 
     words = list(known)
     if same := [candidate for candidate in words if candidate.casefold() == word.casefold()]:
-        return min(same, key=lambda one: sum(map(str.__ne__, one, word)))  # MPA is MPa rather than mPa
+        return min(same, key=lambda candidate: sum(map(str.__ne__, candidate, word)))  # MPA is MPa rather than mPa
     return next(iter(get_close_matches(word, words, n=1, cutoff=cutoff)), None)
 
 

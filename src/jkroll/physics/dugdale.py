@@ -51,7 +51,7 @@ def approach_unit(
 
 
 class Shape(NamedTuple):
-    """The functions of the edge ratio that the module names."""
+    """The shape of a ring: the functions of its edge ratio that the module names."""
 
     v: FloatOrArray
     n: FloatOrArray
@@ -73,24 +73,24 @@ def shape(edge_ratio: FloatOrArray) -> Shape:
     return Shape(v, n, theta, h, theta - h, v + bent, v * h + bent * theta)
 
 
-def _lag(at: Shape) -> FloatOrArray:
+def _lag(ring: Shape) -> FloatOrArray:
     """Return 1 − vθ, where v = cot θ, by Lambert's continued fraction: θ²/(3 − θ²/(5 − θ²/(7 − …)))."""
-    square = at.theta * at.theta
+    square = ring.theta * ring.theta
     rest: FloatOrArray = _LAST_OF_FRACTION
     for odd in range(_LAST_OF_FRACTION - 2, 1, -2):
         rest = odd - square / rest
     return square / rest
 
 
-def g1(at: Shape) -> FloatOrArray:
+def g1(ring: Shape) -> FloatOrArray:
     """Return G1, as v(1 − vθ) + θ."""
-    return at.v * _lag(at) + at.theta
+    return ring.v * _lag(ring) + ring.theta
 
 
-def span(transition: FloatOrArray, at: Shape) -> FloatOrArray:
+def span(transition: FloatOrArray, ring: Shape) -> FloatOrArray:
     """Return T of a contact, from λ and its shape."""
-    half = 2 / 3 * (transition * transition) * at.g2
-    return 1 / (half + sqrt(half * half + transition / 2 * g1(at)))
+    half = 2 / 3 * (transition * transition) * ring.g2
+    return 1 / (half + sqrt(half * half + transition / 2 * g1(ring)))
 
 
 def half_width(transition: FloatOrArray) -> FloatOrArray:
@@ -108,21 +108,21 @@ def span_apart(transition: FloatOrArray, approach: FloatOrArray) -> FloatOrArray
     return b + sqrt(at_least(square, 0.0))
 
 
-def load(transition: FloatOrArray, at: Shape, span: FloatOrArray) -> FloatOrArray:
+def load(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> FloatOrArray:
     """Return P, in contact or apart."""
     square = span * span
-    return square * (cube(at.v) * span - transition * at.g3)
+    return square * (cube(ring.v) * span - transition * ring.g3)
 
 
-def approach(transition: FloatOrArray, at: Shape, span: FloatOrArray) -> FloatOrArray:
+def approach(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> FloatOrArray:
     """Return δ of a contact."""
-    touching = at.v * span
+    touching = ring.v * span
     return touching * touching - 4 / 3 * transition * span
 
 
-def unloaded_radius(transition: FloatOrArray, at: Shape, span: FloatOrArray) -> FloatOrArray:
+def unloaded_radius(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> FloatOrArray:
     """Return a of a contact without load: a³ = λT²G3, as P is 0; v would bring its error in as its power 3/2."""
-    return cbrt(transition * span * span * at.g3)
+    return cbrt(transition * span * span * ring.g3)
 
 
 def approach_apart(transition: FloatOrArray, span: FloatOrArray) -> FloatOrArray:
@@ -131,26 +131,26 @@ def approach_apart(transition: FloatOrArray, span: FloatOrArray) -> FloatOrArray
     return span * (span / 2 - b) - 2 / (pi * transition)
 
 
-def stiffness_ratio(at: Shape, q: FloatOrArray) -> FloatOrArray:
+def stiffness_ratio(ring: Shape, q: FloatOrArray) -> FloatOrArray:
     """Return dP/dδ over that of a flat punch of radius T: v without attraction, 0 at pull-off, −∞ at the fold."""
-    give = at.g3 - q * at.h
-    at_fold = absolute(give) <= _ROUNDING * at.g3  # as near as doubles come, where the sign is chance
-    return where(at_fold, -math.inf, (at.v * at.g3 - q * at.d) / where(at_fold, 1.0, give))
+    give = ring.g3 - q * ring.h
+    at_fold = absolute(give) <= _ROUNDING * ring.g3  # as near as doubles come, where the sign is chance
+    return where(at_fold, -math.inf, (ring.v * ring.g3 - q * ring.d) / where(at_fold, 1.0, give))
 
 
-def energy(transition: FloatOrArray, at: Shape, span: FloatOrArray, approach: FloatOrArray) -> FloatOrArray:
+def energy(transition: FloatOrArray, ring: Shape, span: FloatOrArray, approach: FloatOrArray) -> FloatOrArray:
     """Return the elastic and surface energy Φ, in contact or apart: dΦ = P dδ, and 0 for spheres that do not attract.
 
     Φ = ¾(aδ² − ⅔a³δ + a⁵/5) − c² + λT⁴(θ − v + (2v + 3v³)(1 − vθ))/4 + λT²(n²θ − v)(a² − δ) − (4/9)λ²T³(v + 2n)h²
     """
-    v, n, theta, lag = at.v, at.n, at.theta, _lag(at)
+    v, n, theta, lag = ring.v, ring.n, ring.theta, _lag(ring)
     touching, outside, square = v * span, n * span, span * span
     spread = touching * touching
     punch = touching * (approach * (approach - 2 / 3 * spread) + spread * spread / 5)
-    ring = theta - v + v * lag * (2 + 3 * v * v)
+    bent = theta - v + v * lag * (2 + 3 * v * v)
     pull = (theta - v * lag) * (spread - approach)
-    inner = 4 / 9 * transition * span * (v + 2 * n) * at.h * at.h
-    return 3 / 4 * punch - outside * outside + transition * square * (square * ring / 4 + pull - inner)
+    inner = 4 / 9 * transition * span * (v + 2 * n) * ring.h * ring.h
+    return 3 / 4 * punch - outside * outside + transition * square * (square * bent / 4 + pull - inner)
 
 
 # --- Extremes, and no load --------------------------------------------------------------------------------------------
@@ -162,10 +162,10 @@ def pull_off_ratio(transition: FloatOrArray) -> FloatOrArray:
     square = square / (1 + transition * (1.456039 + transition * (0.960759 + transition * 0.109797)))
     v = transition / sqrt(1.3103706971044482 + square)
     for _ in range(2):
-        at = shape(v)
-        d_slope = at.h * (1 - v / at.n) + 2 * at.theta * (v * at.theta - 1)
-        growth = 1 / v + 2 * v * at.theta / at.g3 - d_slope / at.d
-        v = _step_to(transition, at, v * at.g3 / at.d, growth)
+        ring = shape(v)
+        d_slope = ring.h * (1 - v / ring.n) + 2 * ring.theta * (v * ring.theta - 1)
+        growth = 1 / v + 2 * v * ring.theta / ring.g3 - d_slope / ring.d
+        v = _step_to(transition, ring, v * ring.g3 / ring.d, growth)
     return v
 
 
@@ -175,16 +175,16 @@ def fold_ratio(transition: FloatOrArray) -> FloatOrArray:
     difference = beyond - 0.46
     v = (difference + sqrt(difference * difference + 6.6 * beyond)) / 3.3
     for _ in range(_STEPS):
-        at = shape(v)
-        v = at_least(_step_to(transition, at, at.g3 / at.h, 2 * v * at.theta / at.g3 + 1 / at.n), 0.0)
+        ring = shape(v)
+        v = at_least(_step_to(transition, ring, ring.g3 / ring.h, 2 * v * ring.theta / ring.g3 + 1 / ring.n), 0.0)
     return where(beyond == 0, 0.0, v)
 
 
 def lowest_approach(transition: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
     """Return δ at the fold, in contact or apart, from its v."""
-    at = shape(least)
+    ring = shape(least)
     apart = approach_apart(transition, half_width(transition))
-    return where(least == 0, apart, approach(transition, at, span(transition, at)))
+    return where(least == 0, apart, approach(transition, ring, span(transition, ring)))
 
 
 def unloaded_ratio(transition: FloatOrArray) -> FloatOrArray:
@@ -192,24 +192,24 @@ def unloaded_ratio(transition: FloatOrArray) -> FloatOrArray:
     curved = (0.5219 + transition * (1.0059 + 0.7003 * transition)) / (1 + transition * (1.9949 + 0.692 * transition))
     v = transition * sqrt(1.2114137 + 1.2467419 / (transition * (1 + transition * curved)))
     for _ in range(2):
-        at = shape(v)
-        v = _step_to(transition, at, 4 / 3 * cube(v) / at.g3, 3 / v - 2 * v * at.theta / at.g3)
+        ring = shape(v)
+        v = _step_to(transition, ring, 4 / 3 * cube(v) / ring.g3, 3 / v - 2 * v * ring.theta / ring.g3)
     return v
 
 
-def _step_to(transition: FloatOrArray, at: Shape, q: FloatOrArray, growth: FloatOrArray) -> FloatOrArray:
+def _step_to(transition: FloatOrArray, ring: Shape, q: FloatOrArray, growth: FloatOrArray) -> FloatOrArray:
     """Return v after a step of Newton's method towards the v whose state of some kind belongs to λ.
 
     λ = ¾qT with T³ = 8/(3q(G1 + 2qG2)) is the one that has this state at v; `q` is what makes it of its kind, and
     `growth` is d ln q/dv.
     """
-    v, n = at.v, at.n
-    g = g1(at) + 2 * q * at.g2
-    own = cbrt(9 / 8 * (q / g) * q)
-    g1_slope = 2 * v * (v / (n * n) - at.theta)
-    g2_slope = at.h / n - 1 / (n * n)
-    slope = own * (2 * growth - (g1_slope + 2 * q * (growth * at.g2 + g2_slope)) / g) / 3
-    return v + (transition - own) / slope
+    v, n = ring.v, ring.n
+    g = g1(ring) + 2 * q * ring.g2
+    reached = cbrt(9 / 8 * (q / g) * q)
+    g1_slope = 2 * v * (v / (n * n) - ring.theta)
+    g2_slope = ring.h / n - 1 / (n * n)
+    slope = reached * (2 * growth - (g1_slope + 2 * q * (growth * ring.g2 + g2_slope)) / g) / 3
+    return v + (transition - reached) / slope
 
 
 # --- States ---------------------------------------------------------------------------------------------------------
@@ -232,11 +232,11 @@ def ratio_at_load(
     power = (1 + 1 / ((1 + 0.82 * root) * (1 + 0.82 * root))) / 3
     start = least * (1 + reach / scale) ** power
 
-    def curve(at: Shape) -> tuple[FloatOrArray, FloatOrArray]:
-        wide = span(transition, at)
+    def curve(ring: Shape) -> tuple[FloatOrArray, FloatOrArray]:
+        wide = span(transition, ring)
         q = 4 / 3 * transition / wide
-        slope = 3 / 2 * wide * (at.v * at.g3 - q * at.d) * _stretch(transition, at, wide, q)
-        return load(transition, at, wide) + tension, slope
+        slope = 3 / 2 * wide * (ring.v * ring.g3 - q * ring.d) * _stretch(transition, ring, wide, q)
+        return load(transition, ring, wide) + tension, slope
 
     is_far = reach > _FAR
     if not _is_any(is_far):
@@ -253,25 +253,25 @@ def ratio_at_approach(
 
     `least` and `fold` are v and δ at the fold.
     """
-    at = shape(least)
-    lowest = approach(transition, at, span(transition, at))
+    ring = shape(least)
+    lowest = approach(transition, ring, span(transition, ring))
     is_held = approach_in_units >= fold - _ROUNDING * absolute(fold)
     excess = at_least(within(is_held, approach_in_units - lowest), 0.0)
     aim = sqrt(excess)
     start = least + (sqrt(aim * transition * (aim + transition)) + cbrt(transition * excess)) / 2
     start = where(aim > 100, _in_wide_contact(transition, sqrt(at_least(approach_in_units, 0.0))), start)
 
-    def curve(at: Shape) -> tuple[FloatOrArray, FloatOrArray]:
-        wide = span(transition, at)
-        return approach(transition, at, wide) - lowest, approach_slope(transition, at, wide)
+    def curve(ring: Shape) -> tuple[FloatOrArray, FloatOrArray]:
+        wide = span(transition, ring)
+        return approach(transition, ring, wide) - lowest, approach_slope(transition, ring, wide)
 
     return _root(curve, aim, _root(curve, aim, start, least), least)
 
 
-def approach_slope(transition: FloatOrArray, at: Shape, span: FloatOrArray) -> FloatOrArray:
+def approach_slope(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -> FloatOrArray:
     """Return dδ/dv of a contact."""
     q = 4 / 3 * transition / span
-    return (at.g3 - q * at.h) * _stretch(transition, at, span, q)
+    return (ring.g3 - q * ring.h) * _stretch(transition, ring, span, q)
 
 
 def _is_any(condition: Condition) -> bool:
@@ -285,10 +285,10 @@ def _in_wide_contact(transition: FloatOrArray, radius: FloatOrArray) -> FloatOrA
     return at_most(sqrt(pi / 4 * area), cbrt(2 / 3 * area)) + transition * sqrt(2 / 3 * radius)
 
 
-def _stretch(transition: FloatOrArray, at: Shape, span: FloatOrArray, q: FloatOrArray) -> FloatOrArray:
+def _stretch(transition: FloatOrArray, ring: Shape, span: FloatOrArray, q: FloatOrArray) -> FloatOrArray:
     """Return the factor that dP/dv and dδ/dv have in common, T²v(2 + q)/(n²(G1 + qG2)), with G1 = 2/(λT²) − 2qG2."""
     square = span * span
-    return square * at.v * (2 + q) / (at.n * at.n * (2 / (transition * square) - q * at.g2))
+    return square * ring.v * (2 + q) / (ring.n * ring.n * (2 / (transition * square) - q * ring.g2))
 
 
 def _root(

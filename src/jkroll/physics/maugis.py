@@ -211,9 +211,9 @@ def stiffness_maugis(
     Source:   Derivative of Maugis' solution along its curve.
     Valid:    Above the fold.
     """
-    at = dugdale.shape(edge_ratio)
+    ring = dugdale.shape(edge_ratio)
     q = 2 * cohesive_stress * reduced_radius / (contact_modulus * zone_span)
-    return 2 * contact_modulus * zone_span * dugdale.stiffness_ratio(at, q)
+    return 2 * contact_modulus * zone_span * dugdale.stiffness_ratio(ring, q)
 
 
 def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_stress: Stress) -> Force:
@@ -279,9 +279,9 @@ def unloaded_radius_maugis(
     Source:   Maugis 1992.
     Valid:    a0 ≪ R.
     """
-    at = dugdale.shape(unloaded_edge_ratio)
+    ring = dugdale.shape(unloaded_edge_ratio)
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.unloaded_radius(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
+    return dugdale.unloaded_radius(transition_parameter, ring, dugdale.span(transition_parameter, ring)) * unit
 
 
 def unloaded_approach_maugis(
@@ -325,8 +325,8 @@ def pull_off_force_maugis(
     Source:   Maugis 1992; stationary in v.
     Valid:    Always; a Lennard-Jones pair lets go up to 6 % later.
     """
-    at = dugdale.shape(edge_ratio_at_pull_off)
-    load = dugdale.load(transition_parameter, at, dugdale.span(transition_parameter, at))
+    ring = dugdale.shape(edge_ratio_at_pull_off)
+    load = dugdale.load(transition_parameter, ring, dugdale.span(transition_parameter, ring))
     return -pi * work_of_adhesion * reduced_radius * load
 
 
@@ -420,6 +420,6 @@ def approach_at_pull_off_maugis(
     Source:   Maugis 1992.
     Valid:    Always; it tends to 0 in DMT, and is negative below.
     """
-    at = dugdale.shape(edge_ratio_at_pull_off)
+    ring = dugdale.shape(edge_ratio_at_pull_off)
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.approach(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
+    return dugdale.approach(transition_parameter, ring, dugdale.span(transition_parameter, ring)) * unit

@@ -106,10 +106,10 @@ def pull_off_work_at_dead_load_maugis(
     work: FloatOrArray = 0.0
     for place, weight in _EIGHT_POINTS:
         for edge_ratio in (middle - place * half, middle + place * half):
-            at = dugdale.shape(edge_ratio)
-            span = dugdale.span(transition_parameter, at)
-            slope = dugdale.approach_slope(transition_parameter, at, span)
-            work = work + weight * half * slope * dugdale.load(transition_parameter, at, span)
+            ring = dugdale.shape(edge_ratio)
+            span = dugdale.span(transition_parameter, ring)
+            slope = dugdale.approach_slope(transition_parameter, ring, span)
+            work = work + weight * half * slope * dugdale.load(transition_parameter, ring, span)
     return work * _energy(work_of_adhesion, reduced_radius, contact_modulus)
 
 
@@ -147,24 +147,24 @@ def _energy(
 
 def _of(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
     """Return Φ of a contact, or at the fold of spheres that do not touch, dimensionless."""
-    at = dugdale.shape(edge_ratio)
-    span = where(at.v > 0, dugdale.span(transition, at), dugdale.half_width(transition))
-    return _of_state(transition, at, span)
+    ring = dugdale.shape(edge_ratio)
+    span = where(ring.v > 0, dugdale.span(transition, ring), dugdale.half_width(transition))
+    return _of_state(transition, ring, span)
 
 
-def _of_state(transition: FloatOrArray, at: dugdale.Shape, span: FloatOrArray) -> FloatOrArray:
+def _of_state(transition: FloatOrArray, ring: dugdale.Shape, span: FloatOrArray) -> FloatOrArray:
     """Return Φ of a state, in contact or apart, dimensionless."""
-    touching = dugdale.approach(transition, at, span)
-    approach = where(at.v > 0, touching, dugdale.approach_apart(transition, span))
-    return dugdale.energy(transition, at, span, approach)
+    touching = dugdale.approach(transition, ring, span)
+    approach = where(ring.v > 0, touching, dugdale.approach_apart(transition, span))
+    return dugdale.energy(transition, ring, span, approach)
 
 
 def _held_to(transition: FloatOrArray, approach: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
     """Return Φ at an approach, dimensionless, in contact or apart; `least` is v at the fold."""
     fold = dugdale.lowest_approach(transition, least)
-    at = dugdale.shape(dugdale.ratio_at_approach(transition, approach, least, fold))
-    span = where(at.v > 0, dugdale.span(transition, at), dugdale.span_apart(transition, approach))
-    return dugdale.energy(transition, at, span, approach)
+    ring = dugdale.shape(dugdale.ratio_at_approach(transition, approach, least, fold))
+    span = where(ring.v > 0, dugdale.span(transition, ring), dugdale.span_apart(transition, approach))
+    return dugdale.energy(transition, ring, span, approach)
 
 
 def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -> Energy:

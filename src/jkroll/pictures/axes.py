@@ -93,7 +93,8 @@ def round_values(
     if is_log:
         decades = range(floor(log10(low)), ceil(log10(high)) + 1)
         step, least = ceil(len(decades) / most), 2 if high > 50 * low else 3
-        every = [(several, decades) for several in digits] + [((1,), [one for one in decades if one % step == 0])]
+        some_decades = [decade for decade in decades if decade % step == 0]
+        every = [*((several, decades) for several in digits), ((1,), some_decades)]
         for several, of_decades in every:
             values = [float(f"{digit}e{decade}") for decade in of_decades for digit in several]
             inside = [value for value in values if low * (1 - 1e-9) <= value <= high * (1 + 1e-9)]

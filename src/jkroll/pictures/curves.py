@@ -48,7 +48,7 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
         ]
     if loads is not None:
         least = min(float(curve.y.min()) for curve in curves)
-        curves = [part for part in (clipped(curve, *loads) for curve in curves) if has_values(part.y)]
+        curves = [cut for cut in (clipped(curve, *loads) for curve in curves) if has_values(cut.y)]
         points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
         if not curves:
             raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
@@ -62,13 +62,13 @@ def _path(scene: Scene, most: float) -> tuple[list[str], Any, Any]:
     """Return the names of the states of a force curve up to a load, their approaches, and their loads."""
     import numpy
 
-    found = states(scene, Loads(-inf, most), POINTS)
+    path = states(scene, Loads(-inf, most), POINTS)
     parts = [
         solved(scene, _FORCE, {given: numpy.array([state.value for state in group])})
-        for given, group in groupby(found, key=lambda state: state.given)
+        for given, group in groupby(path, key=lambda state: state.given)
     ]
     approaches, forces = (numpy.concatenate([part[name] for part in parts]) for name in _FORCE)
-    return [state.name for state in found], approaches, forces
+    return [state.name for state in path], approaches, forces
 
 
 def _branches(names: Sequence[str], x: Any, y: Any) -> tuple[list[Curve], list[Mark]]:
@@ -117,11 +117,11 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
         lines = [(scene.law.title, scene, "yield_moment") for scene in scenes]
     shifts = numpy.linspace(0, limit, POINTS)
     first = 3 if len(scenes) == 1 else 0  # a colour that no branch of the force curve beside it has
-    found = once(
+    distinct = once(
         Curve(text, shifts[1:], solved(scene, (name,), {"yield_displacement": shifts[1:]})[name])
         for text, scene, name in lines
     )
-    curves = [curve._replace(colour=number) for number, curve in enumerate(found, first)]
+    curves = [curve._replace(colour=number) for number, curve in enumerate(distinct, first)]
     x = Axis("yield_displacement", 0.0, limit, is_log=False)
     y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], margin=0.0)
     return Panel(x, y, tuple(curves), tuple(points), _titled("moment, up to ⟦ξ_max⟧", "moment without load", scenes))
@@ -198,15 +198,15 @@ def once(curves: Iterable[Curve]) -> list[Curve]:
     """Return curves, of those that coincide the first with the texts of all."""
     import numpy
 
-    found: list[Curve] = []
+    distinct: list[Curve] = []
     for curve in curves:
-        for place, other in enumerate(found):
+        for place, other in enumerate(distinct):
             if numpy.allclose(curve.y, other.y, rtol=SAME, atol=0):
-                found[place] = other._replace(text=f"{other.text}; {curve.text}")
+                distinct[place] = other._replace(text=f"{other.text}; {curve.text}")
                 break
         else:
-            found.append(curve)
-    return found
+            distinct.append(curve)
+    return distinct
 
 
 def across(first: float, last: float) -> Any:

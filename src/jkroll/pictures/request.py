@@ -98,9 +98,9 @@ def _own_values(request: PlotRequest, marks: Iterable[Mark]) -> Iterator[str]:
         if mark.x is None or mark.y is None:
             continue
         drawn = scene.replace(**request.x.inputs(mark.x), **request.y.inputs(mark.y)).numbers(quantity)
-        own = _scene_at(mark.text, request.materials, scene).numbers(quantity)
-        if quantity in own and not isclose(own[quantity], drawn.get(quantity, nan), rel_tol=SAME):
-            value = f"{symbol(quantity)} is {amount(quantity, own[quantity])}"
+        at_mark = _scene_at(mark.text, request.materials, scene).numbers(quantity)
+        if quantity in at_mark and not isclose(at_mark[quantity], drawn.get(quantity, nan), rel_tol=SAME):
+            value = f"{symbol(quantity)} is {amount(quantity, at_mark[quantity])}"
             yield f"{mark.text} has other inputs than are fixed here: its {value}."
 
 
@@ -184,7 +184,7 @@ def _gaps(quantity: str, contexts: "Iterable[Context]", values: Iterable[Any]) -
     import numpy
 
     may_rest = any(context.scene.may_rest_on_spacing(quantity) for context in contexts)
-    if may_rest and any(not numpy.isfinite(one).all() for one in values):
+    if may_rest and any(not numpy.isfinite(numbers).all() for numbers in values):
         yield f"No value where it {RESTS_ON_SPACING.words}."
 
 

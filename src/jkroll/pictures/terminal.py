@@ -83,7 +83,7 @@ def _style(drawn: Map, value: float) -> Style:
         return Style()
     low, value, high = (log10(number) if drawn.is_log else number for number in (low, value, high))
     paper = PAPER.band(min(max((value - low) / (high - low), 0.0), 1.0))
-    return Style(color="black", bgcolor=Color.from_rgb(*(255 * part for part in paper)))
+    return Style(color="black", bgcolor=Color.from_rgb(*(255 * channel for channel in paper)))
 
 
 def _marks(drawn: Map) -> Iterator[str]:

@@ -168,12 +168,12 @@ def span(name: str, low: float, high: float) -> str:
     return f"({text}){shown.removeprefix('1')}" if len(texts) > 1 else f"{text}{shown.removeprefix('1')}"
 
 
-def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
+def _range(interval: "Interval", scale: Unit, digits: int | None) -> str:
     """Return a range, whose ends are rounded to two digits of their distance unless there is a number of digits.
 
     Both ends have as many decimals as the one that needs more. Ends that are the same in these digits are one number.
     """
-    low, high = convert(found.low, scale), convert(found.high, scale)
+    low, high = convert(interval.low, scale), convert(interval.high, scale)
     place = _second_digit(high - low)
     texts = []
     for end in (low, high):
@@ -185,13 +185,13 @@ def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
     return " to ".join(dict.fromkeys(texts))
 
 
-def _plus_minus(found: "Measured", scale: Unit) -> str:
+def _plus_minus(measured: "Measured", scale: Unit) -> str:
     """Return a value with its standard uncertainty.
 
     An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both
     shown.
     """
-    value, minus, plus = (convert(number, scale) for number in (found.value, found.minus, found.plus))
+    value, minus, plus = (convert(number, scale) for number in (measured.value, measured.minus, measured.plus))
     shift = 0 if 1e-3 <= abs(value) < 1e6 or value == 0 else floor(log10(abs(value)))
     value, minus, plus = (number * 10.0**-shift for number in (value, minus, plus))
     place = _second_digit(min(side for side in (minus, plus) if side))

@@ -8,6 +8,7 @@ import re
 from collections.abc import Collection, Iterable
 from functools import cache, lru_cache
 from math import gcd
+from operator import add, sub
 from typing import Any, NamedTuple
 
 from ..text import closest, composed, quoted, shown
@@ -69,9 +70,11 @@ class UnknownUnit(BadUnit):
             others = _product([term for term in self.terms if term[0] != self.name]).dimension
         except BadUnit:
             return ""
-        lacking = [[want - have for want, have in zip(wanted, others, strict=True)] for wanted in dimensions]
+        lacking = [tuple(map(sub, wanted, others)) for wanted in dimensions]
         fitting = frozenset(
-            tuple(one // power for one in lack) for lack in lacking if power and not any(one % power for one in lack)
+            tuple(exponent // power for exponent in missing)
+            for missing in lacking
+            if power and not any(exponent % power for exponent in missing)
         )
         guess = similar_unit(self.name, fitting)
         return f"did you mean {guess}?" if guess else ""
@@ -187,7 +190,7 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
     """
     for place in range(1, len(word)):  # two units written as one word
         first, second = _in_table(word[:place]), _in_table(word[place:])
-        if first and second and _sum(first.dimension, second.dimension) in dimensions:
+        if first and second and tuple(map(add, first.dimension, second.dimension)) in dimensions:
             return f"{word[:place]} {word[place:]}"
     prefixed = {
         prefix + unit: meaning
@@ -240,26 +243,22 @@ def _product(terms: Iterable[Term]) -> Unit:
             raise UnknownUnit(name, terms)
         up, down = (factor.numerator, factor.denominator) if power > 0 else (factor.denominator, factor.numerator)
         numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)
-        dimension = _sum(dimension, tuple(power * one for one in factor.dimension))
+        dimension = tuple(map(add, dimension, (power * exponent for exponent in factor.dimension)))
     if max(numerator, denominator) > MAX_FACTOR * min(numerator, denominator):
         raise BadUnit("has a unit beyond 1e-100 to 1e100 of that of the SI")
     return Unit(numerator, denominator, dimension)
 
 
-def _sum(first: Dimension, second: Dimension) -> Dimension:
-    return tuple(one + other for one, other in zip(first, second, strict=True))
-
-
 def _in_table(name: str) -> Unit | None:
     """Return the meaning of a unit name, with or without a prefix, in the shipped table."""
-    found = PLAIN.get(name) or PREFIXABLE.get(name)
-    if found is not None:
-        return Unit(*found)
+    entry = PLAIN.get(name) or PREFIXABLE.get(name)
+    if entry is not None:
+        return Unit(*entry)
     for length in range(1, len(name)):
         exponent = PREFIXES.get(name[:length])
-        found = PREFIXABLE.get(name[length:])
-        if exponent is not None and found is not None:
-            numerator, denominator, dimension = found
+        entry = PREFIXABLE.get(name[length:])
+        if exponent is not None and entry is not None:
+            numerator, denominator, dimension = entry
             above, below = power_of_ten(exponent)
             return Unit(numerator * above, denominator * below, dimension)
     return None
@@ -270,8 +269,8 @@ def _in_pint(name: str) -> Unit | None:
     """Return pint's meaning of a unit name; None for a long one, and for one that is no plain factor for pint."""
     if len(name) > MAX_NAME:
         return None
-    found = lookup(name)
-    return None if found is None else Unit(*found)
+    entry = lookup(name)
+    return None if entry is None else Unit(*entry)
 
 
 # --- Names of pint ----------------------------------------------------------------------------------------------------
