@@ -52,7 +52,7 @@ from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
 
-FEW, MANY = range(20), 1000
+FEW, MANY = range(6), 1000
 PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # of many questions
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "J Ym-1", "kHz"]
 
@@ -268,7 +268,12 @@ FOUND = {
 }
 
 
-@pytest.mark.parametrize("name", FOUND)
+LONG = ("five ranges", "ranges in a part of which the spheres do not touch")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in FOUND]
+)
 def test_doors_agree_on_what_was_found(run: Run, name: str) -> None:
     assert [*disagreements(run, FOUND[name])] == []
 

@@ -126,6 +126,7 @@ def test_the_file_of_a_call_overrides_and_says_so(run: Run, tmp_path: Path, monk
     assert run(f"pull-off quartz 1um --bare --quiet --materials {mine}").err == said
 
 
+@pytest.mark.slow
 def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A file of the environment, or of the configuration, adds materials.
 

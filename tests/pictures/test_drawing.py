@@ -44,8 +44,8 @@ POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
 
 
-# The figures of the paper; of those that differ in their numbers alone, one in the fast run.
-OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name not in ("6b", "8") else name for name in PAPER_MAPS]
+# The figures of the paper, one of them in the fast run.
+OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name != "8" else name for name in PAPER_MAPS]
 
 
 @cache
@@ -89,7 +89,12 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
 @pytest.mark.parametrize(
     ("words", "axes", "given"),
     [
-        (["contact_radius_at_load", "quartz"], ("radius=50nm:1um", "load=-4nN:50nN:lin"), {"material": "quartz"}),
+        pytest.param(
+            ["contact_radius_at_load", "quartz"],
+            ("radius=50nm:1um", "load=-4nN:50nN:lin"),
+            {"material": "quartz"},
+            marks=pytest.mark.slow,
+        ),
         (["n-roll", "quartz"], ("radius=10nm:1um", "speed=1cm/s:1m/s"), {"material": "quartz"}),
     ],
 )
@@ -129,11 +134,13 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
     assert STYLES["dark"].paper in text
 
 
+@pytest.mark.slow
 def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
     run("figure 3a -o bare.svg --no-caption")
     assert "Assumed" not in " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
 
 
+@pytest.mark.slow
 def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert run("contact quartz 100nm --curve --panel force -o force.svg --quiet").code == 0
     shown = SVG_TEXT.findall((tmp_path / "force.svg").read_text(encoding="utf-8"))
@@ -157,7 +164,7 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
             "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm.",
             marks=pytest.mark.slow,
         ),
-        ("--panel moment --model jkr,dmt", "R1 = 100 nm, γ1 = 25 mJ/m²."),
+        pytest.param("--panel moment --model jkr,dmt", "R1 = 100 nm, γ1 = 25 mJ/m².", marks=pytest.mark.slow),
         pytest.param(
             "--model maugis",
             "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm, ξ = 100 pm.",
@@ -228,6 +235,7 @@ def test_marked_mathematics_is_typeset(text: str, wanted: str) -> None:
     assert "⟦" not in plain(text)
 
 
+@pytest.mark.slow
 def test_every_symbol_is_typeset_whole_and_can_be_drawn() -> None:
     parser = MathTextParser("path")
     for name, quantity in NOMENCLATURE.items():
@@ -298,6 +306,7 @@ def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
     assert abs(load + solve("pull_off_force", material="quartz", radius=radius)).max() < 1.5 * step
 
 
+@pytest.mark.slow
 def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
     """The margins of bounds have no value beyond the fold, as the quantity has none."""
     run("map load_at_factor quartz --x radius=10nm:1um --y approach_at_load=-0.3nm:1nm:lin -o load.svg --quiet")
@@ -327,10 +336,8 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
 @pytest.mark.parametrize(
     "name",
     [
-        "3d",
         "8",
-        "contact",
-        *(pytest.param(name, marks=pytest.mark.slow) for name in (*PAPER_MAPS, *PROFILES) if name not in ("3d", "8")),
+        *(pytest.param(name, marks=pytest.mark.slow) for name in ("contact", *PAPER_MAPS, *PROFILES) if name != "8"),
     ],
 )
 def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
@@ -348,6 +355,7 @@ def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
     assert 1 <= len(caption.get_text().splitlines()) <= 3
 
 
+@pytest.mark.slow
 def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
     request = map_request(
         call_of("map pull-off --x radius=100nm:1um --y gamma=1mJ/m2:1J/m2 --mark quartz@100nm".split())
@@ -385,6 +393,7 @@ def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
     assert box.y0 > -0.01
 
 
+@pytest.mark.slow
 def test_curves_are_differ_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> None:
     run("map pull-off quartz,iron,graphite,gold --x radius=1nm:1um -o curves.svg")
     text = (tmp_path / "curves.svg").read_text(encoding="utf-8")
@@ -406,7 +415,7 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert all(any(model in text for text in shown) for model in models)
 
 
-@pytest.mark.parametrize("width", [85, 180])
+@pytest.mark.parametrize("width", [85, pytest.param(180, marks=pytest.mark.slow)])
 def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width: int) -> None:
     """No legend is half as high as its panel, no line of an axis' title ends with a comma, texts keep off the frame."""
     picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, None)
@@ -509,6 +518,7 @@ def test_a_branch_beyond_the_loads_is_not_in_the_key(run: Run) -> None:
     assert "fixed grips" not in out
 
 
+@pytest.mark.slow
 def test_the_pull_off_force_by_law_tends_to_its_limits(run: Run, tmp_path: Path) -> None:
     ran = run("figure laws --mark quartz@100nm,ice-warm@1um -o laws.svg --data -")
     rows = list(csv.DictReader(ran.out.splitlines()))
@@ -660,6 +670,7 @@ def drawing_of(svg: str) -> list[float]:
 
 
 @pytest.mark.parametrize(("words", "file", "rest"), SHOWN, ids=[file for _, file, _ in SHOWN])
+@pytest.mark.slow
 def test_the_pictures_of_the_readme_are_current(words: str, file: str, rest: str, tmp_path: Path) -> None:
     """Texts are the same, and lines within a tenth of a point, for every version of matplotlib."""
     assert f"](tests/data/{file})" in README.read_text(encoding="utf-8")
@@ -678,6 +689,7 @@ if __name__ == "__main__":
         written(words, rest, KEPT / file)
 
 
+@pytest.mark.slow
 def test_texts_of_marks_keep_apart() -> None:
     """From each other, from contours' and within the frame; where another dot is nearer, a line leads to its own."""
     marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"

@@ -90,17 +90,16 @@ def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
         unknowns.solutions(Problem(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene), 1)
 
 
-FAST = ("surface_energy",)  # for which all laws are tried in the fast tests
-
-
-def marks_of(name: str, model: str) -> list[pytest.MarkDecorator]:
-    """The marks of a test of an unknown under a law."""
-    return [pytest.mark.slow] if model != "jkr" and name not in FAST else []
+FAST = {("surface_energy", "jkr"), ("surface_energy", "maugis"), ("load", "jkr"), ("shear_strength", "jkr")}
 
 
 @pytest.mark.parametrize(
     ("name", "model"),
-    [pytest.param(*each, marks=marks_of(*each)) for each in product(MEASURED, LAWS) if each not in LACKING],
+    [
+        each if each in FAST else pytest.param(*each, marks=pytest.mark.slow)
+        for each in product(MEASURED, LAWS)
+        if each not in LACKING
+    ],
 )
 def test_arrays_give_what_floats_give(name: str, model: str) -> None:
     """Where the measured value alone varies, where some inputs vary, and where all do."""
