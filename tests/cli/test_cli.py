@@ -835,8 +835,10 @@ def test_inputs_stand_as_they_were_typed(run: Run) -> None:
     assert head == "R1 = R2 = 0.1 µm, γ = 0.025 J/m² per surface, E = 5e10 Pa, ν = .17, ξ = 2 Å, P = -500 pN".replace(
         " E = 5e10 Pa, ν = .17,", ""
     )
-    uncertain = run("pull-off 100nm --gamma 25±5mJ/m2", terminal=True).out
-    assert "γ = 25.0 ± 5.0 mJ/m²" in uncertain
+    uncertain = run("pull-off 100nm±5% --gamma 25+/-5mJ/m2", terminal=True).out
+    assert "R1 = R2 = 100 nm ± 5 %, γ = 25 ± 5 mJ/m² per surface" in uncertain
+    measured = run("infer gamma quartz 1um --measured P_c=.10(1)uN", terminal=True).out
+    assert "P_c = .10(1) µN" in measured
     assert "γ = 0.025 J/m²" in run("pull-off 100nm 1um --gamma 0.025J/m2", terminal=True).out
 
 

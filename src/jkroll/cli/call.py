@@ -6,6 +6,7 @@ from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+from ..answers.questions import quantity_named
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, materials_of_user
 from ..quantities.formatting import Format, amount
@@ -125,11 +126,10 @@ class Call:
 
     @property
     def typed(self) -> dict[str, str]:
-        """The inputs that have a single value without an uncertainty, as they were typed."""
-        single = {
-            name: spreads[0] for name, spreads in self.spreads.items() if not spreads[1:] and len(spreads[0]) == 1
-        }
-        return {name: as_typed(self.values[name]) for name, spread in single.items() if spread.uncertainty is None}
+        """The inputs and measured quantities that have a single value, as they were typed."""
+        measured = (text.partition("=") for text in self.measured)
+        texts = self.values | {quantity_named(word): value for word, _, value in measured}
+        return {name: as_typed(text) for name, text in texts.items() if "," not in text and ":" not in text}
 
     def _is_of_curve(self, name: str) -> bool:
         return self.curve and name == "load"

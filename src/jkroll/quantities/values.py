@@ -166,20 +166,25 @@ def split_number(text: str) -> tuple[int, int, str]:
     return int(sign + digits), int(exponent or 0) - len(fraction or ""), rest.removeprefix(" ")
 
 
+# A number, which may have an uncertainty in its own unit, and its unit.
+_TYPED = r"([+-]?[0-9.]+(?: ?\+[0-9.]+ ?/ ?-[0-9.]+| ?\([0-9.]+\))?\)?(?:[eE][+-]?[0-9]+)?) ?(?!to )([^±]*?)(?= ±| to |$)"
+
+
 def as_typed(text: str) -> str:
-    """Return a number with a unit as it was typed, with the unit as it is written. Any other text is unchanged.
+    """Return a value as it was typed, with its units as they are written. A word is unchanged.
 
     >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
     ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
+    >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
+    ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
     """
-    plain = normalized(text)
-    try:
-        *_, unit = split_number(plain)
-    except BadUnit:
-        return text
-    written = re.sub(r"\bu(?=[mgsNJP])", "µ", re.sub("angstroms?", "Å", unit))
-    written = re.sub(r"(?<=[A-Za-z])(?:\^|\*\*)?([-0-9]+)", lambda power: power[1].translate(RAISED), written)
-    return f"{plain.removesuffix(unit).strip()} {written}".strip()
+    spaced = re.sub(" ?± ?", " ± ", written(text))
+    return re.sub(_TYPED, lambda match: f"{match[1]} {_unit_as_written(match[2])}".strip(), spaced)
+
+
+def _unit_as_written(unit: str) -> str:
+    unit = re.sub(r"\bu(?=[mgsNJP])", "µ", re.sub("angstroms?", "Å", unit))
+    return re.sub(r"(?<=[A-Za-z])(?:\^|\*\*)?([-0-9]+)", lambda power: power[1].translate(RAISED), unit)
 
 
 def ratio(mantissa: int, exponent: int, unit: Unit) -> tuple[int, int]:
