@@ -159,14 +159,14 @@ def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
 
 
 def with_units_joined(text: str) -> str:
-    """Return a text with no-break spaces between a number and its unit, within a unit, and around an equals sign.
+    """Return a text with no-break spaces within a number with a unit, around = and ±, and before an option in brackets.
 
     >>> with_units_joined("M [fN m] is 5 fN m, 0.3 % less").replace(NO_BREAK_SPACE, "_")
     'M [fN_m] is 5_fN_m, 0.3_% less'
     """
     import re
 
-    joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)| (?==)|(?<= =) ", NO_BREAK_SPACE, text)
+    joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)| (?=[=±]|(?:load )?\(--)|(?<= [=±]) ", NO_BREAK_SPACE, text)
     return re.sub(r"(?<=[NJg]) (?=m(?:\b|[²^/]))", NO_BREAK_SPACE, joined)  # N m, kg m²
 
 

@@ -837,14 +837,14 @@ def test_inputs_stand_as_they_were_typed(run: Run) -> None:
     )
     uncertain = run("pull-off 100nm±5% --gamma 25+/-5mJ/m2", terminal=True).out
     assert "R1 = R2 = 100 nm ± 5 %, γ = 25 ± 5 mJ/m² per surface" in uncertain
-    measured = run("infer gamma quartz 1um --measured P_c=.10(1)uN", terminal=True).out
-    assert "P_c = .10(1) µN" in measured
+    measured = run("infer gamma quartz 1um --measured P_c=100(5)nN", terminal=True).out
+    assert "P_c = 100(5) nN" in measured
     assert "γ = 0.025 J/m²" in run("pull-off 100nm 1um --gamma 0.025J/m2", terminal=True).out
 
 
 def test_a_list_says_what_was_assumed_above_it_and_no_value_that_differs_by_the_row(run: Run) -> None:
     of_two = run("pull-off quartz,iron 100nm --material2 gold", terminal=True, together=True).out
-    assert "sphere 2: gold, R1 = R2 = 100 nm, γ2 = 790 mJ/m²\nassumed: w = 2√(γ1γ2) (--work-of-adhesion)\n" in of_two
+    assert "sphere 2: gold (γ2 = 790 mJ/m²), R1 = R2 = 100 nm\nassumed: w = 2√(γ1γ2) (--work-of-adhesion)\n" in of_two
     assert of_two.count("assumed") == 1
 
 

@@ -123,6 +123,11 @@ class Answer:
         given = sources.given if sources is not None else {}
         return {name: one for name, one in given.items() if name in self.inputs}
 
+    @property
+    def measures(self) -> "Mapping[str, float | str | Uncertain]":
+        """The inputs with their error bars."""
+        return {**self.inputs, **self.uncertain}
+
     @cached_property
     def laws(self) -> Mapping[str, Mapping[str, Any]]:
         """The results under the other law, and their distance from these."""

@@ -126,10 +126,10 @@ class Call:
 
     @property
     def typed(self) -> dict[str, str]:
-        """The inputs and measured quantities that have a single value, as they were typed."""
+        """The inputs and measured quantities that were given, as they were typed; empty for several values."""
         measured = (text.partition("=") for text in self.measured)
         texts = self.values | {quantity_named(word): value for word, _, value in measured}
-        return {name: as_typed(text) for name, text in texts.items() if "," not in text and ":" not in text}
+        return {name: "" if "," in text or ":" in text else as_typed(text) for name, text in texts.items()}
 
     def _is_of_curve(self, name: str) -> bool:
         return self.curve and name == "load"

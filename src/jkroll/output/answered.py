@@ -75,7 +75,7 @@ class Answered:
     @cached_property
     def inputs(self) -> Mapping[str, float | str | Uncertain]:
         """The inputs on which the results depend, in SI units, with their error bars."""
-        return {**self._found.inputs, **self._found.uncertain}
+        return self._found.measures
 
     @cached_property
     def doubts(self) -> tuple[Exceeded, ...]:

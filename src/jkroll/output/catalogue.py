@@ -46,23 +46,23 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of the properties of some materials."""
     from ..answers.notes import symbol_beside
-    from .table import column, write_rows
+    from .table import Column, input_column, write_table
 
     values = (
-        column(name, [_known(material, name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
+        input_column(name, [_known(material, name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
         for name in PROPERTIES
     )
-    head, *rows = zip(["material", *(material.name for material in chosen)], *values, strict=True)
-    write_rows(head, rows, out)
+    write_table([Column("material", [material.name for material in chosen], False), *values], out)
     say(f"\n{_OF_ONE}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of materials by sets: the surface energy of each, and how it was found."""
-    from .table import column, print_table
+    from .table import input_column, print_table, texts_as_columns
 
-    known = [_known(material, "surface_energy") for material in chosen]
-    head, *energies = column("surface_energy", known, AS_USUAL, "γ")
+    head, energies, *_ = input_column(
+        "surface_energy", [_known(one, "surface_energy") for one in chosen], AS_USUAL, "γ"
+    )
     rows: dict[str, list[tuple[str, str, str]]] = {}
     without: dict[str, list[str]] = {}
     for material, energy in zip(chosen, energies, strict=True):
@@ -74,7 +74,8 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     for title, names in without.items():
         rows[title].append(("  with --gamma", "–", ", ".join(names)))
     heads = ("material", head, "method or reference")
-    print_table(heads, [row for of_set in rows.values() for row in of_set], out, is_last_wrapped=True, anyway=True)
+    columns = texts_as_columns(heads, [row for of_set in rows.values() for row in of_set])
+    print_table(columns, out, is_last_wrapped=True)
     say(f"\n{_OF_ONE}; find some: jkroll materials WORD", out)
 
 
@@ -210,11 +211,11 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
     elif kind in ("table", "plain") and len(names) == 1:
         _write_quantity(names[0], out)
     elif kind == "table":
-        from .table import print_table
+        from .table import print_table, texts_as_columns
 
         for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names}).items():
             heads = (title, "symbol [unit]", "meaning")
-            print_table(heads, [*map(_quantity_table_row, members)], out, is_last_wrapped=True, anyway=True)
+            print_table(texts_as_columns(heads, map(_quantity_table_row, members)), out, is_last_wrapped=True)
             say("", out)
     else:
         write_records(_HEADS, map(_quantity_row, names), kind, out)

@@ -48,7 +48,7 @@ def _values(answer: Answer) -> str:
     """Return the sentence with the inputs, where their data come from, and which of them were assumed."""
     omitted = {"model", "energy"} if "energy_ratio" in answer.inputs else {"model"}  # the energy follows from its ratio
     texts = []
-    for name, value in {**answer.inputs, **answer.uncertain}.items():
+    for name, value in answer.measures.items():
         if name in omitted:
             continue
         quantity = NOMENCLATURE[name]

@@ -6,7 +6,7 @@ Text of a user or a file is never read as markup, and nothing is cut where it do
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..quantities.formatting import Format
+from ..quantities.formatting import Format, pretty
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import NOMENCLATURE
 from ..text import fitting, json_text, say, spelled
@@ -29,9 +29,10 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind:
     if kind == "json":
         say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
     elif kind == "table":
-        from .table import write_rows
+        from .table import texts_as_columns, write_table
 
-        write_rows(heads, [["—" if cell is None else _text(cell) for cell in record] for record in records], out)
+        rows = (["—" if cell is None else pretty(_text(cell)) for cell in record] for record in records)
+        write_table(texts_as_columns(heads, rows), out)
     else:
         write_columns(heads, [list(column) for column in zip(*records, strict=True)], kind, out)
 

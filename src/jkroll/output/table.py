@@ -1,9 +1,10 @@
 """Tables on a terminal, set by rich."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
+from itertools import zip_longest
 from math import isnan
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from rich import box
 from rich.console import Console
@@ -20,7 +21,7 @@ from ..quantities.values import of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA
 from ..scene.limits import OF_LAW, codes_of
-from ..text import NO_BREAK_SPACE, fitting, say, terminal_width, wrapped
+from ..text import fitting, say, say_wrapped, terminal_width
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -30,12 +31,21 @@ if TYPE_CHECKING:
     from ..rows.columns import Columns
 
 MAX_ACROSS = 20  # pairs that are tried as columns
-MIN_WRAPPED = 16  # characters of a column of texts on a narrow terminal
-GAP = 2  # between two columns
+LIST_WIDTH = 80  # of a list with texts in several lines, on a narrower terminal
+_UNLIMITED = 10_000  # width of a terminal on which every table fits
 _DIGITS = 4  # of a value on a terminal
 _OF_A_RANGE = 2  # of its ends
 _NONE = "–"
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}
+
+
+class Column(NamedTuple):
+    """A column of texts. Numbers are set to the right; `meaning` says what a result is."""
+
+    head: str
+    cells: Sequence[str]
+    is_right: bool = True
+    meaning: str = ""
 
 
 # --- One scene --------------------------------------------------------------------------------------------------------
@@ -46,39 +56,27 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
 
     What may stand in their place has columns beside them; those that do not fit are a second table.
     """
-    for line in _head(answer, form):
-        say(line, out)
-    beside = _beside(answer)
-    results = _rows(answer)
-    rows = [_result_cells(result, answer, beside, form) for result in results]
-    # Dimmed is what stands beside a headline, or has no value.
-    styles = ["dim" if NOMENCLATURE[one.name].note or one.value is None else "" for one in results]
-    own, *others = head_of(answer.scene.law.name), *(one.head for one in beside)
-
-    def is_printed(*heads: str, anyway: bool = False) -> bool:
-        texts = [[row[head] for head in heads] for row in rows]
-        return print_table(heads, texts, out, right={own, *others}, styles=styles, anyway=anyway)
-
-    grid, count = answer.question.grid, 0
-    if not grid or any(result.law for result in results) or not _print_grid(grid, answer, out, form):
-        fitting_counts = range(len(others), -1, -1)
-        count = next(
-            (one for one in fitting_counts if is_printed("quantity", "symbol", own, *others[:one], "unit")), -1
-        )
-        if count < 0:
-            is_printed("symbol", own, "unit", anyway=True)
-    left = beside[max(count, 0) :]
-    differing = {name for one in left for name, value in one.values.items() if value is not None}
-    rows = [row for row, result in zip(rows, results, strict=True) if result.name in differing]
-    styles = [""] * len(rows)
-    if rows:
+    _write_inputs([], answer.measures, answer.assumed, out, form)
+    results, others = _results(answer), _others(answer)
+    grid, printed = answer.question.grid, []
+    if not grid or any(result.law for result in results) or not print_table(_grid(grid, answer, form), out):
+        quantity, symbol, own, *columns, unit = _scene_columns(results, others, answer, form)
+        # Dimmed is what stands beside a headline, or has no value.
+        styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in results]
+        tables = ([quantity, symbol, own, *columns[:count], unit] for count in range(len(columns), -1, -1))
+        printed = next((table for table in tables if print_table(table, out, styles=styles)), [])
+        if not printed:
+            print_table([symbol, own, unit], out, styles=styles, anyway=True)
+    left = [one for one in others if one.head not in {column.head for column in printed}]
+    rest = [result for result in results if any(one.values.get(result.name) is not None for one in left)]
+    if rest:
         say("", out)
-        heads = ("symbol", *(one.head for one in left), "unit")
-        if not is_printed("quantity", *heads):
-            is_printed(*heads, anyway=True)
+        quantity, symbol, _, *columns, unit = _scene_columns(rest, left, answer, form)
+        if not print_table([quantity, symbol, *columns, unit], out):
+            print_table([symbol, *columns, unit], out, anyway=True)
 
 
-def _rows(answer: "Answer") -> "list[Result]":
+def _results(answer: "Answer") -> "list[Result]":
     """Return the results that have a row: those without a note of their own, or another result of the same value."""
     values = {result.value for result in answer.results if not NOMENCLATURE[result.name].note}
     return [
@@ -89,7 +87,7 @@ def _rows(answer: "Answer") -> "list[Result]":
     ]
 
 
-def _beside(answer: "Answer") -> "list[Alternative]":
+def _others(answer: "Answer") -> "list[Alternative]":
     """Return what has columns beside the results: what may stand in their place, and limits of theirs."""
     values = {result.name: result.value for result in answer.results}
     limits = [
@@ -100,22 +98,30 @@ def _beside(answer: "Answer") -> "list[Alternative]":
     return [*answer.alternatives, *limits]
 
 
-def _result_cells(result: "Result", answer: "Answer", beside: Sequence[Alternative], form: Format) -> dict[str, str]:
-    """Return the cells of a result and of what may stand in its place, by the heads of columns, all in one unit."""
-    name, own, value = result.name, head_of(answer.scene.law.name), result.measure
-    others = {one.head: one.values.get(name, None if value is None else f"as {own}") for one in beside}
-    numbers = [each for each in (value, *others.values()) if each is not None and not isinstance(each, str)]
-    unit = _unit(name, numbers[:1], form)
-    cells = {"quantity": NOMENCLATURE[name].sentence, "symbol": symbol_beside(name, answer.inputs)}
-    cells[own] = _cell(value, unit, form)
-    cells |= {one.head: _cell(others[one.head], unit, form, one.none) for one in beside}
-    return {**cells, "unit": pretty(unit[0]) if numbers else ""}
+def _scene_columns(
+    results: "Iterable[Result]", others: Sequence[Alternative], answer: "Answer", form: Format
+) -> list[Column]:
+    """Return the columns of results: words, symbols, values, what may stand in their place, and the unit of a row."""
+    own = head_of(answer.scene.law.name)
+    rows = []
+    for result in results:
+        name, value = result.name, result.measure
+        same = None if value is None else f"as {own}"
+        values = [value, *(one.values.get(name, same) for one in others)]
+        numbers = [each for each in values if each is not None and not isinstance(each, str)]
+        unit = _unit(name, numbers[:1], form)
+        nones = [_NONE, *(one.none for one in others)]
+        cells = [_cell(each, unit, form, none) for each, none in zip(values, nones, strict=True)]
+        words = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs)]
+        rows.append([*words, *cells, pretty(unit[0]) if numbers else ""])
+    heads = ["quantity", "symbol", own, *(one.head for one in others), "unit"]
+    columns = zip(heads, zip(*rows, strict=True), strict=True)
+    return [Column(head, cells, head not in ("quantity", "symbol", "unit")) for head, cells in columns]
 
 
-def _print_grid(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> bool:
-    """Print the table of a grid if it fits; return whether it did. Quantities of a cell stand below each other."""
-    measures: dict[str, Any] = {**answer.inputs, **answer.uncertain}
-    measures |= {result.name: result.measure for result in answer.results}
+def _grid(grid: "Grid", answer: "Answer", form: Format) -> list[Column]:
+    """Return the columns of a grid. Quantities of a cell stand below each other."""
+    measures: dict[str, Any] = {**answer.measures, **{result.name: result.measure for result in answer.results}}
 
     def with_unit(name: str) -> str:
         value = measures.get(name)
@@ -124,8 +130,9 @@ def _print_grid(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> bo
             unit = form.unit(name), Unit(1, 1, ())
         return f"{_cell(value, unit, form)} {pretty(unit[0])}".strip()
 
-    rows = [[label, *("\n".join(map(with_unit, names)) for names in cells)] for label, cells in grid.rows.items()]
-    return print_table(grid.heads, rows, out, right=grid.heads[1:])
+    cells = zip(*(["\n".join(map(with_unit, names)) for names in row] for row in grid.rows.values()), strict=True)
+    labels, *heads = grid.heads
+    return [Column(labels, [*grid.rows], False), *map(Column, heads, cells)]
 
 
 def _unit(name: str, values: "Sequence[float | Uncertain]", form: Format) -> tuple[str, Unit]:
@@ -160,23 +167,28 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     """
     pairs = _Pairs(columns, form)
     common = {name: values[0] for name, values in pairs.inputs.items() if len({*values}) == 1}
-    given = {name: value for name, value in common.items() if name not in assumed}
-    say(_broken([pairs.counted(common), *_described(given, form)]), out)
-    if assumed:
-        say(_broken([f"assumed: {', '.join(assumed.values())}"]), out)
+    _write_inputs([pairs.counted(common)], common, assumed, out, form)
     several = [name for name, values in pairs.inputs.items() if len({*values} - {None}) != 1]
-    leading = [name for name in several if not pairs.is_implied(name)]
-    results = [key for name in columns.wanted.names if name not in pairs.inputs for key in (name, *pairs.beside(name))]
-    results += [DOUBT] if any(pairs.doubts) else []
-    if pairs.is_printed([*leading, *results], out):
-        return
-    if len(columns) <= MAX_ACROSS and pairs.is_printed_across(leading, results, out):
+    leading = [pairs.of_input(name) for name in several if not pairs.is_implied(name)]
+    results = [column for name in columns.wanted.names if name not in pairs.inputs for column in pairs.of_result(name)]
+    results += [Column(DOUBT, pairs.doubts, False)] if any(pairs.doubts) else []
+    tables = [[*leading, *results], *(_across(leading, results) if len(columns) <= MAX_ACROSS else [])]
+    if any(print_table(table, out) for table in tables):
         return
     while results:
-        count = len(results)
-        while not pairs.is_printed([*leading, *results[:count]], out, anyway=count == 1):
-            count -= 1
-        results = results[count:]
+        counts = range(len(results), 0, -1)
+        is_printed = (print_table([*leading, *results[:count]], out, anyway=count == 1) for count in counts)
+        results = results[next(count for count, done in zip(counts, is_printed, strict=True) if done) :]
+
+
+def _across(leading: Sequence[Column], results: Sequence[Column]) -> list[list[Column]]:
+    """Return two tables with a column for each pair and a row for each result: with its meaning, and without."""
+    numbers = Column("pair", [str(number) for number, _ in enumerate(results[0].cells, 1)])
+    lines = ([column.head, *column.cells] for column in leading or [numbers])
+    head, *heads = map("\n".join, zip(*lines, strict=True))
+    symbols = Column(head, [column.head for column in results], False)
+    table = [symbols, *map(Column, heads, zip(*(column.cells for column in results), strict=True))]
+    return [[Column("quantity", [column.meaning for column in results], False), *table], table]
 
 
 class _Pairs:
@@ -213,167 +225,132 @@ class _Pairs:
         leader = self.inputs.get(_LEADERS.get(name, ""))
         if name == "surface_energy" or leader is None or None in leader:
             return False
-        pairs = {*zip(leader, self.inputs[name], strict=True)}
-        return len(pairs) == len({material for material, _ in pairs})
+        return len({*zip(leader, self.inputs[name], strict=True)}) == len({*leader})
 
-    def values(self, name: str) -> list[Any]:
-        """Return the values of a result, with their uncertainties if they have some; None is a gap."""
-        keys = self.columns.wanted.sides_of(name)
-        sides = [self.columns.column(key) for key in keys.values()]
+    def of_input(self, name: str) -> Column:
+        """Return the column of an input."""
+        return input_column(name, self.inputs[name], self.form, symbol_beside(name, self.inputs))
+
+    def of_result(self, name: str) -> list[Column]:
+        """Return the columns of a result: by the other law where that moves a result of the pairs, and by data."""
+        values, symbol = self._measures(name), symbol_beside(name, self.inputs)
+        unit = _unit(name, [value for value in values if value is not None], self.form)
+
+        def cells(values: Iterable[Any], none: str = _NONE) -> list[str]:
+            return [_cell(value, unit, self.form, none) for value in values]
+
+        head = f"{symbol} [{pretty(unit[0])}]" if unit[0] else symbol
+        columns = [Column(head, cells(values), meaning=NOMENCLATURE[name].sentence)]
+        keys = self.columns.wanted.beside(name)
+        if DEFAULT_LAW in keys or any(bits & OF_LAW for bits in as_list(self.columns.doubts)):
+            of_laws = {law: self._measures(key) for law, key in keys.items() if law in LAWS}
+            columns += [Column(f"{symbol} by {head_of(law)}", cells(of_law)) for law, of_law in of_laws.items()]
+        if DATA[0] in keys:
+            ends = (self._measures(keys[end]) for end in DATA)
+            ranges = [between(low, high) for low, high in zip(*ends, strict=True)]
+            columns += [Column("by data", cells(ranges, "no data"))] if any(ranges) else []
+        return columns
+
+    def _measures(self, key: str) -> list[Any]:
+        """Return the values of a column of results, with their uncertainties if they have some; None is a gap."""
+        keys = self.columns.wanted.sides_of(key)
+        sides = (self.columns.column(each) for each in keys.values())
         return [
             None if isnan(value) else of_sides(float(value), dict(zip(keys, of_row, strict=True)))
-            for value, *of_row in zip(self.columns.column(name), *sides, strict=True)
+            for value, *of_row in zip(self.columns.column(key), *sides, strict=True)
         ]
 
-    def beside(self, name: str) -> list[str]:
-        """Return the keys of the columns beside a quantity: by the other law where that moves a result, and by data."""
-        keys = self.columns.wanted.beside(name)
-        law_matters = any(bits & OF_LAW for bits in as_list(self.columns.doubts)) or DEFAULT_LAW in keys
-        has_data = DATA[0] in keys and not all(map(isnan, self.columns.column(keys[DATA[0]])))
-        wanted = {*(LAWS if law_matters else ()), *(DATA[:1] if has_data else ())}
-        return [key for kind, key in keys.items() if kind in wanted]
 
-    def column(self, key: str) -> list[str]:
-        """Return the head and the cells of a column: of an input, of a result, or of what may stand in its place."""
-        name, _, kind = key.partition("_by_")
-        if key == DOUBT:
-            return [DOUBT, *self.doubts]
-        symbol = symbol_beside(name, self.inputs)
-        if name in self.inputs:
-            return column(name, self.inputs[name], self.form, symbol)
-        values = self.values(name)
-        unit = _unit(name, [value for value in values if value is not None], self.form)
-        head, none = f"{symbol} [{pretty(unit[0])}]" if unit[0] else symbol, _NONE
-        if kind in DATA:
-            ends = [self.columns.column(f"{name}_by_{end}") for end in DATA]
-            values = [None if isnan(low) else between(low, high) for low, high in zip(*ends, strict=True)]
-            head, none = "by data", "no data"
-        elif kind:
-            values = [None if isnan(value) else float(value) for value in self.columns.column(key)]
-            head = f"{symbol} by {head_of(kind)}"
-        return [head, *(_cell(value, unit, self.form, none) for value in values)]
+def input_column(name: str, values: Sequence[Any], form: Format, symbol: str) -> Column:
+    """Return the column of an input, with all digits; the head has a unit that suits all values."""
+    unit = form.common_unit(name, [value for value in values if value is not None and not isinstance(value, str)])
 
-    def is_printed(self, names: Sequence[str], out: TextIO, *, anyway: bool = False) -> bool:
-        """Print a table with a row for each pair, if it fits or anyway, and return whether it was printed."""
-        heads, *rows = zip(*map(self.column, names), strict=True)
-        words = {name for name in (*self.inputs, DOUBT) if name == DOUBT or NOMENCLATURE[name].is_word}
-        right = [head for head, name in zip(heads, names, strict=True) if name not in words]
-        return print_table(heads, rows, out, right=right, anyway=anyway)
+    def text(value: Any) -> str:
+        if value is None:
+            return _NONE
+        return amount(name, value, form) if unit is None else form.in_unit(value, unit)
 
-    def is_printed_across(self, leading: Sequence[str], results: Sequence[str], out: TextIO) -> bool:
-        """Print a table with a column for each pair and a row for each result, with words or without, if it fits."""
-        numbers = ["pair", *(str(number) for number in range(1, len(self.columns) + 1))]
-        heads = ["\n".join(texts) for texts in zip(*([*map(self.column, leading)] or [numbers]), strict=True)]
-        rows = [self.column(key) for key in results]
-        words = [NOMENCLATURE[key].sentence if key in NOMENCLATURE else "" for key in results]
-        worded = [[word, *row] for word, row in zip(words, rows, strict=True)]
-        return print_table(["quantity", *heads], worded, out, right=heads[1:]) or print_table(
-            heads, rows, out, right=heads[1:]
-        )
-
-
-def column(name: str, values: Sequence[Any], form: Format, symbol: str) -> list[str]:
-    """Return the head and the cells of a column of inputs, with all digits; the head has a unit that suits all."""
-    numbers = [value for value in values if value is not None and not isinstance(value, str)]
-    if not (unit := form.common_unit(name, numbers)):
-        return [symbol, *(_NONE if value is None else amount(name, value, form) for value in values)]
-    return [
-        f"{symbol} [{pretty(unit[0])}]",
-        *(_NONE if value is None else form.in_unit(value, unit) for value in values),
-    ]
+    head = symbol if unit is None else f"{symbol} [{pretty(unit[0])}]"
+    return Column(head, [*map(text, values)], not NOMENCLATURE[name].is_word)
 
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
 
 
-def _head(answer: "Answer", form: Format) -> Iterator[str]:
-    """Iterate over the lines above a table: the inputs that were given, and those that were assumed."""
-    given = {name: one for name, one in {**answer.inputs, **answer.uncertain}.items() if name not in answer.assumed}
-    if "energy_ratio" in answer.inputs:
-        given.pop("energy", None)  # which follows from it
-    if parts := _described(given, form, answer.scene.data):
-        yield _broken(parts)
-    for note in answer.notes:
-        if note.kind == "assumed":
-            yield _broken([note.text])
+def _write_inputs(
+    lead: Sequence[str],
+    inputs: "Mapping[str, float | str | Uncertain]",
+    assumed: Mapping[str, str],
+    out: TextIO,
+    form: Format,
+) -> None:
+    """Write a line with the inputs that were given, behind a lead, and one with what was assumed."""
+    follows = ["energy"] if "energy_ratio" in inputs else []
+    given = {name: value for name, value in inputs.items() if name not in (*assumed, *follows)}
+    if texts := [*lead, *_described(given, form)]:
+        say_wrapped(", ".join(texts), out)
+    if assumed:
+        say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
 
 
-def _described(
-    inputs: "Mapping[str, float | str | Uncertain]", form: Format, of_materials: Collection[str] = ()
-) -> list[str]:
+def _described(inputs: "Mapping[str, float | str | Uncertain]", form: Format) -> Iterable[str]:
     """Return inputs in words: materials with the values that are theirs in brackets, and what was typed."""
     texts = {name: f"{symbol_beside(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
     if "surface_energy" in texts and "surface_energy2" not in texts:
         texts["surface_energy"] += " per surface"
     if "radius2" in texts and inputs["radius2"] in (inputs.get("radius"), "plane"):
-        is_plane = inputs["radius2"] == "plane"
         radius = amount("radius", inputs["radius"], form)
-        texts["radius"] = f"R1 = {radius} on a plane" if is_plane else f"R1 = R2 = {radius}"
+        texts["radius"] = f"R1 = {radius} on a plane" if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
         del texts["radius2"]
     for leader in ("material", "material2"):
         if leader in texts:
-            own = [name for name in texts if _LEADERS.get(name) == leader and name in of_materials]
-            data = ", ".join(texts.pop(name) for name in own)
+            data = [texts.pop(name) for name in inputs if _LEADERS.get(name) == leader and name not in form.typed]
             solid = inputs[leader] if "material" in inputs else f"sphere 2: {inputs[leader]}"
-            texts[leader] = f"{solid} ({data})" if data else str(solid)
-    return [*texts.values()]
-
-
-def _broken(parts: Iterable[str]) -> str:
-    """Return parts of a sentence as one, in lines that fit; what belongs together stays so."""
-    joined = ", ".join(parts).replace(" (--", f"{NO_BREAK_SPACE}(--").replace("no load", f"no{NO_BREAK_SPACE}load")
-    return "\n".join(wrapped(joined, terminal_width(), 2))
+            texts[leader] = f"{solid} ({', '.join(data)})" if data else str(solid)
+    return texts.values()
 
 
 # --- Texts ------------------------------------------------------------------------------------------------------------
 
 
-def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
+def texts_as_columns(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> list[Column]:
+    """Return rows of texts as columns, which are set to the left."""
+    return [Column(head, cells, False) for head, *cells in zip(heads, *rows, strict=True)]
+
+
+def write_table(columns: Sequence[Column], out: TextIO) -> None:
     """Write a table of texts, or, on a terminal too narrow for it, a line for each cell."""
-    if not print_table(heads, [list(map(pretty, row)) for row in rows], out):
-        for row in rows:
-            for head, cell in zip(heads, row, strict=True):
-                say(f"{head}: {cell}", out)
+    if not print_table(columns, out):
+        for cells in zip(*(column.cells for column in columns), strict=True):
+            for column, cell in zip(columns, cells, strict=True):
+                say(f"{column.head}: {cell}", out)
 
 
 def print_table(
-    heads: Sequence[str],
-    rows: Sequence[Sequence[str]],
+    columns: Sequence[Column],
     out: TextIO,
     *,
-    right: Collection[str] = (),
     styles: Sequence[str] = (),
     is_last_wrapped: bool = False,
     anyway: bool = False,
 ) -> bool:
     """Print a table of texts if the terminal is wide enough for it, or anyway, and return whether it was printed.
 
-    The columns named in `right` are set to the right; the last may be broken into lines, within a word that is too
-    long. `styles`: of each row.
+    `styles`: of each row. The last column may be broken into lines, and then the table is printed anyway.
     """
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, show_edge=False)
+    for column in columns:
+        table.add_column(fitting(column.head, out), justify="right" if column.is_right else "left", no_wrap=True)
+    rows = zip(*(column.cells for column in columns), strict=True)
+    for row, style in zip_longest(rows, styles, fillvalue=""):
+        table.add_row(*(Text(fitting(cell, out)) for cell in row), style=style)
     console = Console(file=out, width=terminal_width(), highlight=False, markup=False, emoji=False)
-    unlimited = console.options.update(width=10_000)
-    of_rows = zip(rows, styles or [""] * len(rows), strict=True)
-    texts = [[Text(fitting(cell, out), style) for cell in row] for row, style in of_rows]
-    least = GAP * (len(heads) - 1)
-    for place, head in enumerate(heads):
-        is_wrapped = is_last_wrapped and head == heads[-1]
-        title = Text(fitting(head, out))
-        width = max(
-            console.measure(text, options=unlimited).maximum for text in (title, *(row[place] for row in texts))
-        )
-        least += min(width, MIN_WRAPPED) if is_wrapped else width
-        table.add_column(
-            title,
-            justify="right" if head in right else "left",
-            no_wrap=not is_wrapped,
-            overflow="fold" if is_wrapped else "ellipsis",
-        )
-    if least > console.width and not anyway:
+    width = console.measure(table, options=console.options.update(width=_UNLIMITED)).maximum
+    if is_last_wrapped:
+        table.columns[-1].no_wrap, table.columns[-1].overflow = False, "fold"
+        width = LIST_WIDTH
+    elif width > console.width and not anyway:
         return False
-    for row in texts:
-        table.add_row(*row)
-    console.width = max(least, console.width)
+    console.width = max(console.width, width)
     console.print(table)
     return True

@@ -28,7 +28,7 @@ class Format(NamedTuple):
 
     units: Mapping[str, tuple[str, Unit]] = MappingProxyType({})  # by quantity: the unit to convert to
     digits: int | None = None
-    typed: Mapping[str, str] = MappingProxyType({})  # inputs of a single value, as they were typed
+    typed: Mapping[str, str] = MappingProxyType({})  # inputs as they were typed; empty for several values
 
     def unit(self, name: str) -> str:
         """Return the unit in which a quantity is written for a program."""
@@ -145,8 +145,8 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
     >>> [amount("surface_energy", value_of(text, "surface_energy")) for text in texts]
     ['25.0 ± 5.0 mJ/m²', '25.0 +6.0/-4.0 mJ/m²', '20 to 30 mJ/m²']
     """
-    if name in form.typed:
-        return form.typed[name]
+    if typed := form.typed.get(name):
+        return typed
     number, unit = form.rounded(name, value)
     return f"{number} {pretty(unit)}".strip()
 

@@ -167,7 +167,8 @@ def split_number(text: str) -> tuple[int, int, str]:
 
 
 # A number, which may have an uncertainty in its own unit, and its unit.
-_TYPED = r"([+-]?[0-9.]+(?: ?\+[0-9.]+ ?/ ?-[0-9.]+| ?\([0-9.]+\))?\)?(?:[eE][+-]?[0-9]+)?) ?(?!to )([^±]*?)(?= ±| to |$)"
+_TYPED_NUMBER = r"[+-]?[0-9.]+(?: ?\+[0-9.]+ ?/ ?-[0-9.]+| ?\([0-9.]+\))?\)?(?:[eE][+-]?[0-9]+)?"
+_TYPED = rf"({_TYPED_NUMBER}) ?(?!to )([^±]*?)(?= ±| to |$)"
 
 
 def as_typed(text: str) -> str:
