@@ -261,8 +261,8 @@ def _ends(scene: Scene, name: str) -> Iterator[Scene]:
     yield scene
     sources = sources_of(scene, scene.inputs_of(name)).entering
     for source in sources:
-        yield from (scene.replace(**dict.fromkeys(source.names, end)) for end in source.ends)
-    for corner in product(*(source.ends for source in sources)):
+        yield from (scene.replace(**dict.fromkeys(source.names, end)) for end in (source.given.low, source.given.high))
+    for corner in product(*((source.given.low, source.given.high) for source in sources)):
         ends = zip(sources, corner, strict=True)
         yield scene.replace(**{each: end for source, end in ends for each in source.names})
 

@@ -26,7 +26,7 @@ from jkroll.scene.uncertainty import (
     Source,
     TooManyRanges,
     uncertainties,
-    uncertainties_of_elements,
+    uncertainties_of,
 )
 from relative import approx
 from scenes import QUARTZ
@@ -377,7 +377,7 @@ def test_elements_have_the_uncertainties_of_their_scenes(given: Uncertain) -> No
     """And none where no source moves a result, as R1/R2 on a plane, which is zero."""
     radii2, names = [math.inf, 1e-7, 3e-7], ["radius_ratio", "pull_off_force"]
     scene = Scene({**QUARTZ, "radius2": numpy.array(radii2)})
-    elements = uncertainties_of_elements(scene, scene.numbers(*names), [Source(("radius",), given)])
+    elements = uncertainties_of(scene.numbers(*names), scene, [Source(("radius",), given)])
     for place, radius2 in enumerate(radii2):
         alone, _ = uncertainties(Scene({**QUARTZ, "radius": given, "radius2": radius2}), names)
         known = {name: one.uncertainty for name, one in alone.items() if isinstance(one, Propagated)}
@@ -397,7 +397,7 @@ def test_elements_have_the_uncertainties_of_their_scenes(given: Uncertain) -> No
 def test_elements_of_a_quantity_that_is_the_same_in_all_may_have_no_uncertainty(given: Uncertain) -> None:
     scene = Scene({**QUARTZ, "radius2": numpy.array([1e-7, 3e-7])})
     values = {"contact_modulus": numpy.full(2, scene["contact_modulus"])}
-    bar = uncertainties_of_elements(scene, values, [Source(("radius",), given)])["contact_modulus"]
+    bar = uncertainties_of(values, scene, [Source(("radius",), given)])["contact_modulus"]
     assert isinstance(bar, Propagated)
     arrays: Any = bar.uncertainty
     assert arrays.low.tolist() == arrays.high.tolist() == values["contact_modulus"].tolist()

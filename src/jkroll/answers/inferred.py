@@ -16,6 +16,8 @@ from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
+from ..scene.uncertainty import uncertainties_of_unknowns
+from ..scene.unknowns import solution
 from ..text import listed
 from .alternatives import Alternative, head_of
 from .answer import Answer
@@ -45,8 +47,6 @@ class Inferred(Answer):
 
     def __init__(self, problem: Problem) -> None:
         """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
-        from ..scene.unknowns import solution
-
         self.problem = problem
         self.question = Question(problem.unknowns, problem.unknowns)
         try:
@@ -94,17 +94,15 @@ class Inferred(Answer):
 
     @cached_property
     def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        if self.solution is None or not self.problem.is_uncertain:
-            return {}, None
-        from ..scene.uncertainty import uncertainties_of_unknowns
+        return ({}, None) if self.solution is None else self._bars(self.solution)
 
-        return uncertainties_of_unknowns(self.solution)
+    def _bars(self, solution: Solution) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
+        """Return the error bars of a solution and their sources, if anything is uncertain."""
+        return uncertainties_of_unknowns(solution) if self.problem.is_uncertain else ({}, None)
 
     @cached_property
     def _by_law(self) -> dict[str, Solution]:
         """The solution under each other law of attraction that has the measured quantities by other formulas."""
-        from ..scene.unknowns import solution
-
         steps = self.scene.plan(*self.problem.measured).steps
         solutions: dict[str, Solution] = {}
         for law in LAWS:
@@ -126,15 +124,9 @@ class Inferred(Answer):
 
     def _measures(self, solution: Solution) -> dict[str, Any]:
         """Return the values of a solution, with their error bars."""
-        if not self.problem.is_uncertain:
-            return dict(solution.values)
-        from ..scene.uncertainty import uncertainties_of_unknowns
-
-        bars, _ = uncertainties_of_unknowns(solution)
-        propagated = {name: propagated_of(bars, name) for name in solution.values}
-        return {
-            name: bar.uncertainty if (bar := propagated[name]) else value for name, value in solution.values.items()
-        }
+        bars, _ = self._bars(solution)
+        results = [Result(name, value, propagated=propagated_of(bars, name)) for name, value in solution.values.items()]
+        return {result.name: result.measure for result in results}
 
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:
@@ -171,24 +163,20 @@ class Inferred(Answer):
     def _proofs(self, solution: Solution) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""
         names, forward = [*solution.values], solution.forward
-        symbols = {name: NOMENCLATURE[name].symbol for name in (*names, *forward)}
         for name, value in solution.values.items():
             if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
                 yield Note("caveat", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
-        for name in names:
             if name in _RAISING and not _LOSING.isdisjoint(forward):
-                symbol = symbol_beside(name, solution.scene.given)
-                text = f"{symbol} is an upper limit: other losses of the collision are taken for it"
-                yield Note("caveat", text)
-        for name in names:
-            yield from _unused(name, [*forward], solution.scene)
+                symbol = symbol_beside(name, self.scene.given)
+                yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
+            yield from _unused(name, [*forward], self.scene)
         if names[1:]:
             proof = f"{_equal(solution.values)} give {_equal(forward)}; κ = {solution.condition:.3g}"
             yield Note("model", proof)
             yield Note("model", f"scanned: {sizes_in_words(names)}, {PER_DECADE} values a decade")
             return
-        proof = f"{_equal(solution.values)} gives {_equal(forward)}{_of_both(names[0], solution.scene)}"
-        slope = "/".join(f"d ln {symbol}" for symbol in symbols.values())
+        proof = f"{_equal(solution.values)} gives {_equal(forward)}{_of_both(names[0], self.scene)}"
+        slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*names, *forward))
         yield Note("model", f"{proof}; κ = |{slope}| = {solution.condition:.3g}")
 
     @cached_property

@@ -252,6 +252,11 @@ class Measured(_Measured):
         """The uncertainty on each side."""
         return {"minus": self.minus, "plus": self.plus}
 
+    @property
+    def spread(self) -> float:
+        """The standard deviation of smaller values."""
+        return self.minus
+
     def as_object(self) -> dict[str, float | str]:
         """Return the uncertainty as JSON states it."""
         return {"kind": self.kind, **self.sides}
@@ -287,6 +292,11 @@ class Interval(_Interval):
     def sides(self) -> dict[str, float]:
         """Both ends."""
         return {"low": self.low, "high": self.high}
+
+    @property
+    def spread(self) -> float:
+        """No standard deviation: nothing lies beyond the ends."""
+        return 0.0
 
     def as_object(self) -> dict[str, float | str]:
         """Return the range as JSON states it."""

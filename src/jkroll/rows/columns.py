@@ -347,7 +347,7 @@ def fill_sides(
                 numbers[key] = bar.uncertainty.sides[side]
 
 
-def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[str] = ()) -> LeftOut | None:
+def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Collection[str] = ()) -> LeftOut | None:
     """Return the remark on uncertainties without columns, if there are some. Raises NotShown if a cell has one.
 
     `stated`: what has an uncertainty in a cell, beside the inputs of the scene.
@@ -453,8 +453,7 @@ class _Arrays:
         if (remark := left_out(self.wanted, self.scene, sources)) is not None:
             self.columns.add_remark(remark)
             return numpy.zeros(self.size, dtype=bool)
-        bars = uncertainty.uncertainties_of_elements(self.scene, values, sources.entering)
-        return self.columns.put_sides(bars)
+        return self.columns.put_sides(uncertainty.uncertainties_of(values, self.scene, sources.entering))
 
 
 def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:

@@ -3,7 +3,9 @@
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from math import nan, prod
-from typing import TYPE_CHECKING, Any, overload
+from typing import Any, overload
+
+import numpy
 
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material, Materials
@@ -15,13 +17,12 @@ from ..scene.inverse import SIZES, Problem, already_given, input_named
 from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
+from ..scene.uncertainty import uncertainties_of_unknowns
+from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
-from .columns import Columns, LeftOut, NotShown, Row, Wanted, fill_sides, left_out, put_row, repeated
+from .columns import Columns, NotShown, Row, Wanted, fill_sides, left_out, put_row, repeated
 from .reasons import ROW, UNCERTAINTY, Reasons
 from .sweep import Pair, Sweep
-
-if TYPE_CHECKING:
-    pass
 
 _WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
 _ONE = "is not one quantity and its value", '"pull_off_force": "300 nN"'
@@ -41,9 +42,7 @@ class Unknowns(Wanted):
 
     def row(self, scene: Problem) -> Row:
         """Return the row of measured numbers."""
-        from ..scene.unknowns import solution
-
-        sources = self.sources_in(scene) if self.known_sides else None
+        sources = self.sources_in(scene) if self.uncertainties else None
         inputs = scene.echo() | ({} if sources is None else sources.given)
         try:
             solved = solution(scene)
@@ -51,24 +50,21 @@ class Unknowns(Wanted):
             return Row(inputs, [nan] * len(self.keys), 0, self._reasons(error))
         numbers = dict(solved.values)
         reasons: dict[str, JkrollError] = {}
-        if (remark := self._left_out(scene)) is not None:
-            reasons[UNCERTAINTY] = remark
-        elif sources is not None:
-            from ..scene.uncertainty import uncertainties_of_unknowns
-
-            fill_sides(self, uncertainties_of_unknowns(solved)[0], numbers, reasons)
+        if sources is not None:
+            if (remark := left_out(self, scene.scene, sources, scene.uncertain)) is not None:
+                reasons[UNCERTAINTY] = remark
+            else:
+                fill_sides(self, uncertainties_of_unknowns(solved)[0], numbers, reasons)
         bits = bits_of(doubts(solved.scene, [*scene.measured])) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
     def columns(self, scene: Problem, size: int, scene_of: Callable[[int], Any]) -> Columns:
         """Return the columns of arrays of measured values; `scene_of` returns a row by itself."""
-        import numpy
-
-        from ..scene.unknowns import solutions
-
-        if self._may_be_of_both(scene):
-            raise NotShown  # each row by itself says of which spheres an unknown is
-        remark = self._left_out(scene)
+        solids = [solid.name for solid, _ in scene.scene.materials]
+        if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
+            raise NotShown  # solids of many rows have no name: each row by itself says of which spheres an unknown is
+        sources = self.sources_in(scene) if self.uncertainties else None
+        remark = left_out(self, scene.scene, sources, scene.uncertain) if sources is not None else None
         solved, inputs = solutions(scene, size), scene.echo()
         of_rows = {name: repeated(inputs.get(name), size) for name in self.inputs}
         numbers = numpy.full((len(self.keys), size), nan)
@@ -78,16 +74,12 @@ class Unknowns(Wanted):
         for row, error in solved.failures.items():
             columns.tell([row], self._reasons(error), is_empty=True)
         if self.doubts and len(solved.failures) < size:
-            some = {
-                name: numpy.where(numpy.isnan(values), SIZES[name][1], values) for name, values in solved.values.items()
-            }
-            columns.doubts[...] = bits_of(doubts(scene.with_values(some), [*scene.measured]))
+            values = {name: numpy.nan_to_num(values, nan=SIZES[name][1]) for name, values in solved.values.items()}
+            columns.doubts[...] = bits_of(doubts(scene.with_values(values), [*scene.measured]))
             columns.doubts[[*solved.failures]] = 0
         if remark is not None:
             columns.add_remark(remark)
-        elif self.known_sides and scene.is_uncertain:
-            from ..scene.uncertainty import uncertainties_of_unknowns
-
+        elif sources is not None:
             for row in numpy.flatnonzero(columns.put_sides(uncertainties_of_unknowns(solved)[0])).tolist():
                 put_row(columns, row, partial(scene_of, row))
         return columns
@@ -96,22 +88,6 @@ class Unknowns(Wanted):
         """Return the reason of a row without a solution: of each unknown, or of both together."""
         is_of_both = len(self.names) > 1 and isinstance(error, NoResult)
         return dict.fromkeys([ROW] if is_of_both else self.names, error)
-
-    def _left_out(self, scene: Problem) -> LeftOut | None:
-        """Return the remark on uncertainties without columns, if there are some. Raises NotShown if a cell has one."""
-        if not self.uncertainties or (sources := self.sources_in(scene)) is None:
-            return None
-        stated = [name for name, value in scene.measured.items() if is_uncertain(value)]
-        return left_out(self, scene.scene, sources, stated=stated)
-
-    def _may_be_of_both(self, scene: Problem) -> bool:
-        """Return whether an unknown may be that of both spheres: the materials of many rows together have no name."""
-        solids = [solid for solid in (scene.scene.material, scene.scene.material2) if solid is not None]
-        return (
-            len(solids) > 1
-            and any(name in PROPERTIES for name in self.names)
-            and not all(solid.name for solid in solids)
-        )
 
 
 class Problems(Sweep):
@@ -237,11 +213,6 @@ def infer(
     arrays = {each: value for each, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
     if has_bars := any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
-    import numpy
-
-    from ..scene.uncertainty import uncertainties_of_unknowns
-    from ..scene.unknowns import solution, solutions
-
     shape = broadcast(arrays)
     flat = {each: numpy.broadcast_to(value, shape).ravel() for each, value in arrays.items()}
     whole = Problem.of(names, [*known], {**inputs, **flat}, *spheres, model=model)

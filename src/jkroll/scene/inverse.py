@@ -6,6 +6,7 @@ Here stand the inputs that can be unknown, the problem, its solution, and why it
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
 from math import inf
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
@@ -13,9 +14,9 @@ from ..materials.library import Material
 from ..quantities.errors import nearest
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
-from ..quantities.values import is_uncertain
+from ..quantities.values import Uncertain, is_uncertain
 from ..text import listed, quoted
-from .failures import MAX_DIGITS, Contradiction, MissingInput
+from .failures import MAX_DIGITS, MissingInput
 from .scene import EXCLUSIVE, Scene
 
 Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
@@ -187,9 +188,14 @@ class Problem(NamedTuple):
         return {name: value.value if is_uncertain(value) else value for name, value in self.measured.items()}
 
     @property
+    def uncertain(self) -> dict[str, Uncertain]:
+        """The measured values that have an uncertainty."""
+        return {name: value for name, value in self.measured.items() if is_uncertain(value)}
+
+    @property
     def is_uncertain(self) -> bool:
         """True if a measured value, or something in the scene, has an uncertainty."""
-        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
+        return bool(self.uncertain) or self.scene.is_uncertain
 
     def names_of(self, unknown: str) -> tuple[str, ...]:
         """Return the names of an unknown in the scene: those of both spheres if one material was named for both."""
@@ -206,18 +212,16 @@ class Problem(NamedTuple):
         """Return the scene with placeholders for the unknowns, the largest values."""
         return self.with_values({name: SIZES[name][1] for name in self.unknowns})
 
-    def replace(self, changed: Values) -> "Problem":
-        """Return the problem with other values of some inputs and measured quantities, without uncertainties."""
-        middles = {name: given.value for name, given in self.scene.uncertain.items()}
-        others = {name: value for name, value in changed.items() if name not in self.measured}
-        levels = {name: changed.get(name, level) for name, level in self.levels.items()}
-        return self._replace(measured=levels, scene=self.scene.replace(**{**middles, **others}))
+    def rows(self, rows: Any, changed: Values = MappingProxyType({})) -> "Problem":
+        """Return the problem of some elements of the arrays, with other values of some inputs and measured quantities.
 
-    def rows(self, rows: Any) -> "Problem":
-        """Return the problem of some elements of the arrays."""
-        levels = {name: level[rows] if getattr(level, "shape", ()) else level for name, level in self.levels.items()}
-        arrays = {name: value[rows] for name, value in self.scene.arrays.items()}
-        return self._replace(measured=levels, scene=self.scene.replace(**arrays) if arrays else self.scene)
+        None of them has an uncertainty.
+        """
+        middles = {name: given.value for name, given in self.scene.uncertain.items()}
+        arrays = {name: value for name, value in self.levels.items() if getattr(value, "shape", ())} | self.scene.arrays
+        given = {**middles, **{name: value[rows] for name, value in arrays.items()}, **changed}
+        levels = {name: given.pop(name, level) for name, level in self.levels.items()}
+        return self._replace(measured=levels, scene=self.scene.replace(**given) if given else self.scene)
 
     def missing(self, names: Sequence[str]) -> Iterable[str]:
         """Return the unknowns if the scene lacks an input without which the measured quantities have no value."""
@@ -237,22 +241,14 @@ class Problem(NamedTuple):
         """Raise the error of a problem that has no solution whatever the measured values are."""
         for name in self.unknowns:
             input_named(name)
-        if len(self.unknowns) > 1 and any({*self.unknowns} <= {*names} for names in EXCLUSIVE):
-            raise Contradiction(self.unknowns)
         for name, quantity in product(self.unknowns, self.measured):
             self._check_given(name, quantity)
         scene = self.filled()
-        depends = {quantity: {*self.unknowns}.intersection(scene.inputs_of(quantity)) for quantity in self.measured}
-        if len(self.unknowns) == 1:
-            if not all(depends.values()) or self.unknowns[0] in self.measured:
-                raise NoDependence(self)
-            return
-        for quantity, names in depends.items():
-            if not names:
-                raise Unseparated(self, f"{quantity} depends on neither")
-        for name in self.unknowns:
-            if not any(name in names for names in depends.values()):
-                raise Unseparated(self, f"they leave {NOMENCLATURE[name].symbol} open")
+        inputs_of = {quantity: scene.inputs_of(quantity) for quantity in self.measured}
+        for quantity, inputs in inputs_of.items():
+            if self.unknowns == (quantity,) or {*self.unknowns}.isdisjoint(inputs):
+                is_one = len(self.unknowns) == 1
+                raise NoDependence(self) if is_one else Unseparated(self, f"{quantity} depends on neither")
 
     def _check_given(self, unknown: str, quantity: str) -> None:
         """Raise AlreadyGiven if the scene has the unknown, the measured quantity, or what these follow from."""

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from ..errors import JkrollError
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
-from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
+from ..quantities.values import Interval, Measured, Uncertain
 from .inverse import Problem, Solution
 from .scene import Scene
 from .wiring import in_order
@@ -50,11 +50,6 @@ class Source(NamedTuple):
 
     names: tuple[str, ...]
     given: Uncertain
-
-    @property
-    def ends(self) -> tuple[float, float]:
-        """The ends of the uncertainty."""
-        return self.given.low, self.given.high
 
 
 class Sources(NamedTuple):
@@ -122,8 +117,7 @@ def sources_of_results(scene: Scene | Problem, names: Sequence[str]) -> Sources:
     """Return the sources that enter quantities of a scene, as far as it allows them, or the unknowns of a problem."""
     if isinstance(scene, Scene):
         return sources_of(scene, scene.inputs_of(*scene.possible(names)))
-    of_measured = [Source((quantity,), given) for quantity, given in scene.measured.items() if is_uncertain(given)]
-    return sources_of(scene.scene, scene.used(), of_measured)
+    return sources_of(scene.scene, scene.used(), [Source((name,), given) for name, given in scene.uncertain.items()])
 
 
 # --- Error bars -------------------------------------------------------------------------------------------------------
@@ -159,52 +153,26 @@ def uncertainties(
     middle = scene if alternative is None else alternative(scene)
     values = {name: value for name, value in middle.numbers(*names).items() if isfinite(value)}
     sources = sources_of_results(middle, names)
-    return propagated(_evaluation(scene, [*values], sources.entering, alternative), values, sources.entering), sources
+    return uncertainties_of(values, scene, sources.entering, alternative), sources
 
 
-def uncertainties_of_elements(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
-    """Return the uncertainties of quantities of a scene of arrays."""
-    return propagated(_evaluation(scene, [*values], sources), values, sources)
-
-
-def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
-    """Return the part of the values that standard uncertainties stand for, at which a load is beyond pull-off.
-
-    They and the distance P + P_c are taken as normally distributed. Ranges have no such part: their ends hold.
-    """
-    force = scene.numbers("pull_off_force")
-    if not (force and sources and isinstance(sources[0].given, Measured)):
-        return 0.0
-    bar = uncertainties(scene, [*force])[0].get("pull_off_force")
-    of_force = bar.uncertainty.sides.get("minus", 0.0) if isinstance(bar, Propagated) else 0.0
-    of_load = sum(source.given.sides["minus"] for source in sources if "load" in source.names)
-    spread = hypot(of_force, of_load)
-    distance = scene["load"] + force["pull_off_force"]
-    return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
-
-
-def moved(sources: Sequence[Source], place: Place) -> dict[str, Any]:
-    """Return the inputs of sources at a place."""
-    return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
-
-
-def _evaluation(
+def uncertainties_of(
+    values: Mapping[str, Any],
     scene: Scene,
-    names: Sequence[str],
     sources: Sequence[Source],
     alternative: Callable[[Scene], Scene] | None = None,
-) -> Evaluate:
-    """Return what computes quantities of a scene at places: one by one, or many places of numbers as arrays."""
+) -> Bars:
+    """Return the uncertainties of known values, numbers or arrays, of a scene or of one that is made of it."""
     middles = {name: given.value for name, given in scene.uncertain.items()}
 
     def outcomes(place: Place) -> Mapping[str, Any]:
         changed = scene.replace(**{**middles, **moved(sources, place)})
-        return (changed if alternative is None else alternative(changed)).evaluate(names)
+        return (changed if alternative is None else alternative(changed)).evaluate([*values])
 
     def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
         if len(places) <= FEW or scene.shape:
             rows = [outcomes(place) for place in places]
-            return {name: [row[name] for row in rows] for name in names}
+            return {name: [row[name] for row in rows] for name in values}
         import numpy
 
         columns: dict[str, list[Any]] = {}
@@ -217,7 +185,27 @@ def _evaluation(
                     is_error = isinstance(columns[name][number], JkrollError)
         return columns
 
-    return evaluate
+    return propagated(evaluate, values, sources)
+
+
+def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
+    """Return the part of the values that uncertainties stand for, at which a load is beyond pull-off.
+
+    They and the distance P + P_c are taken as normally distributed.
+    """
+    if not (force := scene.numbers("pull_off_force")):
+        return 0.0
+    bars = uncertainties_of(force, scene, sources).values()
+    of_force = [bar.uncertainty.spread for bar in bars if isinstance(bar, Propagated)]
+    of_load = [source.given.spread for source in sources if "load" in source.names]
+    spread = hypot(*of_force, *of_load)
+    distance = scene["load"] + force["pull_off_force"]
+    return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
+
+
+def moved(sources: Sequence[Source], place: Place) -> dict[str, Any]:
+    """Return the inputs of sources at a place."""
+    return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
 
 
 def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
@@ -249,7 +237,7 @@ def _at_ends(sources: Sequence[Source]) -> Iterator[Place]:
     """Iterate over places at the lower and the upper end of each standard uncertainty in turn."""
     middle = [source.given.value for source in sources]
     for axis, source in enumerate(sources):
-        for end in source.ends:
+        for end in (source.given.low, source.given.high):
             yield [*middle[:axis], end, *middle[axis + 1 :]]
 
 
@@ -270,7 +258,7 @@ def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
     The largest value of a quantity that has no turning point is that of a corner. One that is that of the weaker body,
     and falls off where the other becomes the weaker, has it at a corner or where such a ridge meets an edge.
     """
-    ends = [source.ends for source in sources]
+    ends = [(source.given.low, source.given.high) for source in sources]
     for axis, (low, high) in enumerate(ends):
         is_by_ratio = low * high > 0
         ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
@@ -316,7 +304,7 @@ def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
             for column in zip(*places, strict=True)
         ]
         near = {name: numpy.resize(values, len(rows)) for name, values in solution.values.items()}
-        ends = solutions(problem.rows(rows).replace(moved(sources.entering, columns)), len(rows), near)
+        ends = solutions(problem.rows(rows, moved(sources.entering, columns)), len(rows), near)
         if numpy.ndim(solution.condition) == 0:
             failures = [*ends.failures.values()]
             return {name: failures or values.tolist() for name, values in ends.values.items()}

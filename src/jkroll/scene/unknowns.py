@@ -12,6 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from .inverse import (
     PER_DECADE,
     SIZES,
+    NoDependence,
     NoSolution,
     Problem,
     SeveralSolutions,
@@ -22,10 +23,14 @@ from .inverse import (
     equal,
     sizes_in_words,
 )
-from .scans import STEP, Scan, grid, outcomes, slopes, taken
+from .scans import ROUNDING, Rows, Scan, bisected, slopes
+from .scene import LEAST, MOST
+
+STEP = 1e-6  # relative, of the differences that give a slope
 
 _TOGETHER = 1 << 17  # values of a scan that are computed at once
 _WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among the usual ones
+
 MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
 _OF_LOAD = (-14.0, 46.0)  # coordinates of a load that are scanned: from 1e-6 P_c beyond pull-off to 1e20 P_c
 _ROUNDS = 150  # of Newton's method
@@ -81,18 +86,127 @@ def solutions(problem: Problem, size: int, near: Values | None = None) -> Soluti
     return whole
 
 
+def outcomes(problem: Problem, values: Values) -> Any:
+    """Return the measured quantities, a row for each, at values of the unknowns; nan where there is no result."""
+    scene = problem.with_values({name: taken(name, x) for name, x in values.items()})
+    quantities = numpy.full((len(problem.measured), len(next(iter(values.values())))), numpy.nan)
+    for quantity, outcome in zip(quantities, scene.evaluate([*problem.measured]).values(), strict=True):
+        if not isinstance(outcome, JkrollError):
+            quantity[:] = outcome
+        elif not isinstance(outcome, NoResult):
+            raise outcome
+    return quantities
+
+
+def taken(name: str, values: Any) -> Any:
+    """Return the values of an unknown that a scene takes in place of those that are too small or too large for it."""
+    if name == "load":
+        return numpy.where(abs(values) < LEAST, 0.0, numpy.clip(values, -MOST, MOST))
+    return numpy.clip(values, LEAST, MOST)
+
+
+def grid(name: str, sizes: tuple[float, float]) -> Any:
+    """Return the values of an input that are scanned, in rising order."""
+    least, most = sizes
+    values = numpy.geomspace(least, most, round(numpy.log10(most / least) * PER_DECADE) + 1)
+    return numpy.concatenate([-values[::-1], [0.0], values]) if name == "load" else values
+
+
+# --- One unknown ------------------------------------------------------------------------------------------------------
+
+
 def _of_one(problem: Problem, size: int) -> Solution:
     """Return the solutions for one unknown, among all sizes that a scene takes where none is among the usual ones."""
     (unknown,) = problem.unknowns
-    usual = Scan(problem, size, SIZES[unknown]).solution()
+    usual = Roots(problem, size, SIZES[unknown]).solution()
     lacking = [row for row, error in usual.failures.items() if isinstance(error, NoSolution)]
     if lacking:
-        wider = Scan(problem.rows(lacking), len(lacking), _WIDEST).solution()
+        wider = Roots(problem.rows(lacking), len(lacking), _WIDEST).solution()
         for place, error in wider.failures.items():
             if not isinstance(error, SeveralSolutions | Undetermined):
                 wider.failures[place] = usual.failures[lacking[place]]
         usual.put(lacking, wider)
     return usual
+
+
+class Roots:
+    """A scan of the unknown in some rows between two sizes, and what comes of it."""
+
+    def __init__(self, problem: Problem, size: int, sizes: tuple[float, float]) -> None:
+        self.problem, self.size, self.sizes = problem, size, sizes
+        ((self.unknown,), ((self.quantity, levels),)) = problem.unknowns, problem.levels.items()
+        self.levels = numpy.full(size, levels, dtype=float)
+        self.scan = Scan(self.function, grid(self.unknown, sizes), size)
+
+    def function(self, rows: Rows, x: Any) -> Any:
+        """Return the measured quantity."""
+        return outcomes(self.problem.rows(rows), {self.unknown: x})[0]
+
+    def solution(self) -> Solution:
+        """Return the one solution in each row, and the reasons why others have none."""
+        every = numpy.arange(self.size)
+        points, y = self.scan.rows, self.scan.y
+        is_level = self._is_level(points, y)
+        low, high, first, last = (
+            end.reduceat(values, numpy.searchsorted(points, every))
+            for values in (y, numpy.where(is_level, self.scan.x, numpy.nan))
+            for end in (numpy.fmin, numpy.fmax)
+        )
+        depends = high - low > ROUNDING * numpy.fmax(abs(low), abs(high))
+        counts = numpy.bincount(points[is_level], minlength=self.size)
+        is_stretch = depends & (counts > PER_DECADE) & (first > 0) & (last >= 10 * first)
+        rows, roots = self.scan.crossings(self.levels)
+        start, stop = numpy.searchsorted(rows, [every, every + 1])
+        is_one = depends & ~is_stretch & (stop - start == 1)
+        values = numpy.full(self.size, numpy.nan)
+        values[is_one] = taken(self.unknown, roots[start[is_one]])
+        failures: dict[int, JkrollError] = {}
+        for row in numpy.flatnonzero(~is_one).tolist():
+            problem = self.problem.rows(row)
+            if numpy.isnan(low[row]):
+                failures[row] = problem.failure()
+            elif not depends[row]:
+                failures[row] = NoDependence(problem)
+            elif is_stretch[row]:
+                failures[row] = self._undetermined(row, numpy.array([first[row], last[row]]))
+            elif start[row] < stop[row]:
+                of_row = roots[start[row] : stop[row]].tolist()
+                failures[row] = SeveralSolutions(problem, [{self.unknown: root} for root in of_row])
+            else:
+                failures[row] = self._outside(problem, float(low[row]), float(high[row]))
+        condition = self._condition(values)
+        return Solution(self.problem, {self.unknown: values}, condition, {self.unknown: condition}, failures)
+
+    def _outside(self, problem: Problem, low: float, high: float) -> NoSolution:
+        """Return the error of a measured value outside the range of the quantity."""
+        lies = f"it lies between {amount(self.quantity, low)} and {amount(self.quantity, high)}"
+        text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([self.unknown])}"
+        return NoSolution(problem, text, (low, high))
+
+    def _undetermined(self, row: int, inside: Any) -> Undetermined:
+        """Return the error of a measured value that a stretch has, given points of the scan at both ends of this."""
+        rows, problem = numpy.full(2, row), self.problem.rows(row)
+        outside = numpy.clip(inside * [0.5, 2.0], *self.sizes)
+        ends, _ = bisected(inside, outside, lambda x: self._is_level(rows, self.function(rows, x)))
+        low, high = ends.tolist()
+        span = f"{amount(self.unknown, low)} to {amount(self.unknown, high)}"
+        return Undetermined(problem, f"every value from {span} gives {equal(problem.levels)}", (low, high))
+
+    def _is_level(self, rows: Rows, y: Any) -> Any:
+        return abs(y - self.levels[rows]) <= ROUNDING * abs(self.levels[rows])
+
+    def _condition(self, values: Any) -> Any:
+        """Return |d ln unknown / d ln quantity| by central differences, or one-sided ones where the quantity ends."""
+        rows = numpy.flatnonzero(~numpy.isnan(values))
+        factors = numpy.array([1 / (1 + STEP), 1.0, 1 + STEP])
+        y = self.function(numpy.tile(rows, 3), numpy.outer(factors, values[rows]).ravel()).reshape(3, -1)
+        condition = numpy.full(self.size, numpy.nan)
+        with numpy.errstate(divide="ignore", invalid="ignore"):
+            condition[rows] = abs(y[1] / slopes(numpy.log(factors), y))
+        return condition
+
+
+# --- Two unknowns -----------------------------------------------------------------------------------------------------
 
 
 class Pairs:
@@ -288,8 +402,8 @@ class Pairs:
         sought, other = sorted(self.problem.unknowns, key=lambda name: name not in depends)
         places = grid(other, SIZES[other])
         problem = Problem((sought,), {first: self.problem.levels[first]}, self.problem.with_values({other: places}))
-        scan = Scan(problem, len(places), SIZES[sought])
-        rows, roots = scan.points.crossings(scan.levels, scan.function)
+        one = Roots(problem, len(places), SIZES[sought])
+        rows, roots = one.scan.crossings(one.levels)
         heights = outcomes(self.problem, {sought: roots, other: places[rows]})
         return heights[[*self.problem.measured].index(second)]
 
