@@ -22,10 +22,9 @@ from jkroll.cli.question import question_of
 from jkroll.cli.reader import read
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
-from jkroll.rows.block import Block
 from jkroll.rows.columns import SIDES, Columns, Row, Wanted
 from jkroll.rows.reasons import ROW
-from jkroll.rows.rows import evaluated
+from jkroll.rows.rows import Block, evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.alternatives import by_law
 from jkroll.scene.failures import Failure

@@ -23,12 +23,12 @@ from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import unit_of
-from jkroll.rows.block import Block
 from jkroll.rows.cells import Column, Reader
 from jkroll.rows.columns import Columns, Row, Wanted
 from jkroll.rows.header import understood
 from jkroll.rows.reasons import ROW
-from jkroll.rows.rows import evaluated
+from jkroll.rows.rows import Block, evaluated
+from jkroll.rows.table import TableBlock
 from jkroll.scene.limits import CODES, UNCHECKED
 from relative import approx
 from tables import IN_SMALL_BLOCKS, random_table
@@ -136,7 +136,7 @@ def agree(size: int, seed: int) -> None:
     names = tuple(header.split(","))
     table = Job(Settings(), {}, known_materials()).table(names, [])
     rows = [line.encode().split(b",") for line in lines]
-    block = table.block(size, {name: [row[place] for row in rows] for name, place in table.places.items()}, {})
+    block = TableBlock(table, size, {name: [row[place] for row in rows] for name, place in table.places.items()})
     together = evaluated(table.wanted, block)
     singly = Columns.of_rows(table.wanted, [by_itself(table.wanted, block, row) for row in range(size)])
     statuses = singly.status, together.status

@@ -25,11 +25,7 @@ FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process c
 WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
 
 
-class Part(NamedTuple):
-    """A table and the file that it becomes."""
-
-    path: str
-    target: str
+Part = tuple[str, str]  # a table, and the file that it becomes
 
 
 class Outcome(NamedTuple):
@@ -62,7 +58,7 @@ def convert_many(path: str, job: Job) -> tuple[Tally, int]:
             say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
     for part in left:
         if problem := outcomes[part].problem:
-            say(f"jkroll: {quoted(part.path)}: {problem}", sys.stderr)
+            say(f"jkroll: {quoted(part[0])}: {problem}", sys.stderr)
     return tally, max((outcome.exit_code for outcome in outcomes.values()), default=0)
 
 
@@ -75,32 +71,31 @@ def _parts_into(directory: str, path: str) -> list[Part]:
     paths = [path] if os.path.exists(path) else sorted(glob.glob(path))
     if not paths:
         raise BadTable(f"{quoted(path)}: no such file")
-    parts = [Part(table, os.path.join(directory, os.path.basename(table))) for table in paths]
-    if len({part.target for part in parts}) < len(parts):
+    targets = [os.path.join(directory, os.path.basename(table)) for table in paths]
+    if len({*targets}) < len(paths):
         raise BadTable(f"{quoted(path)}: two tables have the same name")
     folders = {os.path.dirname(table) or "." for table in paths}
     if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
         raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
     os.makedirs(directory, exist_ok=True)
-    return parts
+    return [*zip(paths, targets, strict=True)]
 
 
 def _is_newer(part: Part) -> bool:
     """Return whether the output of a table is newer than the table."""
-    try:
-        return os.stat(part.target).st_mtime_ns >= os.stat(part.path).st_mtime_ns
-    except OSError:
-        return False
+    path, target = part
+    return all(map(os.path.exists, part)) and os.stat(target).st_mtime_ns >= os.stat(path).st_mtime_ns
 
 
 def _converted(job: Job, part: Part) -> Outcome:
     """Convert a table in this process; a failure is an outcome."""
+    path, target = part
     try:
-        return Outcome(convert_one(part.path, job._replace(settings=job.settings._replace(target=part.target))))
+        return Outcome(convert_one(path, job._replace(settings=job.settings._replace(target=target))))
     except MissingExtra:
         raise  # as it would for every table
     except JkrollError as error:
-        return Outcome(Tally(), str(error).removeprefix(f"{quoted(part.path)}: "), error.exit_code)
+        return Outcome(Tally(), str(error).removeprefix(f"{quoted(path)}: "), error.exit_code)
 
 
 Task = Callable[[Part], Outcome]
@@ -108,7 +103,7 @@ Task = Callable[[Part], Outcome]
 
 def _by_processes(count: int, task: Task, parts: list[Part]) -> Iterator[tuple[Part, Outcome]]:
     """Convert tables by some processes; yield each as soon as it is done."""
-    sizes = [os.path.getsize(part.path) for part in parts if os.path.exists(part.path)]
+    sizes = [os.path.getsize(path) for path, _ in parts if os.path.exists(path)]
     is_little = len(parts) <= FEW and sum(sizes) <= LITTLE  # less work than to start a process
     if min(count, len(parts)) < 2 or is_little:
         yield from ((part, task(part)) for part in parts)
@@ -137,7 +132,7 @@ def _on_cluster(address: str, task: Task, parts: list[Part]) -> Iterator[tuple[P
         except TimeoutError:
             raise BadTable(f"--dask: the scheduler at {quoted(address)} has no worker") from None
         # A worker opens a relative path in a directory of its own.
-        tasks = {client.submit(task, Part(*map(os.path.abspath, part)), pure=False): part for part in parts}
+        tasks = {client.submit(task, tuple(map(os.path.abspath, part)), pure=False): part for part in parts}
         for future in as_completed([*tasks]):
             try:
                 yield tasks[future], future.result()

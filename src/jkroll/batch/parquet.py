@@ -1,8 +1,7 @@
-"""Parquet: batches of rows of a file, taken apart; rows as batches, which a thread writes while others are computed."""
+"""Parquet: batches of rows of a file, taken apart; rows as batches, of which many are written together."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from typing import Any, BinaryIO
 
 import numpy
@@ -67,37 +66,24 @@ class Batches:
         return pyarrow.schema(fields, metadata=getattr(before, "metadata", None))
 
     @contextmanager
-    def sink(self, stream: BinaryIO) -> Iterator[Callable[[Any], None]]:
-        """Return the function that writes batches into a file, in groups of rows of about the same size.
+    def sink(self, stream: BinaryIO, header: Any) -> Iterator[Callable[[Any], None]]:
+        """Return the function that writes batches behind the header, in groups of rows of about the same size."""
+        kinds = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
+        group: list[Any] = []
+        with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=kinds) as file:
 
-        A thread writes a group while the next one is computed.
-        """
-        with ExitStack() as stack, ThreadPoolExecutor(1) as thread:
-            group: list[Any] = []
-            writing: list[Future[None]] = []
-            files: list[Any] = []
+            def flush() -> None:
+                file.write_table(pyarrow.Table.from_batches(group, header.schema))
+                group.clear()
 
             def write(batch: Any) -> None:
-                if not files:
-                    kinds = [field.name for field in batch.schema if not pyarrow.types.is_floating(field.type)]
-                    file = pyarrow.parquet.ParquetWriter(stream, batch.schema, use_dictionary=kinds)
-                    files.append(stack.enter_context(file))
                 group.append(batch)
                 if sum(each.nbytes for each in group) >= BYTES:
                     flush()
 
-            def flush() -> None:
-                table = pyarrow.Table.from_batches(group)
-                group.clear()
-                while writing:
-                    writing.pop().result()
-                writing.append(thread.submit(files[0].write_table, table, max(table.num_rows, 1)))
-
             yield write
             if group:
                 flush()
-            for last in writing:
-                last.result()
 
 
 def writer_of(wanted: Wanted) -> Batches:

@@ -17,7 +17,7 @@ from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
 from ..rows.reasons import Tally, worded
 from ..rows.rows import evaluated
-from ..rows.table import Table
+from ..rows.table import Table, TableBlock
 from ..text import say
 from .files import Input, compressed, format_of_name, input_format, lines_of, output_format, output_to, unnamed
 from .job import Job, said_of
@@ -54,7 +54,7 @@ class Converter(NamedTuple):
         """Return the block with the results in each row."""
         table = self.table
         records = self.form.read(block, self.head, table)
-        rows = table.block(len(records.before), records.cells, records.odd, records.numbers)
+        rows = TableBlock(table, len(records.before), records.cells, records.odd, records.numbers)
         columns = evaluated(table.wanted, rows)
         if self.strict and columns.failed:
             first = min(columns.failed)
@@ -93,9 +93,8 @@ def _convert(source: Source, convert: Converter, output: BinaryIO, processes: in
     """Write a table; return the counts of all of it."""
     header, line, tally = convert.header, source.head.lines, Tally()
     size = len(header)
-    with convert.writer.sink(output) as write:
+    with convert.writer.sink(output, header) as write:
         try:
-            write(header)
             for block, worker in _converted(convert, source.blocks, processes, _path(output)):
                 write(worker.answer_to(size) if worker else block.output)
                 size += block.size or len(block.output)
@@ -173,6 +172,7 @@ def write_columns(
         writer: Any = writer_of(wanted)
     else:
         writer = WRITERS[form.kind]
-    with output_to(target) as stream, writer.sink(stream) as write:
-        for text in written(writer, wanted, blocks, units, doubt=doubt):
-            write(compressed(text, form.compression))
+    texts = (compressed(text, form.compression) for text in written(writer, wanted, blocks, units, doubt=doubt))
+    with output_to(target) as stream, writer.sink(stream, next(texts)) as write:
+        for text in texts:
+            write(text)

@@ -69,9 +69,11 @@ class Lines:
         return b"".join([*strips, rest])
 
     @contextmanager
-    def sink(self, stream: BinaryIO) -> Iterator[Callable[[bytes], None]]:
-        """Return the function that writes rows into a file, at once: other processes may write behind them."""
-        yield partial(_write, stream.fileno())
+    def sink(self, stream: BinaryIO, header: bytes) -> Iterator[Callable[[bytes], None]]:
+        """Return the function that writes rows behind the header, at once: other processes may write behind them."""
+        write = partial(_write, stream.fileno())
+        write(header)
+        yield write
 
     def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
         """Return columns as they are written: several in one array together."""

@@ -7,7 +7,7 @@ columns            what is wanted of rows, and their columns: by floats, which d
 cells              a column of texts as SI numbers, or as materials
 words, readings    the words of headers as data, and the meaning of one header
 header             all columns of a table, with those of error bars
-block, rows        rows that are computed together, which are scenes of arrays as far as they are alike
+rows               rows that are computed together, which are scenes of arrays as far as they are alike
 sweep              the rows of lists and ranges
 infer              the same where an input is sought, and the rows of arrays from Python
 table              the rows of a table

@@ -291,12 +291,10 @@ class Lookup:
         """`otherwise`: the material of a row whose cell is empty."""
         self.materials = materials
         self.known: list[Material | None] = [otherwise]
-        self._of_kinds: dict[Hashable, int] = {_kind(otherwise): 0}  # of the kinds of materials
-        self._kinds = [0]
         self._cache = Kept(self._index)
         self._of_names = Kept(self._found)
 
-    def indices(self, cells: Sequence[bytes | str]) -> Indices:
+    def indices(self, cells: Sequence[bytes]) -> Indices:
         """Return the indices of the materials that cells name."""
         return numpy.array([*map(self._cache.__getitem__, cells)], dtype=numpy.int64)
 
@@ -314,19 +312,19 @@ class Lookup:
         except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
             return error
 
-    def _index(self, cell: bytes | str) -> int:
-        text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
+    def _index(self, cell: bytes) -> int:
+        text = cell.decode(errors="replace")
         solid = self._of_names[text] if text.strip() else self.known[0]
         if isinstance(solid, JkrollError):
             solid = LABEL
         if solid not in self.known:
             self.known.append(solid)
-            self._kinds.append(self._of_kinds.setdefault(_kind(solid), len(self._of_kinds)))
         return self.known.index(solid)
 
     def kinds(self, indices: Indices) -> Indices:
         """Return a number for each row, which is the same for materials that can be one scene's."""
-        return numpy.array(self._kinds)[indices]
+        kinds = [*map(_kind, self.known)]
+        return numpy.array([*map(kinds.index, kinds)])[indices]
 
     def together(self, indices: Indices) -> Material | None:
         """Return the materials of rows of one kind as one material, whose properties are arrays.

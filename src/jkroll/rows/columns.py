@@ -5,7 +5,7 @@ a gap that floats do not leave, or an uncertainty needs a search, the row is com
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from functools import partial
+from functools import cached_property
 from math import isnan, nan
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -37,36 +37,13 @@ STATUS = "status"  # the column of reasons
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
 
 
-class BadRecord(JkrollError):
-    """Error raised for a record of a file that is no row."""
+class OddRow(JkrollError):
+    """Error raised for a row that makes no scene, or states what has no column; also the remark on such a row."""
 
     def __init__(self, problem: str, phrase: str = "") -> None:
+        """`phrase`: for its status, if that is not the problem."""
         super().__init__(problem)
         self.phrase = phrase
-
-
-class BadCells(JkrollError):
-    """Error raised for cells that are no values of inputs, or no names of materials."""
-
-    def __init__(self, errors: Sequence[JkrollError]) -> None:
-        super().__init__(tuple(errors))
-        self.errors = tuple(errors)
-        self.phrase = "; ".join(dict.fromkeys(error.phrase or str(error) for error in errors))
-
-    def __str__(self) -> str:
-        return "; ".join(map(str, self.errors))
-
-
-class NotShown(JkrollError):
-    """Error raised for a cell that has an uncertainty for which the table has no columns."""
-
-    phrase = "error bar without a column"
-
-
-class LeftOut(JkrollError):
-    """The remark on a row whose materials have uncertainties for which the table has no columns. It is never raised."""
-
-    phrase = "error bars left out"
 
 
 class Wanted:
@@ -176,20 +153,16 @@ class Wanted:
             reasons,
         )
 
-    def columns(self, scene: Any, size: int, scene_of: Callable[[int], Any]) -> "Columns":
-        """Return the columns of a scene of arrays; `scene_of` returns a row as a scene of numbers.
+    def columns(self, scene: Any, size: int, scene_of: Callable[[int], Any]) -> tuple["Columns", Any]:
+        """Return the columns of a scene of arrays, and the rows that floats are to compute, as an array of booleans.
 
-        Raises a JkrollError where each row is to be computed by itself.
+        `scene_of` returns a row as a scene of numbers. Raises a JkrollError where floats are to compute all rows.
         """
-        import numpy
-
         arrays = _Arrays(self, scene, size)
         again = arrays.explain(scene_of)
         if self.uncertainties and scene.is_uncertain:
             again |= arrays.add_sides()
-        for row in numpy.flatnonzero(again).tolist():
-            put_row(arrays.columns, row, partial(scene_of, row))
-        return arrays.columns
+        return arrays.columns, again
 
 
 class Row(NamedTuple):
@@ -199,11 +172,6 @@ class Row(NamedTuple):
     numbers: Sequence[float]  # as Wanted.keys has them; nan is a gap
     doubts: int  # bits
     reasons: Reasons
-
-    @property
-    def is_empty(self) -> bool:
-        """True if the row has no value."""
-        return all(map(isnan, self.numbers))
 
 
 def remarks_of(wanted: Wanted, *, doubt: bool) -> tuple[str, ...]:
@@ -218,7 +186,6 @@ class Columns:
         """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys."""
         self.wanted, self.inputs, self.numbers, self.doubts = wanted, inputs, numbers, doubts
         self.reasons: dict[int, Reasons] = {}  # why rows have empty cells, by their places
-        self.failed: set[int] = set()  # rows without a contact, or without any value
 
     @classmethod
     def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":
@@ -229,8 +196,7 @@ class Columns:
             [[row.numbers[place] for row in rows] for place in range(len(wanted.keys))],
             [row.doubts for row in rows],
         )
-        for place, row in enumerate(rows):
-            columns.tell([place], row.reasons, is_empty=row.is_empty)
+        columns.reasons = {place: row.reasons for place, row in enumerate(rows) if row.reasons}
         return columns
 
     def __len__(self) -> int:
@@ -240,14 +206,6 @@ class Columns:
     def column(self, key: str) -> Any:
         """Return the numbers of a column."""
         return self.numbers[self.wanted.places[key]]
-
-    def tell(self, rows: Sequence[int], reasons: Reasons, *, is_empty: bool) -> None:
-        """Note why some rows have empty cells: as the first of them has; `is_empty`: whether they have no others."""
-        if not reasons:
-            return
-        self.reasons.update(dict.fromkeys(rows, reasons))
-        if is_empty or lack(reasons) is not None:
-            self.failed.update(rows)
 
     def put(self, rows: Sequence[int], columns: "Columns") -> None:
         """Take the columns of some rows in place of what was known of them."""
@@ -259,8 +217,6 @@ class Columns:
         for place in rows:
             self.reasons.pop(place, None)
         self.reasons.update((rows[row], reasons) for row, reasons in columns.reasons.items())
-        self.failed.difference_update(rows)
-        self.failed.update(rows[row] for row in columns.failed)
 
     def put_sides(self, bars: "Mapping[str, Propagated | JkrollError]") -> Any:
         """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
@@ -302,6 +258,21 @@ class Columns:
             status: Gaps(len(places), places[0] + 1, worded(self.reasons[places[0]], named))
             for status, places in rows.items()
         }
+
+    @cached_property
+    def failed(self) -> list[int]:
+        """The rows without a contact, or without any value."""
+        lacks = {id(reasons): lack(reasons) is not None for reasons in self.reasons.values()}
+        is_empty = self._are_empty() if lacks else ()
+        return [row for row, reasons in self.reasons.items() if lacks[id(reasons)] or is_empty[row]]
+
+    def _are_empty(self) -> Any:
+        """Return for each row whether it has no value."""
+        if isinstance(self.numbers, list):
+            return [all(map(isnan, row)) for row in zip(*self.numbers, strict=True)]
+        import numpy
+
+        return numpy.isnan(self.numbers).all(axis=0)
 
     def failure(self, row: int) -> JkrollError:
         """Return why a row fails: the lack of a contact, or else its first reason."""
@@ -347,8 +318,8 @@ def fill_sides(
                 numbers[key] = bar.uncertainty.sides[side]
 
 
-def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Collection[str] = ()) -> LeftOut | None:
-    """Return the remark on uncertainties without columns, if there are some. Raises NotShown if a cell has one.
+def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Collection[str] = ()) -> OddRow | None:
+    """Return the remark on uncertainties without columns, if there are some. Raises OddRow if a cell has one.
 
     `stated`: what has an uncertainty in a cell, beside the inputs of the scene.
     """
@@ -356,21 +327,13 @@ def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Collectio
         return None
     names = [*sources.given]
     if in_cells := [name for name in names if name in scene.uncertain or name in stated]:
-        raise NotShown(f"{in_cells[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
+        problem = f"{in_cells[0]}: the cell has an uncertainty, {_NO_COLUMNS}"
+        raise OddRow(problem, "error bar without a column")
     materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))
-    return LeftOut(f"{listed(materials)}: uncertainties are left out, {_NO_COLUMNS}")
+    return OddRow(f"{listed(materials)}: uncertainties are left out, {_NO_COLUMNS}", "error bars left out")
 
 
 # --- By arrays --------------------------------------------------------------------------------------------------------
-
-
-def put_row(columns: Columns, place: int, scene: Callable[[], Any]) -> None:
-    """Compute a row by floats; if its scene cannot be made, that is why the row is empty."""
-    try:
-        row = columns.wanted.row(scene())
-    except JkrollError as error:
-        row = Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error})
-    columns.put([place], Columns.of_rows(columns.wanted, [row]))
 
 
 class _Arrays:
@@ -430,13 +393,9 @@ class _Arrays:
         for places in alike(rows, [*gaps.values(), *is_nan]):
             first = int(places[0])
             lacking = {name for name, of_name in gaps.items() if of_name[first]}
-            try:
-                reasons = reasons_of(outcomes(scene_of(first), self.wanted.names, self.wanted.named))
-            except JkrollError:
-                reasons = {}
+            reasons = reasons_of(outcomes(scene_of(first), self.wanted.names, self.wanted.named))
             if reasons.keys() - {ROW} == lacking and reasons:
-                is_empty = all(isnan(column[first]) for column in self.columns.numbers)
-                self.columns.tell(places.tolist(), reasons, is_empty=is_empty)
+                self.columns.reasons.update(dict.fromkeys(places.tolist(), reasons))
             else:
                 again[places] = True
         return again

@@ -1,7 +1,6 @@
 """The inverse problem in rows: columns of the unknowns of a table, and `jkroll.infer` for numbers and arrays."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from functools import partial
 from math import nan, prod
 from typing import Any, overload
 
@@ -20,7 +19,7 @@ from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.uncertainty import uncertainties_of_unknowns
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
-from .columns import Columns, NotShown, Row, Wanted, fill_sides, left_out, put_row, repeated
+from .columns import Columns, OddRow, Row, Wanted, fill_sides, left_out, repeated
 from .reasons import ROW, UNCERTAINTY, Reasons
 from .sweep import Pair, Sweep
 
@@ -58,11 +57,11 @@ class Unknowns(Wanted):
         bits = bits_of(doubts(solved.scene, [*scene.measured])) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
-    def columns(self, scene: Problem, size: int, scene_of: Callable[[int], Any]) -> Columns:
-        """Return the columns of arrays of measured values; `scene_of` returns a row by itself."""
+    def columns(self, scene: Problem, size: int, scene_of: Callable[[int], Any]) -> tuple[Columns, Any]:  # noqa: ARG002
+        """Return the columns of arrays of measured values, and the rows that floats are to compute."""
         solids = [solid.name for solid, _ in scene.scene.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
-            raise NotShown  # solids of many rows have no name: each row by itself says of which spheres an unknown is
+            raise OddRow("of which spheres an unknown is")  # solids of many rows have no name: each row by itself says
         sources = self.sources_in(scene) if self.uncertainties else None
         remark = left_out(self, scene.scene, sources, scene.uncertain) if sources is not None else None
         solved, inputs = solutions(scene, size), scene.echo()
@@ -72,17 +71,17 @@ class Unknowns(Wanted):
         for name, values in solved.values.items():
             columns.column(name)[...] = values
         for row, error in solved.failures.items():
-            columns.tell([row], self._reasons(error), is_empty=True)
+            columns.reasons[row] = self._reasons(error)
         if self.doubts and len(solved.failures) < size:
             values = {name: numpy.nan_to_num(values, nan=SIZES[name][1]) for name, values in solved.values.items()}
             columns.doubts[...] = bits_of(doubts(scene.with_values(values), [*scene.measured]))
             columns.doubts[[*solved.failures]] = 0
+        again = numpy.zeros(size, dtype=bool)
         if remark is not None:
             columns.add_remark(remark)
         elif sources is not None:
-            for row in numpy.flatnonzero(columns.put_sides(uncertainties_of_unknowns(solved)[0])).tolist():
-                put_row(columns, row, partial(scene_of, row))
-        return columns
+            again = columns.put_sides(uncertainties_of_unknowns(solved)[0])
+        return columns, again
 
     def _reasons(self, error: JkrollError) -> Reasons:
         """Return the reason of a row without a solution: of each unknown, or of both together."""

@@ -4,42 +4,109 @@ Rows that have the same inputs differ by numbers alone: they are one scene of ar
 itself.
 """
 
-from collections.abc import Iterator, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from typing import Any
+from math import nan
+from typing import TYPE_CHECKING, Any
 
 import numpy
 
 from ..errors import JkrollError
 from ..quantities.values import Measured
 from ..scene.scene import FOLLOWS, takes, takes_all
-from .block import BAD, Block
 from .cells import Indices, Numbers
-from .columns import Columns, Wanted, alike, put_row
+from .columns import Columns, Row, Wanted, alike
+from .reasons import ROW
 
+if TYPE_CHECKING:
+    from .sweep import Sweep
+
+BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
+
+
+class Block(ABC):
+    """Rows that are computed together, as they stand in a list or in a table."""
+
+    def __init__(self, size: int, numbers: Mapping[str, Numbers], kinds: Sequence[Indices]) -> None:
+        """`numbers`: by input; `kinds`: rows with other whole numbers have other scenes, BAD have none."""
+        self.size, self.numbers, self.kinds = size, numbers, kinds
+
+    @abstractmethod
+    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the scene of rows that are alike. Raises a JkrollError where each is a scene by itself."""
+
+    @abstractmethod
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself. Raises the error of what is wrong with it."""
+
+
+class Lists(Block):
+    """Some rows of lists and ranges. Those of a pair of materials and of a law are alike."""
+
+    def __init__(self, sweep: "Sweep", start: int, stop: int) -> None:
+        """`start`, `stop`: the places of the rows in the sweep."""
+        pairs, *places, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.sizes)
+        self.sweep, self.places = sweep, dict(zip(sweep.spreads, places, strict=True))
+        self.cases = [(pair, model) for pair in sweep.pairs for model in sweep.models]
+        self.of_cases = pairs * len(sweep.models) + laws
+        self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
+        numbers = {name: self._numbers(name) for name in self.places if name not in self.fixed}
+        super().__init__(stop - start, numbers, [self.of_cases])
+
+    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the scene of the inputs of rows that are alike."""
+        pair, model = self.cases[self.of_cases[rows[0]]]
+        return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
+
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself."""
+        given = {name: self.sweep.value(name, int(places[row])) for name, places in self.places.items()}
+        pair, model = self.cases[self.of_cases[row]]
+        return self.sweep.scene(given, *pair, model=model)
+
+    def _numbers(self, name: str) -> Numbers:
+        """Return the values of an input."""
+        places, back = numpy.unique(self.places[name], return_inverse=True)
+        values = [*map(partial(self.sweep.value, name), places.tolist())]
+        numbers = numpy.array([value if isinstance(value, float) else value.value for value in values])
+        uncertain = {row: values[place] for row, place in enumerate(back) if not isinstance(values[place], float)}
+        return Numbers(numbers[back], (), uncertain)
+
+
+# --- Their columns ----------------------------------------------------------------------------------------------------
 
 
 def evaluated(wanted: Wanted, block: Block) -> Columns:
     """Return the columns of a block. A row that cannot be computed has the reason for all of its cells."""
     columns: Columns | None = None
-    left = numpy.ones(block.size, dtype=bool)
+    by_floats = numpy.ones(block.size, dtype=bool)
     with numpy.errstate(all="ignore"):
         for rows, given in groups(block):
             places = rows.tolist()
             try:
-                of_group = wanted.columns(block.scene(given, rows), len(rows), partial(_scene_of, block, places))
+                scene = block.scene(given, rows)
+                of_group, by_floats[rows] = wanted.columns(scene, len(rows), partial(_scene_of, block, places))
             except JkrollError:
                 continue  # each row then has the reason by itself
             if len(rows) == block.size:
-                return of_group
+                columns = of_group
+                break
             columns = columns or _empty(wanted, block.size)
             columns.put(places, of_group)
-            left[rows] = False
         columns = columns or _empty(wanted, block.size)
-        for row in numpy.flatnonzero(left).tolist():
-            put_row(columns, row, partial(block.scene_of, row))
+        for row in numpy.flatnonzero(by_floats).tolist():
+            columns.put([row], Columns.of_rows(wanted, [_row(wanted, block, row)]))
     return columns
+
+
+def _row(wanted: Wanted, block: Block, row: int) -> Row:
+    """Compute a row by floats; if its scene cannot be made, that is why the row is empty."""
+    try:
+        return wanted.row(block.scene_of(row))
+    except JkrollError as error:
+        return Row({}, [nan] * len(wanted.keys), 0, {ROW: error})
 
 
 def _scene_of(block: Block, places: Sequence[int], row: int) -> Any:

@@ -6,10 +6,10 @@ imported.
 
 from bisect import bisect
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import accumulate, chain, product
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, of_sphere
@@ -17,11 +17,7 @@ from ..quantities.values import Spread
 from ..scene.failures import OF_IDENTICAL_SPHERES, Failure
 from ..scene.scene import FOLLOWS, Scene
 from ..scene.wiring import in_order
-from .block import Block
 from .columns import BLOCK, Columns, Wanted
-
-if TYPE_CHECKING:
-    from .cells import Indices, Numbers
 
 WORTH_ARRAYS = 80_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
 
@@ -133,52 +129,10 @@ class Sweep:
         if one_by_one or size * wanted.work(self.kinds[0]) <= WORTH_ARRAYS:
             yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])
             return
-        import numpy
-
-        from .rows import evaluated
+        from .rows import Lists, evaluated
 
         for start in range(0, size, BLOCK):
-            yield evaluated(wanted, Lists(self, numpy.arange(start, min(start + BLOCK, size))))
-
-
-class Lists(Block):
-    """Some rows of a sweep. Those of a pair of materials and of a law are alike."""
-
-    def __init__(self, sweep: Sweep, rows: "Indices") -> None:
-        """`rows`: their places in the sweep."""
-        import numpy
-
-        self.sweep = sweep
-        pairs, *places, laws = numpy.unravel_index(rows, sweep.sizes)
-        self.places = dict(zip(sweep.spreads, places, strict=True))
-        self.cases = [(pair, model) for pair in sweep.pairs for model in sweep.models]
-        self.of_cases = pairs * len(sweep.models) + laws
-        self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
-        several = [name for name in self.places if name not in self.fixed]
-        super().__init__(len(rows), {name: self._numbers(name) for name in several}, [self.of_cases])
-
-    def scene(self, given: Mapping[str, Any], rows: "Indices") -> Any:
-        """Return the scene of the inputs of rows that are alike."""
-        pair, model = self.cases[self.of_cases[rows[0]]]
-        return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
-
-    def scene_of(self, row: int) -> Any:
-        """Return the scene of a row by itself."""
-        given = {name: self.sweep.value(name, int(places[row])) for name, places in self.places.items()}
-        pair, model = self.cases[self.of_cases[row]]
-        return self.sweep.scene(given, *pair, model=model)
-
-    def _numbers(self, name: str) -> "Numbers":
-        """Return the values of an input."""
-        import numpy
-
-        from .cells import Numbers
-
-        wanted, back = numpy.unique(self.places[name], return_inverse=True)
-        values = [*map(partial(self.sweep.value, name), wanted.tolist())]
-        numbers = numpy.array([value if isinstance(value, float) else value.value for value in values])
-        uncertain = {row: values[place] for row, place in enumerate(back) if not isinstance(values[place], float)}
-        return Numbers(numbers[back], (), uncertain)
+            yield evaluated(wanted, Lists(self, start, min(start + BLOCK, size)))
 
 
 def entering(

@@ -21,11 +21,10 @@ from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
 from ..text import quoted, say, say_wrapped
-from .block import BAD, Block
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
-from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
+from .columns import DOUBT, SIDES, STATUS, OddRow, Wanted, remarks_of
 from .header import Header, check_inputs
-from .rows import groups
+from .rows import BAD, Block, groups
 from .words import MATERIALS
 
 if TYPE_CHECKING:
@@ -69,7 +68,7 @@ class Fill(NamedTuple):
         if self.inverse is None:
             return Scene(given, *spheres, model=self.model)
         if self.inverse.quantity not in given:
-            raise BadRecord(f"{self.inverse.quantity}: the row has no measured value", "no measured value")
+            raise OddRow(f"{self.inverse.quantity}: the row has no measured value", "no measured value")
         from ..scene.inverse import Problem  # for which a table without an unknown does not pay
 
         return Problem.of([self.inverse.name], [self.inverse.quantity], given, *spheres, model=self.model)
@@ -102,52 +101,6 @@ class Table:
         """The headers of all columns that are added."""
         return [*self.said, *self.wanted.heads(header), *self.remarks]
 
-    def block(
-        self,
-        size: int,
-        cells: Mapping[str, Sequence[bytes]],
-        odd: Mapping[int, str] = MappingProxyType({}),
-        numbers: Mapping[str, Numbers] = MappingProxyType({}),
-    ) -> "TableBlock":
-        """Return rows of texts, by the names of the columns.
-
-        `odd`: records that are no rows, and why. `numbers`: columns that are read already.
-        """
-        unread = [reader for reader in self.readers if reader.column.name not in numbers]
-        return TableBlock(
-            self, size, cells, odd, {**numbers, **{reader.column.name: reader.numbers(cells) for reader in unread}}
-        )
-
-    def scene_of(self, cells: Mapping[str, str]) -> Any:
-        """Return the scene of a row, by the cells of the columns that are read.
-
-        Raises BadCells, or an error of the scene.
-        """
-        if all(cells[name].strip() == self.texts[place].strip() for name, place in self.places.items()):
-            raise BadRecord("the row repeats the header")
-        given: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
-        texts = {column.name: column.joined(*(cells[name] for name in column.places)) for column in self.inputs}
-        texts |= {name: cells[name] for name in MATERIALS if name in cells}
-        readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
-        readers |= {name: lookup.material for name, lookup in self.lookups.items()}
-        problems: list[JkrollError] = []
-        labels: list[JkrollError] = []
-        for name, text in texts.items():
-            try:
-                if text.strip():
-                    given[name] = readers[name](text)
-            except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
-                given[name] = LABEL
-                labels.append(error)
-            except JkrollError as error:
-                problems.append(error)
-        spheres = [given.pop(name) for name in MATERIALS]
-        if not problems and labels and not self.wanted.lacks(scene := self.fill.scene(given, *spheres)):
-            return scene
-        if problems or labels:
-            raise BadCells([*labels, *problems])
-        return self.fill.scene(given, *spheres)
-
 
 class TableBlock(Block):
     """Some rows of a table. Those whose materials have the same properties are alike."""
@@ -157,14 +110,16 @@ class TableBlock(Block):
         table: Table,
         size: int,
         cells: Mapping[str, Sequence[bytes]],
-        odd: Mapping[int, str],
-        numbers: Mapping[str, Numbers],
+        odd: Mapping[int, str] = MappingProxyType({}),
+        numbers: Mapping[str, Numbers] = MappingProxyType({}),
     ) -> None:
-        """`cells`: the columns that are read, by name; `numbers`: those of inputs as numbers.
+        """`cells`: the columns that are read, by name; `numbers`: those that are numbers already.
 
         `odd`: records that are no rows, and why.
         """
         self.table, self.cells, self.odd = table, cells, odd
+        unread = [reader for reader in table.readers if reader.column.name not in numbers]
+        numbers = {**numbers, **{reader.column.name: reader.numbers(cells) for reader in unread}}
         nothing = numpy.zeros(size, dtype=numpy.int64)
         lookups = table.lookups.items()
         self.indices = {name: lookup.indices(cells[name]) if name in cells else nothing for name, lookup in lookups}
@@ -177,14 +132,41 @@ class TableBlock(Block):
         spheres = [lookup.together(self.indices[name][rows]) for name, lookup in self.table.lookups.items()]
         scene = self.table.fill.scene(given, *spheres)
         if LABEL in spheres and self.table.wanted.lacks(scene):
-            raise BadCells([])  # each row by itself says which name is no material's
+            raise OddRow("names are no materials")  # each row by itself says which
         return scene
 
     def scene_of(self, row: int) -> Any:
-        """Return the scene of a row by itself. Raises BadRecord for a record that is no row."""
+        """Return the scene of a row by itself. Raises OddRow, or an error of the scene."""
         if row in self.odd:
-            raise BadRecord(self.odd[row])
-        return self.table.scene_of({name: cells[row].decode(errors="replace") for name, cells in self.cells.items()})
+            raise OddRow(self.odd[row])
+        table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
+        if all(cells[name].strip() == table.texts[place].strip() for name, place in table.places.items()):
+            raise OddRow("the row repeats the header")
+        texts: list[tuple[str, str, Callable[[str], Any]]] = [
+            (column.name, column.joined(*(cells[name] for name in column.places)), column.read)
+            for column in table.inputs
+        ]
+        texts += [(name, cells[name], table.lookups[name].material) for name in MATERIALS if name in cells]
+        given: dict[str, Any] = dict(zip(MATERIALS, table.fill.spheres, strict=True))
+        problems: list[JkrollError] = []
+        labels: list[JkrollError] = []
+        for name, text, read in texts:
+            try:
+                if text.strip():
+                    given[name] = read(text)
+            except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
+                given[name] = LABEL
+                labels.append(error)
+            except JkrollError as error:
+                problems.append(error)
+        spheres = [given.pop(name) for name in MATERIALS]
+        if not problems:
+            scene = table.fill.scene(given, *spheres)
+            if not labels or not table.wanted.lacks(scene):
+                return scene
+        errors = [*labels, *problems]
+        phrases = dict.fromkeys(error.phrase or str(error) for error in errors)
+        raise OddRow("; ".join(map(str, errors)), "; ".join(phrases))
 
 
 def table_of(
@@ -209,9 +191,8 @@ def table_of(
     if alternatives:
         wanted = wanted.with_alternatives(scenes, wanted.names)
     table = Table(columns, fill, wanted, labels and {**labels, **aliases})
-    first = table.block(
-        len(rows), {name: [row[place].encode() for row in rows] for name, place in table.places.items()}
-    )
+    cells = {name: [row[place].encode() for row in rows] for name, place in table.places.items()}
+    first = TableBlock(table, len(rows), cells)
     sources = _sources_of(wanted, first)
     sides = {*SIDES} if uncertainty else {side for each in sources for side in each.sides}
     sides |= {side for value in fill.fixed.values() if is_uncertain(value) for side in value.sides}
