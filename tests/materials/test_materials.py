@@ -818,9 +818,9 @@ def test_a_shipped_material_is_read_when_it_is_used(monkeypatch: pytest.MonkeyPa
     """A call pays for the materials that it names."""
     names: list[str] = []
 
-    def noted(material: Material) -> Material:
-        names.append(material.name)
-        return read_material(material)
+    def noted(entry: library.Entry) -> Material:
+        names.append(entry.name)
+        return read_material(entry)
 
     monkeypatch.setattr(library, "read", noted)
     materials = Materials()

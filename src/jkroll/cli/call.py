@@ -170,7 +170,7 @@ class Call:
     @cached_property
     def _every_material(self) -> list[Material | None]:
         """The materials that have no mistake; those that have one are told."""
-        for mistake in self.materials.mistakes.values():
+        for mistake in self.materials.mistakes:
             say_wrapped(f"note: left out: {mistake}", sys.stderr)
         return [*self.materials.materials.values()]
 

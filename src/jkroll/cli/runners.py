@@ -82,7 +82,7 @@ def run_materials(call: Call) -> int:
     if lists_all and not call.quiet:
         for clash in dict.fromkeys(map(str, materials.clashes.values())):
             say_wrapped(f"note: {clash}", sys.stderr)
-    mistakes = [*materials.mistakes.values()] if lists_all else []
+    mistakes = materials.mistakes if lists_all else []
     for mistake in mistakes:
         say_wrapped(f"jkroll: {mistake}", sys.stderr)
     return mistakes[0].exit_code if mistakes else 0

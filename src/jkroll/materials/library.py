@@ -7,7 +7,7 @@ the others: it is raised when that material is asked for.
 import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
+from functools import cache, cached_property
 from stat import S_ISREG
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -34,38 +34,36 @@ class MaterialsFileError(JkrollError):
         return f"materials file {quoted(self.path)}: {self.problem}"
 
 
+class Malformed(Exception):
+    """Error raised for something in a materials file that is not a material; the file is named where it is caught."""
+
+
 def data_of(path: str) -> dict[str, Any]:
-    """Read a TOML file; MaterialsFileError if it cannot be read or exceeds the limits above."""
-    text = _text(path)
-    if any(line.count(".") > MAX_DOTS for line in text.split("\n")):
-        raise MaterialsFileError(path, f"has a line of more than {MAX_DOTS} dots")
-    import tomllib
-
-    try:
-        return tomllib.loads(text)
-    except ValueError as error:
-        raise MaterialsFileError(path, f"is not TOML: {shown(str(error))}") from None
-    except RecursionError:
-        raise MaterialsFileError(path, "is not TOML: nested too deeply") from None
-
-
-def _text(path: str) -> str:
-    """Return the text of a regular file of at most MAX_BYTES."""
+    """Read a TOML file; Malformed if it cannot be read or exceeds the limits above."""
     try:
         if not S_ISREG(os.stat(path).st_mode):
-            raise MaterialsFileError(path, "is not a regular file")
+            raise Malformed("is not a regular file")
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except OSError as error:
-        raise MaterialsFileError(path, error.strerror or "cannot be read") from None
+        raise Malformed(error.strerror or "cannot be read") from None
     except ValueError:
-        raise MaterialsFileError(path, "is not a path") from None
+        raise Malformed("is not a path") from None
     if len(content) > MAX_BYTES:
-        raise MaterialsFileError(path, f"is larger than {MAX_BYTES // 1000} kB")
+        raise Malformed(f"is larger than {MAX_BYTES // 1000} kB")
+    import tomllib
+
     try:
-        return content.decode("utf-8-sig")
+        text = content.decode("utf-8-sig")
+        if any(line.count(".") > MAX_DOTS for line in text.split("\n")):
+            raise Malformed(f"has a line of more than {MAX_DOTS} dots")
+        return tomllib.loads(text)
     except UnicodeDecodeError:
-        raise MaterialsFileError(path, "is not UTF-8") from None
+        raise Malformed("is not UTF-8") from None
+    except ValueError as error:
+        raise Malformed(f"is not TOML: {shown(str(error))}") from None
+    except RecursionError:
+        raise Malformed("is not TOML: nested too deeply") from None
 
 
 # --- Names and forms --------------------------------------------------------------------------------------------------
@@ -95,10 +93,6 @@ def is_material_name(word: str) -> bool:
         and "," not in word
         and word.casefold() not in ("all", "plane")
     )
-
-
-class Malformed(Exception):
-    """Error raised for something in a materials file that is not a material; the file is named where it is caught."""
 
 
 def checked_table(value: object, where: str) -> Mapping[str, Any]:
@@ -166,8 +160,6 @@ class Material(NamedTuple):
     origins: Mapping[str, Mapping[str, str]] = MappingProxyType({})  # of properties: what is stated of `ORIGIN`
     displacement: Displacement | None = None  # from which that of a contact follows
     replaced: frozenset[str] = frozenset()  # properties with another value than its data have
-    mistake: MaterialsFileError | None = None  # what is wrong with it in its file
-    unread: tuple[Mapping[str, Any], Mapping[str, Any]] | None = None  # its table and the references, until it is used
 
     @property
     def key(self) -> tuple[str, str]:
@@ -207,32 +199,59 @@ def _of_fields(*fields: Any) -> Material:
 # --- A file: its names are read at once, and a material when it is used -----------------------------------------------
 
 
-def materials_in(path: str) -> list[Material]:
-    """Return the materials of a file, unread, with their names; MaterialsFileError if it is no materials file."""
-    data = _shipped_data() if path == SHIPPED else data_of(path)
+class Entry:
+    """A material of a file, which is read when it is used."""
+
+    def __init__(
+        self, path: str, title: str, name: str, table: Mapping[str, Any], references: Mapping[str, Any]
+    ) -> None:
+        """`title`: of the file; `table`: what it says of the material; `references`: all that it has."""
+        self.path, self.name, self.table, self.references = path, name, table, references
+        self.title = shown(str(table.get("source", title)))
+        self.aliases = checked_list(table.get("aliases", []), f"{name}.aliases")
+        self.words = {word.casefold(): word for word in (*self.aliases, name)}  # that stand for it
+        self.remarks: tuple[str, ...] = ()  # on those that it takes from materials of other files
+
+    @property
+    def key(self) -> str:
+        """The name, in which case makes no difference."""
+        return self.name.casefold()
+
+    @cached_property
+    def material(self) -> Material:
+        """The material; MaterialsFileError if something is wrong with it."""
+        try:
+            return read(self)
+        except Malformed as error:
+            raise MaterialsFileError(self.path, str(error)) from None
+
+    @property
+    def mistake(self) -> MaterialsFileError | None:
+        """The error of what is wrong with the material."""
+        try:
+            _ = self.material
+        except MaterialsFileError as error:
+            return error
+        return None
+
+
+def entries_in(path: str) -> list[Entry]:
+    """Return the materials of a file, unread; MaterialsFileError if it is no materials file."""
     try:
+        data = _shipped_data() if path == SHIPPED else data_of(path)
         if unknown := set(data) - {"title", "materials", "references"}:
             name = "NAME" if closest(key := min(unknown), ["materials"]) else shown(key)
             raise Malformed(f"has an unknown key {quoted(key)}; expected [materials.{name}] tables")
         title = checked_text(data.get("title", shown(path)), "title")
         tables, references = (checked_table(data.get(name, {}), name) for name in ("materials", "references"))
-        aliases = _aliases_in(tables)
+        entries = [
+            Entry(path, title, name, checked_table(table, f"materials.{name}"), references)
+            for name, table in tables.items()
+        ]
+        _check_names(entries)
     except Malformed as error:
         raise MaterialsFileError(path, str(error)) from None
-    return [
-        Material(
-            name,
-            {},
-            aliases[name],
-            {},
-            (),
-            (),
-            shown(str(table.get("source", title))),
-            path,
-            unread=(table, references),
-        )
-        for name, table in tables.items()
-    ]
+    return entries
 
 
 def _shipped_data() -> Mapping[str, Any]:
@@ -244,39 +263,23 @@ def _shipped_data() -> Mapping[str, Any]:
     return dict(DATA)
 
 
-def _aliases_in(tables: Mapping[str, Any]) -> dict[str, tuple[str, ...]]:
-    """Return the aliases of all materials of a file. One that several have is refused when it is used."""
+def _check_names(entries: Sequence[Entry]) -> None:
+    """Raise Malformed for a name that cannot be one, or is another material's. Several may have one alias."""
     names: dict[str, str] = {}
-    for name in tables:
-        names.setdefault(name.casefold(), name)
-    found: dict[str, tuple[str, ...]] = {}
-    for name, table in tables.items():
-        found[name] = checked_list(checked_table(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
-        for word in (name, *found[name]):
-            other = names.get(word.casefold(), name)
-            if other != name:
-                both = f"{quoted(other)} and {quoted(name)}"
+    for entry in entries:
+        names.setdefault(entry.key, entry.name)
+    for entry in entries:
+        for key, word in entry.words.items():
+            if names.get(key, entry.name) != entry.name:
+                both = f"{quoted(names[key])} and {quoted(entry.name)}"
                 raise Malformed(f"{quoted(word)} names both {both}; case makes no difference")
             if not is_material_name(word):
                 raise Malformed(f"{quoted(word, MAX_NAME)} cannot name a material; {_OF_A_NAME}")
-    return found
 
 
-def read(material: Material) -> Material:
-    """Return a material with what its table says, checked; a wrong one has its mistake in place of properties."""
-    if material.unread is None:
-        return material
-    table, references = material.unread
-    material = material._replace(unread=None)
-    try:
-        return _with_data(material, table, references)
-    except Malformed as error:
-        return material._replace(mistake=MaterialsFileError(material.path, str(error)))
-
-
-def _with_data(material: Material, table: Mapping[str, Any], references: Mapping[str, Any]) -> Material:
-    """Return a material with what its table says; Malformed if something is wrong."""
-    name = material.name
+def read(entry: Entry) -> Material:
+    """Return the material of an entry; Malformed if something is wrong with it."""
+    name, table = entry.name, entry.table
     _refuse_unknown_keys(name, table, (*PROPERTIES, XI, "aliases", "notes", "references", "state", "source"))
     properties: dict[str, float] = {}
     uncertainties: dict[str, Uncertain] = {}
@@ -300,14 +303,19 @@ def _with_data(material: Material, table: Mapping[str, Any], references: Mapping
     general = checked_list(table.get("references", []), f"{name}.references")
     cited = dict.fromkeys([*general, *(origin["reference"] for origin in origins.values() if "reference" in origin)])
     checked_text(table.get("source", ""), f"{name}.source")
-    return material._replace(
-        properties=MappingProxyType(properties),
-        notes=MappingProxyType(notes),
-        references=tuple(_reference(key, name, references) for key in cited),
-        state=checked_text(table.get("state", ""), f"{name}.state"),
-        uncertainties=MappingProxyType(uncertainties),
-        origins=MappingProxyType(origins),
-        displacement=displacement,
+    return Material(
+        name,
+        MappingProxyType(properties),
+        entry.aliases,
+        MappingProxyType(notes),
+        entry.remarks,
+        tuple(_reference(key, name, entry.references) for key in cited),
+        entry.title,
+        entry.path,
+        checked_text(table.get("state", ""), f"{name}.state"),
+        MappingProxyType(uncertainties),
+        MappingProxyType(origins),
+        displacement,
     )
 
 
@@ -346,26 +354,19 @@ def _reference(key: str, name: str, references: Mapping[str, Any]) -> Mapping[st
     return {"key": key, **checked_texts(references[key], f"references.{key}")}
 
 
-def _as_text(number: float, where: str) -> str:
-    """Return a number as it could have been typed."""
-    try:
-        return repr(number)
-    except ValueError:  # thousands of hexadecimal digits, which Python does not convert
-        raise Malformed(f"{shown(where)} has too many digits") from None
-
-
 def _property(key: str, value: object, name: str, where: str) -> float | Uncertain:
     """Return the SI value of a property: a text with a unit or, for a property without a unit, a number.
 
     `where`: its place in the file.
     """
-    if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
-        value = _as_text(value, where)
-    text = checked_text(value, where)
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
     try:
-        return value_of(text, key)
+        text = repr(value) if is_number and NOMENCLATURE[key].unit == "1" else value
+        return value_of(checked_text(text, where), key)
     except QuantityError as error:
         raise Malformed(f"{shown(name)}: {error}") from None
+    except ValueError:  # thousands of hexadecimal digits, which Python does not convert
+        raise Malformed(f"{shown(where)} has too many digits") from None
 
 
 # --- Materials by name ------------------------------------------------------------------------------------------------
@@ -374,9 +375,9 @@ def _property(key: str, value: object, name: str, where: str) -> float | Uncerta
 class UnknownMaterial(JkrollError):
     """Error raised for a material that no file describes."""
 
-    def __init__(self, name: str, known: Sequence[str], guess: str | None) -> None:
-        super().__init__(name, tuple(known), guess)
-        self.name, self.known, self.guess, self.phrase = name, tuple(known), guess, "unknown material"
+    def __init__(self, name: str, guess: str | None) -> None:
+        super().__init__(name, guess)
+        self.name, self.guess, self.phrase = name, guess, "unknown material"
 
     def __str__(self) -> str:
         if self.guess:
@@ -409,48 +410,50 @@ class Materials:
         """
         self.overrides: list[str] = []  # sentences on the names that were taken
         self.clashes: dict[str, UnclearMaterial] = {}  # errors of the names that were not, case folded
-        self._all: dict[str, Material] = {}  # by name
-        self._read: dict[Material, Material] = {}  # those that were used, with their data
-        self._meanings: dict[str, list[Material]] = {}  # of a name or alias, case folded
+        self._entries: dict[str, Entry] = {}  # by name, case folded
+        self._meanings: dict[str, list[Entry]] = {}  # of a name or alias, case folded
         is_one = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
         taking = [*map(path_of, [paths] if is_one else paths)]  # type: ignore[arg-type]
-        self.paths = tuple(dict.fromkeys((*map(path_of, added), *taking)))  # of the files besides the shipped one
-        for path in dict.fromkeys((SHIPPED, *self.paths)):
-            for material in materials_in(path):
-                self._add(material, takes=path in taking)
+        for path in dict.fromkeys((SHIPPED, *map(path_of, added), *taking)):
+            self._add(entries_in(path), takes=path in taking)
 
-    def _add(self, material: Material, *, takes: bool) -> None:
-        """Add a material under all of its names, or, unless it `takes` them, those that are not of the shipped file."""
-        words = {word.casefold(): word for word in (*material.aliases, material.name)}
-        name = material.name.casefold()
-        others = {word: [one for one in self._meanings.get(word, ()) if one.path != material.path] for word in words}
-        if not takes:
-            shipped = {word: one for word, ones in others.items() for one in ones[:1] if one.path == SHIPPED}
-            clashes = {word: _clash(words[word], one, material) for word, one in shipped.items()}
-            if name in clashes:  # it is not known by its other names either
-                clashes = dict.fromkeys(words, clashes[name])
-            self.clashes |= clashes
-            words = {word: text for word, text in words.items() if word not in clashes}
-        file = shown(material.path)
-        taken = ((words[word], one.title) for word in words for one in others[word])
-        remarks = dict.fromkeys(f"{file} overrides {shown(word)} of {title}" for word, title in taken)
-        self.overrides += remarks
-        material = material._replace(remarks=tuple(remarks))
-        for word in words:
-            self.clashes.pop(word, None)
-            of_file = [one for one in self._meanings.get(word, ()) if one.path == material.path]
-            self._meanings[word] = [*of_file, material]
-        if name in words:
-            for one in others[name]:
-                if one.name.casefold() == name:
-                    self._replace(one, material)
-            self._all[material.name] = material
+    def _add(self, entries: Iterable[Entry], *, takes: bool) -> None:
+        """Add the materials of a file under all of their names, or, unless they may be taken, those not shipped."""
+        meanings: dict[str, list[Entry]] = {}
+        for entry in entries:
+            if not takes:
+                self._leave_out_shipped(entry)
+            file = shown(entry.path)
+            taken = ((word, other.title) for key, word in entry.words.items() for other in self._called(key))
+            entry.remarks = tuple(dict.fromkeys(f"{file} overrides {shown(word)} of {title}" for word, title in taken))
+            self.overrides += entry.remarks
+            for key in entry.words:
+                self.clashes.pop(key, None)
+                meanings.setdefault(key, []).append(entry)
+        for entry in (entry for entry in entries if entry.words):
+            self._entries.pop(entry.key, None)  # its other names are now those of this one
+            self._entries[entry.key] = entry
+        self._meanings |= meanings
 
-    def _replace(self, before: Material, material: Material) -> None:
-        """Give the other names of a material to the one that has taken its name."""
-        del self._all[before.name]
-        for alias in map(str.casefold, before.aliases):
-            self._meanings[alias] = [material if one is before else one for one in self._meanings[alias]]
+    def _leave_out_shipped(self, entry: Entry) -> None:
+        """Take away the names that are shipped: all if that of the material is one, which has no other names then."""
+        file = shown(entry.path)
+        clashes = {
+            key: UnclearMaterial(
+                word, f"shipped ({other.title}) and also in {file}; rename it, or pass --materials {file}"
+            )
+            for key, word in entry.words.items()
+            for other in self._called(key)[:1]
+            if other.path == SHIPPED
+        }
+        if entry.key in clashes:
+            clashes = dict.fromkeys(entry.words, clashes[entry.key])
+        self.clashes |= clashes
+        entry.words = {key: word for key, word in entry.words.items() if key not in clashes}
+
+    def _called(self, key: str) -> list[Entry]:
+        """Return the materials that a name stands for: what has the name of one has its other names, too."""
+        return [self._entries[entry.key] for entry in self._meanings.get(key, ())]
 
     def __getitem__(self, word: str) -> Material:
         """Return the material of a name or alias, in any case.
@@ -462,42 +465,34 @@ class Materials:
         key = word.strip().casefold()
         if clash := self.clashes.get(key):
             raise clash
-        meanings = self._meanings.get(key, [])
+        states = [entry for name, entry in self._entries.items() if name.startswith(f"{key}-")]
+        meanings = self._called(key)
         if len(meanings) == 1:
-            return _sound(self._with_data(meanings[0]))
-        states = [material for name, material in self._all.items() if name.casefold().startswith(f"{key}-")]
+            return meanings[0].material
         if len(several := meanings or states) > 1:
-            raise UnclearMaterial(word, _choice([_sound(self._with_data(one)) for one in several]))
+            raise UnclearMaterial(word, _choice([entry.material for entry in several]))
         guess = states[0].name if states else closest(key, [*self.names, *self.aliases])
-        raise UnknownMaterial(word, sorted(self._all), guess)
-
-    def _with_data(self, material: Material) -> Material:
-        """Return a material with its data, which are read when they are first used."""
-        if material not in self._read:
-            self._read[material] = read(material)
-        return self._read[material]
+        raise UnknownMaterial(word, guess)
 
     @property
     def materials(self) -> Mapping[str, Material]:
         """All materials by name, without those with which something is wrong."""
-        read = {name: self._with_data(material) for name, material in self._all.items()}
-        return {name: material for name, material in read.items() if material.mistake is None}
+        return {entry.name: entry.material for entry in self._entries.values() if entry.mistake is None}
 
     @property
-    def mistakes(self) -> Mapping[str, MaterialsFileError]:
-        """The errors of materials with which something is wrong, by name."""
-        mistakes = {name: self._with_data(material).mistake for name, material in self._all.items()}
-        return {name: mistake for name, mistake in mistakes.items() if mistake is not None}
+    def mistakes(self) -> list[MaterialsFileError]:
+        """The errors of the materials with which something is wrong."""
+        return [entry.mistake for entry in self._entries.values() if entry.mistake is not None]
 
     @property
     def names(self) -> list[str]:
         """The names of all materials."""
-        return [*self._all]
+        return [entry.name for entry in self._entries.values()]
 
     @property
     def aliases(self) -> list[str]:
         """The other names of all materials."""
-        return [*dict.fromkeys(alias for material in self._all.values() for alias in material.aliases)]
+        return [*dict.fromkeys(alias for entry in self._entries.values() for alias in entry.aliases)]
 
 
 def known_materials(*paths: Path) -> Materials:
@@ -508,19 +503,6 @@ def known_materials(*paths: Path) -> Materials:
 @cache
 def _shipped() -> Materials:
     return Materials()
-
-
-def _sound(material: Material) -> Material:
-    """Return a material, or raise its mistake."""
-    if material.mistake is not None:
-        raise material.mistake.with_traceback(None)
-    return material
-
-
-def _clash(name: str, shipped: Material, added: Material) -> UnclearMaterial:
-    """Return the error of a name that is shipped and in another file, which may not take it."""
-    file = shown(added.path)
-    return UnclearMaterial(name, f"shipped ({shipped.title}) and also in {file}; rename it, or pass --materials {file}")
 
 
 def _choice(materials: Sequence[Material]) -> str:
