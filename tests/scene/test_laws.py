@@ -292,14 +292,11 @@ def test_large_arrays_are_solved_in_blocks() -> None:
     assert forces[12_345:12_350].tolist() == few.tolist()
 
 
-@pytest.mark.parametrize("size", [1, 2, 5, 7, 29])
+@pytest.mark.parametrize("size", [1, 7, 28, 29])
 def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of arrays that broadcast, and of results that depend on all of them, on some, or on none."""
-    given: dict[str, Any] = {
-        **QUARTZ,
-        "radius": numpy.geomspace(1e-8, 1e-5, 6).reshape(2, 1, 3),
-        "surface_energy": numpy.linspace(0.02, 0.5, 5).reshape(5, 1),
-    }
+    """Of results that depend on all arrays, on some, or on none."""
+    radii, energies = numpy.geomspace(1e-8, 1e-5, 29), numpy.linspace(0.02, 0.5, 29)
+    given: dict[str, Any] = {**QUARTZ, "radius": radii, "surface_energy": energies}
     names = ["pull_off_force", "r_min", "work_of_adhesion", "contact_modulus"]
     whole = solve(names, **given)
     monkeypatch.setattr("jkroll.scene.solver.ELEMENTS_AT_ONCE", size)

@@ -1,9 +1,7 @@
 """The Python face of a scene: names and values in, values out; of the inverse problem; and of the formulas."""
 
-import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
-from itertools import product
 from typing import TYPE_CHECKING, Any, overload
 
 from ..errors import JkrollError
@@ -15,12 +13,10 @@ from ..quantities.nomenclature import NOMENCLATURE, as_input, canonical, named
 from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
 from .failures import NO_END, Contradiction, reason_of, without_value
 from .scene import Scene
-from .wiring import Plan
 
 if TYPE_CHECKING:
     from .uncertainty import Propagated
 
-Slices = tuple[slice, ...]  # of a block in an array
 ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
 _PLAIN = float, int, str  # types of values that hold no others
 
@@ -159,10 +155,24 @@ def materials_of(
 
 
 def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """Return the values of quantities, for large arrays in blocks; raise the error of the first that has none."""
-    if math.prod(scene.shape) <= ELEMENTS_AT_ONCE or scene.has_rigid_elements:  # of which a block may have none
+    """Return the values of quantities; raise the error of the first that has none.
+
+    Long lists are computed in blocks, with which intermediate results take no memory.
+    """
+    shapes = {value.shape for value in scene.arrays.values()}
+    is_long_list = shapes == {scene.shape} and len(scene.shape) == 1 and scene.shape[0] > ELEMENTS_AT_ONCE
+    if not is_long_list or scene.has_rigid_elements:  # of which a block may have none
         return _answers(scene, names)
-    return _in_blocks(scene, names)
+    import numpy
+
+    parts = [slice(start, start + ELEMENTS_AT_ONCE) for start in range(0, scene.shape[0], ELEMENTS_AT_ONCE)]
+    blocks = [
+        _answers(scene.replace(**{name: value[part] for name, value in scene.arrays.items()}), names) for part in parts
+    ]
+    return {
+        name: value if isinstance(value, float) else numpy.concatenate([block[name] for block in blocks])
+        for name, value in blocks[0].items()
+    }
 
 
 def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -196,51 +206,6 @@ def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError |
     return value if found is None else found.uncertainty
 
 
-def _in_blocks(whole: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """Return the results for large arrays by blocks of elements: intermediate results stay in the processor's cache."""
-    import numpy
-
-    results: dict[str, Any] = {}
-    for place in _blocks(whole.shape):
-        scene = whole.replace(**{name: _part(value, place) for name, value in whole.arrays.items()})
-        values = _answers(scene, names)
-        if not results:
-            shapes = _shapes(scene.plan(*names), {name: value.shape for name, value in whole.arrays.items()})
-            results = {name: numpy.empty(shapes[name]) if name in shapes else value for name, value in values.items()}
-        for name, value in values.items():
-            if not isinstance(value, float):
-                _part(results[name], place)[...] = value
-    return results
-
-
-def _shapes(plan: Plan, shapes: Mapping[str, tuple[int, ...]]) -> dict[str, tuple[int, ...]]:
-    """Return the shapes of the wanted quantities that depend on arrays of these shapes."""
-    import numpy
-
-    known = dict(shapes)
-    for step in plan.steps:
-        entering = [known[name] for _, name in step.arguments if name in known]
-        if entering:
-            known[step.name] = numpy.broadcast_shapes(*entering)
-    return {name: known[source] for name, source in plan.found.items() if source in known}
-
-
-def _blocks(shape: tuple[int, ...]) -> Iterator[Slices]:
-    """Iterate over the blocks of an array, which are whole along its last axes as far as a block reaches."""
-    slices, room = [], ELEMENTS_AT_ONCE
-    for length in reversed(shape):
-        step = max(1, min(length, room))
-        slices.append([slice(start, start + step) for start in range(0, length, step)])
-        room //= step
-    return product(*reversed(slices))
-
-
-def _part(array: Any, place: Slices) -> Any:
-    """Return the part of an array that broadcasts to a block."""
-    own = place[len(place) - array.ndim :]
-    return array[tuple(where if length > 1 else slice(1) for where, length in zip(own, array.shape, strict=True))]
-
-
 def name_of_input(word: str) -> str:
     """Return the quantity for which a word stands as an input."""
     return canonical(as_input(word))
@@ -253,20 +218,16 @@ def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = name_of_inpu
     """
     values: dict[str, Any] = {}
     words: dict[str, str] = {}
-    registry = None
+    registries: list[Any] = []
     for word, value in given.items():
         name = name_of(word)
         if name not in NOMENCLATURE:
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
             raise Contradiction((words[name], word), "are one quantity; give it once")
-        if isinstance(value, float):
-            values[name] = float(value)
-            continue
-        content = _content(name, value)
-        registry = _registry(content) or registry
-        values[name] = _number(name, content)
-    return values, registry
+        is_float = isinstance(value, float)
+        values[name] = float(value) if is_float else _number(name, _content(name, value), registries)
+    return values, registries[-1] if registries else None
 
 
 def _content(name: str, value: Any) -> Any:
@@ -292,16 +253,13 @@ def _content(name: str, value: Any) -> Any:
     return _content(name, value.compute()) if hasattr(value, "__dask_graph__") else value
 
 
-def _registry(value: Any) -> Any:
-    """Return the registry of a pint Quantity, or of the first in a sequence; None if there is none."""
-    if isinstance(value, list | tuple):
-        return next(filter(None, map(_registry, value)), None)
-    return value._REGISTRY if hasattr(value, "m_as") else None
+def _number(name: str, value: Any, registries: list[Any]) -> Any:
+    """Return a float, an uncertain value or an array of floats for a number, text, Quantity, or a sequence of these.
 
-
-def _number(name: str, value: Any) -> Any:
-    """Return a float, an uncertain value or an array of floats for a number, text, Quantity, or a sequence of these."""
+    The registries of Quantities are added to `registries`.
+    """
     if hasattr(value, "m_as"):
+        registries.append(value._REGISTRY)
         if not value.is_compatible_with(NOMENCLATURE[name].unit):
             raise QuantityError(name, str(value), "is of another dimension")
         value = value.m_as(NOMENCLATURE[name].unit)
@@ -313,7 +271,7 @@ def _number(name: str, value: Any) -> Any:
     if is_uncertain(value):
         return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):
-        value = [_number(name, item) for item in value]
+        value = [_number(name, item, registries) for item in value]
         if any(map(is_uncertain, value)):
             raise QuantityError(
                 name, "a list", "holds uncertain values, and arrays have no uncertainty", "give them one by one"
