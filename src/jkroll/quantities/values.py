@@ -106,8 +106,8 @@ def parse_value(text: str, dimension: Dimension) -> float:
     >>> parse_value("36 km/h", dimension_of("m/s"))
     10.0
     """
-    mantissa, exponent, unit_text = split_number(normalized(text))
-    return rounded(*ratio(mantissa, exponent, unit_in(unit_text, dimension)))
+    number, unit_text = split_number(normalized(text))
+    return rounded(*ratio(number, unit_in(unit_text, dimension)))
 
 
 def unit_in(text: str, dimension: Dimension) -> Unit:
@@ -145,8 +145,12 @@ def error_about(
     return QuantityError(name, text[:MAX_TEXT], str(error), remedy or expected)
 
 
-def split_number(text: str) -> tuple[int, int, str]:
-    """Split a text into the number at its head, as an integer and a power of ten, and the unit after it."""
+_Decimal = tuple[int, int]  # an integer and a power of ten
+
+
+def split_number(text: str) -> tuple[_Decimal, str]:
+    """Split a text into the number at its head and the unit after it."""
+    text = text.strip(" ")
     match = _NUMBER.match(text)
     assert match is not None  # every part of the pattern is optional
     sign, whole, fraction, exponent = match.groups()
@@ -163,7 +167,7 @@ def split_number(text: str) -> tuple[int, int, str]:
         raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
     if exponent and len(exponent.lstrip("+-")) > 3:
         raise BadUnit("has an exponent of more than 3 digits")
-    return int(sign + digits), int(exponent or 0) - len(fraction or ""), rest.removeprefix(" ")
+    return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
 
 
 # A number, which may have an uncertainty in its own unit, and its unit.
@@ -188,8 +192,9 @@ def _unit_as_written(unit: str) -> str:
     return re.sub(r"(?<=[A-Za-z])(?:\^|\*\*)?([-0-9]+)", lambda power: power[1].translate(RAISED), unit)
 
 
-def ratio(mantissa: int, exponent: int, unit: Unit) -> tuple[int, int]:
-    """Return numerator and denominator of mantissa × 10^exponent × unit, in SI units."""
+def ratio(number: _Decimal, unit: Unit) -> tuple[int, int]:
+    """Return numerator and denominator of a number with a unit, in SI units."""
+    mantissa, exponent = number
     above, below = power_of_ten(exponent)
     return mantissa * unit.numerator * above, unit.denominator * below
 
@@ -372,25 +377,28 @@ _TWO_SIDES = rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_
 
 def _read(text: str, dimension: Dimension) -> Uncertain | None:
     """Read a text in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2; None for any other."""
-    if "(" in text:
-        return _with_brackets(text, dimension)
+    if "(" in text and (found := _with_brackets(text, dimension)):
+        return found
     if "+" in text and (match := re.fullmatch(_TWO_SIDES, text)):
         value, plus, minus, unit = match.groups()
-        return _measured(_decimal(value), _decimal(minus), _decimal(plus), unit_in(unit, dimension))
+        return _measured(_decimal(value), unit_in(unit, dimension), _decimal(minus), _decimal(plus))
     left, _, right = text.partition("±")
-    if left and right and "±" not in right and ")" not in text:
+    if left and right and "±" not in right and not {"(", ")"}.intersection(text):
         return _plus_minus(left, right, dimension)
     if " to " in text:
         return _interval(text, dimension)
-    _refuse_mark(text)
+    if "(" in text and re.search(r"[^\d\s]\s*\(", text):
+        raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
+    if has_uncertainty(text):
+        raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
     return None
 
 
-def _with_brackets(text: str, dimension: Dimension) -> Uncertain | None:
-    """Read a text in one of the forms with brackets, or a range; None for any other."""
+def _with_brackets(text: str, dimension: Dimension) -> Measured | None:
+    """Read a text in one of the forms with brackets; None for any other."""
     if match := re.fullmatch(_IN_BRACKETS, text):
         value, uncertainty, power, unit = match.groups()
-        return _symmetric(_decimal(value, power), _decimal(uncertainty, power), unit_in(unit, dimension))
+        return _measured(_decimal(value, power), unit_in(unit, dimension), _decimal(uncertainty, power))
     if match := re.fullmatch(_LAST_DIGITS, text):
         value, digits, power, unit = match.groups()
         places = len(value.partition(".")[2])
@@ -398,44 +406,33 @@ def _with_brackets(text: str, dimension: Dimension) -> Uncertain | None:
         if not power and 2 * int(digits) > abs(float(value)):
             plain = f"{value}±{int(digits) / 10**places:.{places}f}"
             raise BadUnit(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
-        return _symmetric(nominal, uncertainty, unit_in(unit, dimension))
-    if " to " in text:
-        return _interval(text, dimension)
-    if re.search(r"[^\d\s]\s*\(", text):
-        raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
-    _refuse_mark(text)
+        return _measured(nominal, unit_in(unit, dimension), uncertainty)
     return None
-
-
-def _refuse_mark(text: str) -> None:
-    """Raise BadUnit for a text that has the mark of an uncertainty."""
-    if has_uncertainty(text):
-        raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
 
 
 def _plus_minus(left: str, right: str, dimension: Dimension) -> Measured:
     """Read a value, with or without a unit, and its uncertainty with a unit or in percent of the value."""
-    value, unit_text = _split(left)
-    uncertainty, own_text = _split(right)
+    value, unit_text = split_number(left)
+    uncertainty, own_text = split_number(right)
     if own_text.startswith("%"):
         if own_text != "%" or unit_text == "%":
             raise BadUnit("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
         share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
-        return _symmetric(value, share, unit_in(unit_text, dimension))
+        return _measured(value, unit_in(unit_text, dimension), share)
     if unit_text and not own_text:
         raise BadUnit(NO_UNIT_OF_BAR)
     own = unit_in(own_text, dimension)
-    return _symmetric(value, uncertainty, unit_in(unit_text, dimension) if unit_text else own, own)
+    return _measured(value, unit_in(unit_text, dimension) if unit_text else own, uncertainty, other=own)
 
 
 def _interval(text: str, dimension: Dimension) -> Interval:
     """Read a range of which the first end may leave its unit to the second."""
     left, _, right = text.partition(" to ")
-    first, first_unit = _split(left)
-    last, last_unit = _split(right)
+    first, first_unit = split_number(left)
+    last, last_unit = split_number(right)
     unit = unit_in(last_unit, dimension)
-    low = ratio(*first, unit_in(first_unit, dimension) if first_unit else unit)
-    high = ratio(*last, unit)
+    low = ratio(first, unit_in(first_unit, dimension) if first_unit else unit)
+    high = ratio(last, unit)
     middle = rounded(low[0] * high[1] + high[0] * low[1], 2 * low[1] * high[1])
     ends = rounded(*low), rounded(*high)
     if ends[0] >= ends[1]:
@@ -443,34 +440,19 @@ def _interval(text: str, dimension: Dimension) -> Interval:
     return Interval(middle, *ends)
 
 
-_Decimal = tuple[int, int]  # an integer and a power of ten
-
-
 def _decimal(text: str, power: str | None = None) -> _Decimal:
     """Read a number without a unit, times a power of ten."""
-    (mantissa, exponent), rest = _split(text)
+    (mantissa, exponent), rest = split_number(text)
     if rest:
         raise BadUnit("is not a number and a unit")
     return mantissa, exponent + int(power or 0)
 
 
-def _split(text: str) -> tuple[_Decimal, str]:
-    """Split a text into the number at its head and the unit after it."""
-    mantissa, exponent, unit = split_number(text.strip(" "))
-    return (mantissa, exponent), unit
-
-
-def _symmetric(value: _Decimal, uncertainty: _Decimal, unit: Unit, own: Unit | None = None) -> Measured:
-    """Return a value with the same uncertainty on both sides."""
-    return _measured(value, uncertainty, uncertainty, unit, own)
-
-
-def _measured(value: _Decimal, minus: _Decimal, plus: _Decimal, unit: Unit, own: Unit | None = None) -> Measured:
-    """Return a value with an uncertainty on each side; `own` is the unit of both where it is not that of the value."""
-    if minus[0] < 0 or plus[0] < 0:
+def _measured(value: _Decimal, unit: Unit, *sides: _Decimal, other: Unit | None = None) -> Measured:
+    """Return a value with an uncertainty, or one below it and one above it; `other` is their unit, if it is another."""
+    if min(mantissa for mantissa, _ in sides) < 0:
         raise BadUnit("has a negative uncertainty")
-    below, above = (rounded(*ratio(*side, own or unit)) for side in (minus, plus))
-    return Measured(rounded(*ratio(*value, unit)), below, above)
+    return Measured(rounded(*ratio(value, unit)), *(rounded(*ratio(side, other or unit)) for side in sides))
 
 
 # --- Lists and ranges -------------------------------------------------------------------------------------------------
