@@ -87,9 +87,7 @@ _SAME = str.maketrans(
 )
 RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
-_TERM = r"([A-Za-zÅ°%_]+)(?: ?(?:\^|\*\*) ?([+-]?[0-9]+)|([+-]?[0-9]+)|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))?"
-_SEPARATOR = r" ?([*/]) ?| "
-_RECIPROCAL = r"(?:1 ?)?/ ?"
+_OF_POWERS = "0123456789-+⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
 
 
 _MICRO_INSIDE = r"[^\W\d_][µμ]"  # mµm was once the nanometre, and is a micrometre to pint
@@ -206,31 +204,34 @@ def _terms(text: str) -> list[Term]:
     """Split the text of a unit into names and powers."""
     if text.isascii() and text.isalpha():  # as most are
         return [(text, 1)]
-    a_term, a_separator = re.compile(_TERM), re.compile(_SEPARATOR)
-    reciprocal = re.match(_RECIPROCAL, text)
-    position, sign = (reciprocal.end(), -1) if reciprocal else (0, 1)
-    divided, terms = sign < 0, list[Term]()
-    while position < len(text) or sign < 0:
-        match = a_term.match(text, position)
-        if match is None:
-            raise BadUnit("is not a number and a unit")
-        position = match.end()
-        power = match[2] or match[3] or (match[4] or "1").translate(SUPERSCRIPTS)
-        if len(terms) == MAX_TERMS or len(power) > 3 or abs(int(power)) > MAX_POWER:
-            raise BadUnit(f"has more than {MAX_TERMS} units or a power above {MAX_POWER}")
-        terms.append((match[1], sign * int(power)))
-        if position == len(text):
-            break
-        separator = a_separator.match(text, position)
-        if separator is None or separator.end() == len(text):
-            raise BadUnit("is not a number and a unit")
-        if divided and separator[1] is None:
-            before, after = shown(text[: separator.start()]), shown(text[separator.end() :])
-            raise BadUnit(f"can be read as {before}*{after} or as {before}/{after}", "write the one that is meant")
-        sign = -1 if separator[1] == "/" else 1
-        divided = divided or sign < 0
-        position = separator.end()
+    for mark in ("**", "^", "*", "/"):
+        text = text.replace(f" {mark}", mark).replace(f"{mark} ", mark)
+    above, slash, below = text.replace("**", "^").partition("/")
+    if " " in below:
+        before, _, after = below.partition(" ")
+        before, after = shown(f"{above}/{before}"), shown(after)
+        raise BadUnit(f"can be read as {before}*{after} or as {before}/{after}", "write the one that is meant")
+    is_reciprocal = above == "1" and slash
+    terms = [_term(name) for name in above.replace(" ", "*").split("*")] if above and not is_reciprocal else []
+    for divisor in below.split("/") if slash else ():
+        (name, power), *others = map(_term, divisor.split("*"))
+        terms += [(name, -power), *others]
+    if len(terms) > MAX_TERMS or any(abs(power) > MAX_POWER for _, power in terms):
+        raise BadUnit(f"has more than {MAX_TERMS} units or a power above {MAX_POWER}")
     return terms
+
+
+def _term(text: str) -> Term:
+    """Read a name with its power, if it has one: m2, m^2, m²."""
+    name = text.rstrip(_OF_POWERS).removesuffix("^")
+    stated = text[len(name) :].removeprefix("^") if name != text else "1"
+    power = stated.translate(SUPERSCRIPTS)
+    is_name = name != "" and all((letter.isascii() and letter.isalpha()) or letter in "Å°%_" for letter in name)
+    is_power = power.removeprefix("+" if power.startswith("+") else "-").isdigit()
+    has_two_alphabets = not stated.isascii() and not {*stated}.isdisjoint(power)
+    if not is_name or not is_power or has_two_alphabets:
+        raise BadUnit("is not a number and a unit")
+    return name, int(power)
 
 
 def _product(terms: Iterable[Term]) -> Unit:
