@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 from unicodedata import normalize
 
+from jkroll.quantities.errors import SYNONYMS
 from jkroll.quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 from jkroll.quantities.units import dimension_of
-from jkroll.rows.words import INPUTS, SYNONYMS
+from jkroll.rows.words import INPUTS
 
 # Units for each SI unit of an input, with their factors.
 UNITS: Mapping[str, list[tuple[str, float]]] = {
@@ -85,7 +86,15 @@ def words_of(name: str) -> Iterator[tuple[str, bool]]:
     option = next((word for word, meant in OPTION_WORDS.items() if meant == name), name)
     first, *others = name.split("_")
     camel = first + "".join(map(str.title, others))
-    for word in dict.fromkeys((name, name.replace("_", " ").title(), option, *SYNONYMS.get(name, ()), camel)):
+    for word in dict.fromkeys(
+        (
+            name,
+            name.replace("_", " ").title(),
+            option,
+            *(word.replace("_", " ") for word in SYNONYMS.get(name, ())),
+            camel,
+        )
+    ):
         yield word, False
         if f"{name}2" in NOMENCLATURE:
             yield f"{word}1", False

@@ -108,7 +108,7 @@ def values(found: Found) -> dict[str, list[Any]]:
     head = dialect.head(found.text)
     rows = head.sample
     header = understood(head.names, rows, column_options(choice for choice in chosen if not choice.startswith("--")))
-    materials = {name: [row[place] for row in rows] for name, place in header.materials}
+    materials = {column.name: [row[column.place] for row in rows] for column in header.materials}
     return materials | {column.name: [value(column, row) for row in rows] for column in header.inputs}
 
 

@@ -127,6 +127,8 @@ READ = {
     "Effective Young's modulus [GPa]": ("contact_modulus", 1e9),
     "reduced_radius [nm]": ("reduced_radius", 1e-9),
     "RADIUS [UM]": ("radius", 1e-6),
+    "rad_nm": ("radius", 1e-9),
+    "v_imp (m/s)": ("speed", 1.0),
 }
 _SIZE = "a radius is half of a diameter or a size, and r may be a distance"
 _LACKING = "has no unit, and neither has its first cell '100'. Write --column"
@@ -173,6 +175,8 @@ REFUSED = {
     "normal force [nN]": "it may be a load, or a force that was measured",
     "F_n [nN]": "--column 'F_n [nN]=load [nN]'",
     "hysteresis (mJ/m2)": "it may be another hysteresis",
+    "E_eff [GPa]": "it may be another modulus",
+    "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "second radius (nm)": "'second radius (nm)=radius [nm]' or --column 'second radius (nm)=radius2 [nm]'",
     "applied tip load [nN]": "=load [nN]'",
     "mean gamma (mJ/m2)": "=surface_energy [mJ/m2]'",
@@ -230,6 +234,8 @@ PASSING = (
     "R",
     "n_c",
     "Size (mm)",
+    "rad",
+    "rad [1/s]",
 )
 
 

@@ -53,30 +53,41 @@ class UnknownQuantity(JkrollError):
         return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"
 
 
-# Words of others, by the quantity that they are likely to mean.
-_SYNONYMS = {
-    "approach_at_load": "indentation overlap penetration",
+# Words of others by the quantity that they mean. Behind ? stand those that are likely to mean it: no header is read by
+# them.
+_WORDS_OF_OTHERS = {
+    "approach_at_load": "? indentation overlap penetration",
+    "contact_modulus": "e_star reduced_modulus reduced_youngs_modulus effective_youngs_modulus",
+    "density": "mass_density",
     "disruption_speed": "fragmentation_speed fragmentation_velocity fragmentation v_frag",
-    "filling_factor": "porosity",
-    "pull_off_force": "adhesion adhesion_force f f_ad force",
-    "radius": "diameter",
+    "energy": "impact_energy collision_energy",
+    "filling_factor": "? porosity",
+    "gravity": "gravitational_acceleration",
+    "hamaker": "hamaker_constant",
+    "load": "applied_load normal_load",
+    "poisson_ratio": "poissons poissons_ratio poisson_number",
+    "pull_off_force": "? adhesion adhesion_force f f_ad force",
+    "radius": "? diameter",
+    "reduced_radius": "effective_radius",
     "roll_energy": "rolling_energy",
     "sliding_force": "friction_force static_friction",
-    "speed": "impact_speed impact_velocity velocity",
+    "speed": "velocity impact_velocity impact_speed collision_velocity collision_speed",
     "sticking_speed": "stickiness sticking_velocity",
     "stiffness": "spring_constant",
-    "surface_energy": "surface_tension",
+    "surface_energy": "surface_free_energy ? surface_tension",
     "tangential_stiffness": "sliding_stiffness",
     "twisting_moment": "torsion",
     "twisting_stiffness": "torsional_stiffness",
-    "work_of_adhesion": "cohesion",
+    "work_of_adhesion": "w_adh adhesion_work delta_gamma ? cohesion",
     "yield_angle": "critical_angle critical_rolling_angle",
-    "yield_displacement": "critical_displacement critical_rolling_displacement",
+    "yield_displacement": "critical_rolling_displacement rolling_displacement ? critical_displacement",
     "yield_force": "friction rolling_force rolling_friction rolling_friction_force",
     "yield_moment": "rolling_resistance rolling_torque torque",
-    "youngs_modulus": "elastic_modulus elasticity modulus",
-}
-QUANTITY_SYNONYMS = {word: name for name, words in _SYNONYMS.items() for word in words.split()}
+    "youngs_modulus": "young_modulus youngs elastic_modulus elasticity_modulus modulus_of_elasticity e_modulus"
+        " ? elasticity modulus",
+}  # fmt: skip
+SYNONYMS = {name: words.partition("?")[0].split() for name, words in _WORDS_OF_OTHERS.items()}
+QUANTITY_SYNONYMS = {word: name for name, words in _WORDS_OF_OTHERS.items() for word in words.replace("?", "").split()}
 
 # from here on, a word may be meant for another: "moment" for "yield_moment", but not "restitution" for "friction"
 ALIKE = 0.65

@@ -1,7 +1,7 @@
 """The header of a table: the columns that are inputs, with their units, those that pass through, what is refused."""
 
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -14,18 +14,14 @@ from ..quantities.values import unit_of, value_of
 from ..text import closest, first_of, quoted, shown
 from .cells import Column, is_number
 from .readings import Reading, named, read, reading_of
-from .words import MATERIALS, fits, key, unit_for, with_unit
+from .words import MATERIALS, Meaning, fits, key, unit_for, with_unit
 
 _MAX_SAID = 60  # columns that pass through and are named
 _OF_DIRECTIONS = r"(?i)\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])"
+_MODULI = ("youngs_modulus", "youngs_modulus2")
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _ENDS = ("low", "high")
-_SHAPES = (
-    ("", "both"),
-    ("", "minus", "plus"),
-    ("",),
-    _ENDS,
-)  # of the columns of a value, by the part of its uncertainty
+_SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # of the columns of a value, by part
 _VALUE, _BARE, _UNIT = "value", "bare number", "unit"  # kinds of cells
 _NO_UNIT = "has no unit, and neither has its first cell"
 _NO_MEANINGS: Mapping[str, Reading] = MappingProxyType({})
@@ -35,28 +31,33 @@ class Header(NamedTuple):
     """The columns of a table."""
 
     texts: tuple[str, ...]
-    inputs: tuple[Column, ...]
-    materials: tuple[tuple[str, int], ...]  # name and place of the columns that name materials
+    columns: tuple[Column, ...]  # that are read
     meanings: Mapping[str, Reading] = _NO_MEANINGS  # what `--column` says of headers
     preamble: int = 0  # lines before the header that are passed over
 
     @property
+    def inputs(self) -> tuple[Column, ...]:
+        """The columns of numbers."""
+        return tuple(column for column in self.columns if column.name not in MATERIALS)
+
+    @property
+    def materials(self) -> tuple[Column, ...]:
+        """The columns that name materials."""
+        return tuple(column for column in self.columns if column.name in MATERIALS)
+
+    @property
     def names(self) -> frozenset[str]:
         """The names of the inputs that have columns."""
-        return frozenset({column.name for column in self.inputs} | {name for name, _ in self.materials})
+        return frozenset(column.name for column in self.columns)
 
     @property
     def places(self) -> dict[str, int]:
         """The places of the columns that are read."""
-        return {name: place for column in self.inputs for name, place in column.places.items()} | dict(self.materials)
+        return {name: place for column in self.columns for name, place in column.places.items()}
 
     def reading(self) -> str:
         """Return the sentence that says how the table is read."""
-        read_columns = [self._from(name, {"": place}) for name, place in self.materials]
-        for column in self.inputs:
-            places = dict(column.sides) if column.is_range else {"": column.place, **column.sides}
-            read_columns.append(self._from(header_of(column.name, column.unit_text), places))
-        sentence = f"read: {', '.join(read_columns) or 'no input'}"
+        sentence = f"read: {', '.join(map(self._from, (*self.materials, *self.inputs))) or 'no input'}"
         if self.preamble:
             lines = "a line" if self.preamble == 1 else f"{self.preamble} lines"
             sentence += f"; passed over: {lines} before the header"
@@ -66,13 +67,12 @@ class Header(NamedTuple):
             sentence += f"; passed through: {count}{first_of([*map(_easy, dict.fromkeys(others))], _MAX_SAID)}"
         return sentence
 
-    def _from(self, head: str, places: Mapping[str, int]) -> str:
-        """Return the header of an input with those that it is read from, if they are others; `places`: by the part."""
-        texts = {part: self.texts[place] for part, place in places.items()}
-        value = texts.pop("", head)
-        is_same = value.strip() in (head, head.partition(" [")[0])
-        sources = [f"{_MARKS[part]}{_easy(text)}" for part, text in texts.items()]
-        return " ".join([head, *([] if is_same else [f"from {_easy(value)}"]), *sources])
+    def _from(self, column: Column) -> str:
+        """Return the header of an input with those that it is read from, if they are others."""
+        head, text = header_of(column.name, column.unit_text), self.texts[column.place]
+        is_same = column.is_range or text.strip() in (head, column.name)
+        sources = [f"{_MARKS[part]}{_easy(self.texts[place])}" for part, place in column.sides.items()]
+        return " ".join([head, *([] if is_same else [f"from {_easy(text)}"]), *sources])
 
 
 def _easy(text: str) -> str:
@@ -86,8 +86,9 @@ def _easy(text: str) -> str:
 def stated_meanings(names: Iterable[str], texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
     """Return the meaning of the columns that options name, and of those of their uncertainties."""
     chosen = column_options(texts, measured)
-    more = {key(word): measured for word in (measured, NOMENCLATURE[measured].symbol)} if measured else {}
-    more |= {named(head, each.name)[0]: each.name for head, each in chosen.items() if each.name and not each.part}
+    words = dict.fromkeys([measured, NOMENCLATURE[measured].symbol], measured) if measured else {}
+    words |= {named(head, each.name)[0]: each.name for head, each in chosen.items() if each.name and not each.part}
+    more = {key(word): Meaning([name]) for word, name in words.items()}
     for head in map(str.strip, names) if more else ():
         reading = read(head, more)
         if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
@@ -106,29 +107,20 @@ def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Readin
         head = head.strip()
         if not is_pair or not head:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
-        reading = read(meaning, {key(measured): measured} if measured else {})
+        reading = read(meaning, {key(measured): Meaning([measured])} if measured else {})
         if meaning.strip() and (not reading.is_input or reading.is_symbol or reading.meant):
             meant = reading.meant[0] if reading.meant else "a name with its unit, as in radius [nm]"
             problem = f": {reading.problem}" if reading.problem else ""
             raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; did you mean {meant}?")
         if head in meanings:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
-        if reading.name and reading.name not in MATERIALS and reading.unit_text is None:
+        if reading.name and not reading.unit_text:
             reading = reading._replace(unit_text=named(head, reading.name)[1])
         meanings[head] = reading
     return meanings
 
 
 # --- What a table says ------------------------------------------------------------------------------------------------
-
-
-class _Head(NamedTuple):
-    """The head of a column: its place, its text, the first cell below it that is not empty, and its meaning."""
-
-    place: int
-    text: str
-    cell: str
-    reading: Reading
 
 
 def understood(
@@ -148,13 +140,12 @@ def understood(
     heads = []
     for place, text in enumerate(texts):
         cells = [row[place].strip() for row in rows]
-        heads.append(_Head(place, text, next(filter(None, cells), ""), _meaning(text, cells, meanings)))
-    is_of_two = "radius2" in given or any(head.reading.is_input and head.reading.name == "radius2" for head in heads)
-    heads = [_among(head, heads, meanings, is_of_two=is_of_two) for head in heads]
-    parts: dict[str, dict[str, _Head]] = {}  # of inputs, by the part of the uncertainty, "" for the values
+        first = next(filter(None, cells), "")
+        heads.append(_meaning(text, cells, meanings)._replace(place=place, text=text, cell=first))
+    heads = [*_beside_others(heads, meanings.keys(), given)]
+    parts: dict[str, dict[str, Reading]] = {}  # of inputs, by the part of the uncertainty, "" for the values
     for head in heads:
-        reading = head.reading
-        name, part = (reading.name, reading.part) if reading.is_input else ("", head.text)
+        name, part = (head.name, head.part) if head.is_input else ("", head.text)
         other = parts.setdefault(name, {}).setdefault(part, head)
         if other is not head and head.text.strip():
             both = f"the columns {quoted(other.text)} and {quoted(head.text)}"
@@ -162,15 +153,14 @@ def understood(
             raise BadTable(f"header: {both}, of which one must go")
     parts.pop("", None)
     known = {name for name, of_name in parts.items() if not {"", "low"}.isdisjoint(of_name)}
-    refused = [head for head in heads if head.reading.problem and head.reading.name not in known]
+    refused = [head for head in heads if head.problem and head.name not in known]
     for of_name in parts.values():
         needed = [of_name[part] for part in ([""] if "" in of_name else _ENDS) if part in of_name]
-        refused += [head for head in map(_without_unit, needed) if head.reading.problem]
+        refused += [head for head in map(_without_unit, needed) if head.problem]
     if refused:
-        raise _refusal(sorted(refused))
-    materials = tuple((name, parts.pop(name)[""].place) for name in [*parts] if name in MATERIALS)
-    inputs = filter(None, (_column(of_name, meanings.keys()) for of_name in parts.values()))
-    return Header(tuple(texts), tuple(inputs), materials, meanings)
+        raise _refusal(sorted(refused, key=lambda head: head.place))
+    columns = filter(None, (_column(of_name, meanings.keys()) for of_name in parts.values()))
+    return Header(tuple(texts), tuple(columns), meanings)
 
 
 def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -> Reading:
@@ -179,8 +169,8 @@ def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -
         return stated
     reading, cell = reading_of(text), next(filter(None, cells), "")
     if reading.is_symbol and not reading.part:
-        kinds = (_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each))
-        return reading if any(kind in (_VALUE, _UNIT) for kind in kinds) else Reading()
+        kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
+        return Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
     if key(text) in ("model", "law") and cell.casefold() in LAWS:
         return Reading("model", problem="the law is an option: --model dmt")
     is_unread = reading.problem or not reading.name
@@ -192,47 +182,48 @@ def _kind(cell: str, name: str) -> str:
     try:
         value_of(cell, name)
     except QuantityError as error:
-        is_unit = not error.is_bare and unit_for(cell.strip("[]() "), name)
-        return _UNIT if is_unit else _BARE if error.is_bare else ""
+        return _BARE if error.is_bare else _UNIT if unit_for(cell.strip("[]() "), name) else ""
     return _VALUE
 
 
-def _among(head: _Head, heads: Sequence[_Head], stated: Collection[str], *, is_of_two: bool) -> _Head:
-    """Return a head in the light of the others. ± alone is of the column at its left.
+def _beside_others(heads: Sequence[Reading], stated: Collection[str], given: Collection[str]) -> Iterator[Reading]:
+    """Iterate over heads as the others make them mean. ± alone is of the column at its left.
 
-    `stated`: the headers that options name; `is_of_two`: whether sphere 2 has a radius of its own.
+    `stated`: the headers that options name, which mean what they say.
     """
-    reading = head.reading
-    if head.text.strip() in stated:
-        return head
-    if reading.part and not reading.name:
-        left = heads[head.place - 1].reading if head.place else Reading()
-        is_value = left.is_input and not left.part and left.name not in MATERIALS
-        is_of_left = is_value and (reading.unit_text in (None, "%") or fits(reading.unit_text, left.name))
-        return head._replace(reading=reading._replace(name=left.name) if is_of_left else Reading())
-    is_modulus = reading.name in ("youngs_modulus", "youngs_modulus2")
-    if other := next((other for other in heads if is_modulus and re.match(_OF_DIRECTIONS, other.text)), None):
-        problem = f"{quoted(other.text)} beside it says that it is the modulus along a direction"
-        return head._replace(reading=reading._replace(problem=problem, meant=()))
-    if reading.is_input and reading.meant and not reading.part and not is_of_two:
-        problem = "R is the radius of a sphere or the reduced radius, half of it for equal spheres"
-        return head._replace(reading=reading._replace(problem=problem))
-    return head
+    is_of_two = "radius2" in given or any(head.is_input and head.name == "radius2" for head in heads)
+    has_moduli = any(head.name in _MODULI for head in heads)
+    direction = next((head.text for head in heads if has_moduli and re.match(_OF_DIRECTIONS, head.text)), None)
+    for left, head in zip([Reading(), *heads], heads, strict=False):
+        if head.text.strip() in stated:
+            yield head
+        elif head.part and not head.name:
+            is_value = left.is_input and not left.part and left.name not in MATERIALS
+            is_of_left = is_value and (head.unit_text in ("", "%") or fits(head.unit_text, left.name))
+            yield head._replace(name=left.name if is_of_left else "")
+        elif direction is not None and head.name in _MODULI:
+            problem = f"{quoted(direction)} beside it says that it is the modulus along a direction"
+            yield head._replace(problem=problem, meant=())
+        elif head.is_input and head.meant and not head.part and not is_of_two:
+            problem = "R is the radius of a sphere or the reduced radius, half of it for equal spheres"
+            yield head._replace(problem=problem)
+        else:
+            yield head
 
 
-def _column(parts: Mapping[str, _Head], stated: Collection[str]) -> Column | None:
+def _column(parts: Mapping[str, Reading], stated: Collection[str]) -> Column | None:
     """Return the column of an input with those of its uncertainty; None if they make none and pass through.
 
     `parts`: by the part of the uncertainty, "" for the values; `stated`: the headers that options name. Without a unit
     cells carry their own, or they are plain numbers of a ratio. Raises BadTable.
     """
+    name = next(iter(parts.values())).name
     shapes = [shape for shape in _SHAPES if parts.keys() >= {*shape}]
-    used = shapes[0] if shapes else ()
-    name = next(iter(parts.values())).reading.name
-    left = [head.text for part, head in parts.items() if part not in used]
     if {*_SHAPES[:2]} <= {*shapes}:
         first, second = (quoted(parts[part].text) for part in ("both", "minus"))
         raise BadTable(f"header: {first} and {second} are both uncertainties of {name}; one must go")
+    used = shapes[0] if shapes else ()
+    left = [head.text for part, head in parts.items() if part not in used]
     if left and (any(text.strip() in stated for text in left) or ("" not in parts and parts.keys() & {*_ENDS})):
         raise BadTable(
             f"header: {quoted(left[0])} alone is no uncertainty of {name}: values have a column of ± beside them, or "
@@ -241,8 +232,7 @@ def _column(parts: Mapping[str, _Head], stated: Collection[str]) -> Column | Non
     if not used:
         return None
     of_ratio = ("1", "-") if NOMENCLATURE[name].unit == "1" else ()
-    units = {part: parts[part].reading.unit_text or "" for part in used}
-    units = {part: "" if unit_text in of_ratio else unit_text for part, unit_text in units.items()}
+    units = {part: "" if parts[part].unit_text in of_ratio else parts[part].unit_text for part in used}
     unit_text = units[used[0]] or (units["high"] if used == _ENDS else "")
     for part in used:
         if part != "both" and units[part] not in ("", unit_text):
@@ -251,42 +241,40 @@ def _column(parts: Mapping[str, _Head], stated: Collection[str]) -> Column | Non
     unit = unit_of(unit_text, name) if unit_text else None
     sides = {part: parts[part].place for part in used if part}
     error_unit = units.get("both", "")
-    error_unit = "" if error_unit == unit_text else error_unit
-    return Column(parts[used[0]].place, name, unit_text, unit, sides, error_unit)
+    return Column(parts[used[0]].place, name, unit_text, unit, sides, error_unit if error_unit != unit_text else "")
 
 
 # --- What is refused --------------------------------------------------------------------------------------------------
 
 
-def _without_unit(head: _Head) -> _Head:
+def _without_unit(head: Reading) -> Reading:
     """Return the head of an input, with a problem if neither it nor its first cell has the unit that it needs."""
-    _, _, cell, reading = head
-    name, part = reading.name, reading.part
-    if not cell or reading.unit_text or name in MATERIALS or NOMENCLATURE[name].unit == "1":
+    name, cell = head.name, head.cell
+    if not cell or head.unit_text or name in MATERIALS or NOMENCLATURE[name].unit == "1":
         return head
-    unit_text = unit_for(cell.strip("[]() "), name)
-    meant = (f"{name}{'_' if part else ''}{part} [{unit_text or 'UNIT'}]",)
+    part = f"_{head.part}" if head.part else ""
+    meant = f"{name}{part} [{unit_for(cell.strip('[]() '), name) or 'UNIT'}]"
     problem = {_BARE: _NO_UNIT, _UNIT: _UNIT}.get(_kind(cell, name), "")
-    return head._replace(reading=reading._replace(problem=problem, meant=meant))
+    return head._replace(problem=problem, meant=[meant])
 
 
-def _refusal(heads: Sequence[_Head]) -> BadTable:
+def _refusal(heads: Sequence[Reading]) -> BadTable:
     """Return the error of columns that may be inputs and cannot be read."""
-    problems, remedies, tail = [], [], ""
-    for _, text, cell, reading in heads:
-        remedies.append(" or ".join(_option(text, meant) for meant in reading.meant or ("",)))
-        if reading.problem == _NO_UNIT:
-            tail = " with its unit"
-            problems.append(f"{quoted(text)} {_NO_UNIT} {quoted(cell)}")
-        else:
-            first = f" (first cell {quoted(cell)})" if cell else ""
-            problems.append(f"{quoted(text)}{first}: {reading.problem}")
-    if any(head.reading.problem == _UNIT for head in heads):
-        return BadTable(f"header: the first row has units. Delete it, and write {' '.join(remedies)}")
-    if len(heads) == 1 and not reading.meant:
-        remedies = [f"a column {with_unit(reading.name)} in its place"]
-    passing = f", or {_option(text, '')} to pass it through" if len(heads) == 1 else ""
-    return BadTable(f"header: {'; '.join(problems)}. Write {' '.join(remedies)}{tail}{passing}")
+    remedies = " ".join(" or ".join(_option(head.text, meant) for meant in head.meant or [""]) for head in heads)
+    if any(head.problem == _UNIT for head in heads):
+        return BadTable(f"header: the first row has units. Delete it, and write {remedies}")
+    problems = [
+        f"{quoted(head.text)} {_NO_UNIT} {quoted(head.cell)}"
+        if head.problem == _NO_UNIT
+        else f"{quoted(head.text)}{f' (first cell {quoted(head.cell)})' if head.cell else ''}: {head.problem}"
+        for head in heads
+    ]
+    remedies += " with its unit" if any(head.problem == _NO_UNIT for head in heads) else ""
+    if len(heads) == 1:
+        [head] = heads
+        remedies = remedies if head.meant else f"a column {with_unit(head.name)} in its place"
+        remedies += f", or {_option(head.text, '')} to pass it through"
+    return BadTable(f"header: {'; '.join(problems)}. Write {remedies}")
 
 
 def _option(text: str, meaning: str) -> str:
@@ -309,10 +297,10 @@ def check_inputs(header: Header, measured: str = "") -> None:
             "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
             f"Write {_option('HEADER', 'INPUT [UNIT]')}"
         )
-    synonyms = {key(word): name for word, name in QUANTITY_SYNONYMS.items() if name == measured}
-    likely = [(text, reading.unit_text) for text in header.texts if (reading := read(text, synonyms)).name == measured]
-    text, unit_text = likely[0] if likely else ("HEADER", "UNIT")
-    option = _option(text, header_of(measured, unit_text))
+    words = {key(word): Meaning([measured]) for word, name in QUANTITY_SYNONYMS.items() if name == measured}
+    likely = ((text, reading) for text in header.texts if (reading := read(text, words)).name == measured)
+    text, reading = next(likely, ("HEADER", Reading(unit_text="UNIT")))
+    option = _option(text, header_of(measured, reading.unit_text or None))
     raise BadTable(f"header: no column has the measured {measured}; name it by {option}")
 
 

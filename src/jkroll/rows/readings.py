@@ -17,18 +17,21 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import is_in_table
 from ..text import ascii_text, composed
 from . import words
-from .words import DOUBTFUL, MATERIALS, PARTS, SHARED, Doubt, key, squeezed, symbol_of, unit_for, with_unit
+from .words import INDICES, MATERIALS, PARTS, RATIOS, SHARED, Meaning, key, squeezed, symbol_of, unit_for, with_unit
 
 
 class Reading(NamedTuple):
     """The meaning of a header: an input with the text of its unit; or, without a name, a column that passes through."""
 
     name: str = ""  # where there is a problem, of the input that it may be; "" for ± alone
-    unit_text: str | None = None
+    unit_text: str = ""
     part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", or the "low" or "high" end of a range
     is_symbol: bool = False  # without a unit: an input only if its cells have units
     problem: str = ""  # why the header is refused unless another column is this input
-    meant: tuple[str, ...] = ()  # the headers that would be read, where that is certain
+    meant: Sequence[str] = ()  # the headers that would be read, where that is certain
+    place: int = 0  # in a table
+    text: str = ""  # the header, and the first cell below it that is not empty
+    cell: str = ""
 
     @property
     def is_input(self) -> bool:
@@ -74,13 +77,13 @@ def reading_of(text: str) -> Reading:
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
     >>> reading_of("± [nm]")[:3], reading_of("SD")[:3], reading_of("u(E) (%)")[:3]
-    (('', 'nm', 'both'), ('', None, 'both'), ('youngs_modulus', '%', 'both'))
+    (('', 'nm', 'both'), ('', '', 'both'), ('youngs_modulus', '%', 'both'))
     """
     return read(text)
 
 
-def read(text: str, more: Mapping[str, str] = MappingProxyType({})) -> Reading:
-    """Return the meaning of a header; `more`: further quantities by the keys of their words."""
+def read(text: str, more: Mapping[str, Meaning] = MappingProxyType({})) -> Reading:
+    """Return the meaning of a header; `more`: further words, by their keys."""
     text = _normal(text)
     if not text or len(text) > _LONGEST:
         return Reading()
@@ -90,16 +93,16 @@ def read(text: str, more: Mapping[str, str] = MappingProxyType({})) -> Reading:
     return exact or _of_part(text, more) or _refusal(splits, known) or Reading()
 
 
-def named(text: str, name: str) -> tuple[str, str | None]:
-    """Return the word of a header that means a quantity, whatever it is, and its unit; None if it has none.
+def named(text: str, name: str) -> tuple[str, str]:
+    """Return the key of the word of a header that means a quantity, whatever it is, and its unit.
 
     >>> named("Kraft [nN]", "load"), named("F_nN", "load"), named("Size", "radius")
-    (('kraft', 'nN'), ('f', 'nN'), ('size', None))
+    (('kraft', 'nN'), ('f', 'nN'), ('size', ''))
     """
     whole, *others = _splits(_normal(text))
     units = {unit_for(split.unit, name, is_explicit=split.is_explicit): split.word for split in others}
     unit_text = max(units, key=len, default="")
-    return key(units[unit_text] if unit_text else whole.word), unit_text or None
+    return key(units[unit_text] if unit_text else whole.word), unit_text
 
 
 def _normal(text: str) -> str:
@@ -120,55 +123,48 @@ def _splits(text: str) -> Iterator[_Split]:
                 yield _Split(word, unit, pattern is _MARK, is_mangled)
 
 
-def _exact(split: _Split, known: Mapping[str, str]) -> Reading | None:
+def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
-    word, (_, unit, is_explicit, is_mangled) = key(split.word), split
-    name = known.get(word, "")
-    if name in MATERIALS:
-        return None if unit else Reading(name)
-    if not name:  # a symbol is whole, and what stands behind it is no index as in R_m
-        word = symbol_of(split.word)
-        if not is_explicit and (is_mangled or len(squeezed(unit)) < 2 or not split.word[:1].isalpha()):
-            return None
-    names = [name] if name else words.symbols().get(word, [])
-    if not names or (not is_explicit and unit in words.INDICES):
+    word, unit, is_explicit, is_mangled = split
+    meaning = known.get(key(word))
+    is_symbol = meaning is None
+    if is_symbol and (is_explicit or (not is_mangled and len(squeezed(unit)) > 1 and word[:1].isalpha())):
+        meaning = words.symbols().get(symbol_of(word))
+    if meaning is None or not meaning.names or (unit in INDICES and not is_explicit):
         return None
-    doubt = DOUBTFUL.get(word, Doubt())
-    if not unit:
-        is_symbol = not name and not doubt.problem and names[0] not in words.RATIOS
-        return Reading(names[0], None, "", is_symbol, doubt.problem, tuple(map(with_unit, doubt.meant)))
-    for each in names:
-        unit_text = unit_for(unit, each, is_explicit=is_explicit)
-        is_lost = is_mangled and is_in_table(f"u{unit_text}")  # µm may have become m
-        if unit_text and not is_lost:
-            meant = tuple(with_unit(name, unit_text) for name in doubt.meant)
-            return Reading(each, unit_text, problem=doubt.problem, meant=meant)
-    return None
+    units = ((each, unit_for(unit, each, is_explicit=is_explicit) if unit else "") for each in meaning.names)
+    name, unit_text = next((pair for pair in units if pair[1] or not unit), ("", ""))
+    if not name or (is_mangled and is_in_table(f"u{unit_text}")):  # µm may have become m
+        return None
+    alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
+    is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
+    meant = [with_unit(each, unit_text or "UNIT") for each in alike] if is_open else ()
+    is_symbol = is_symbol and not unit and not meaning.problem and name not in RATIOS
+    return Reading(name, unit_text, "", is_symbol, meaning.problem, meant)
 
 
-def _of_part(text: str, more: Mapping[str, str]) -> Reading | None:
+def _of_part(text: str, more: Mapping[str, Meaning]) -> Reading | None:
     """Return the meaning of a header of a part of an uncertainty, without a name if it is ± alone, if it is one."""
     plain = re.sub(_SHARE, "", text)
-    is_share = plain != text
+    share = "%" if plain != text else ""
     if (mark := re.search(_PART, plain)) is None:
         return None
     word = mark[0].strip(" _.").casefold()
     part = PARTS.get(word, "both")
     rest = (plain[: mark.start()] + (mark[1] or "") + plain[mark.end() :]).strip(" _.")
     if rest[:1] in ("", "[", "("):
-        unit = "%" if is_share else rest[1:-1].strip()
+        unit = share or rest[1:-1].strip()
         is_alone = part == "both" and word not in ("σ", "sigma", "se") and (unit or not word.startswith("err"))
-        return Reading(unit_text=unit or None, part=part) if is_alone else None
+        return Reading(unit_text=unit, part=part) if is_alone else None
     reading = read(rest, more)
-    if not reading.is_input or reading.part or reading.name in MATERIALS:
-        return None
-    return Reading(reading.name, "%" if is_share else reading.unit_text, part)
+    is_value = reading.is_input and not reading.part and reading.name not in MATERIALS
+    return Reading(reading.name, share or reading.unit_text, part) if is_value else None
 
 
 # --- Refusals ---------------------------------------------------------------------------------------------------------
 
 
-def _refusal(splits: Sequence[_Split], known: Mapping[str, str]) -> Reading | None:
+def _refusal(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading | None:
     """Return the refusal of a header that has the word of an input and cannot be read; None if it passes through."""
     for split in sorted(splits, key=lambda split: len(split.word), reverse=True):
         bare = split._replace(word=re.sub(_FACTORS, "", split.word))
@@ -177,31 +173,30 @@ def _refusal(splits: Sequence[_Split], known: Mapping[str, str]) -> Reading | No
         word, is_slip = _word_in(split.word, known)
         if not word:
             continue
-        name, is_shared = known[word], word in SHARED
-        if not name:
+        meaning = known[word]
+        if not meaning.names:
             return None  # another quantity
+        name, is_shared = meaning.names[0], word in SHARED
         if split.unit and word == key(split.word):
             tail = re.findall(r"[a-z]+", _GAP.sub(" ", split.unit).casefold())
-            is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
+            is_label = name in MATERIALS or split.unit in INDICES or not words.LABELS.isdisjoint(tail)
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
-            if word in DOUBTFUL or ((is_label or is_other) and not split.is_explicit):
+            if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
-            unit = (with_unit(name),) if split.unit[0].isalpha() else ()
+            unit = [with_unit(name)] if split.unit[0].isalpha() else []
             return Reading(name, problem=f"what stands behind {name} is not its unit", meant=unit)
-        is_explicit = split.is_explicit and is_in_table(split.unit)
-        unit_text = "" if name in MATERIALS else unit_for(split.unit, name, is_explicit=is_explicit)
-        is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not is_shared
-        if (unit_text and (is_slip or not is_shared)) or (is_telling and not split.unit):
-            is_whole = unit_text and (is_slip or key(split.word).endswith(word))
-            both = (name, f"{name}2") if not is_slip and f"{name}2" in NOMENCLATURE else (name,)  # of which sphere?
-            remedies = (with_unit(each, unit_text) if is_whole else with_unit(each) for each in both)
-            meant = () if word in DOUBTFUL else tuple(remedies)
-            problem = DOUBTFUL[word].problem if word in DOUBTFUL else f"it may be {name}"
-            return Reading(name, problem=problem, meant=meant)
+        unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
+        is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
+        if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
+            is_last = unit_text and (is_slip or key(split.word).endswith(word))
+            is_of_either = not is_slip and NOMENCLATURE[name].sphere == 1
+            names = [] if meaning.problem else [name, NOMENCLATURE[name].twin] if is_of_either else [name]
+            meant = [with_unit(each, unit_text if is_last else "UNIT") for each in names]
+            return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
     return None
 
 
-def _word_in(text: str, known: Mapping[str, str]) -> tuple[str, bool]:
+def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
     """Return the known word that a text is, the longest beside others in it, or that from which it differs by a slip.
 
     The second value says if it is a slip: a letter, or the order of two.

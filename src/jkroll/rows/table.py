@@ -236,7 +236,8 @@ def _names_of_materials(
 
     A name has a message where it stands for several materials, or for one with another name: it may be a label.
     """
-    cells = ((row[place].strip(), columns.texts[place].strip()) for _, place in columns.materials for row in rows)
+    places = [column.place for column in columns.materials]
+    cells = ((row[place].strip(), columns.texts[place].strip()) for place in places for row in rows)
     labels: dict[str, str] = {}
     aliases: dict[str, str] = {}
     for text in dict.fromkeys(text for text, head in cells if text not in ("", head)):
@@ -317,7 +318,7 @@ def _kinds(
     `unknown`: names that are no material's. A column of such names has labels, unless they were meant as materials:
     without them, there is no work of adhesion, or it is not known whether there is.
     """
-    of_names = {name: {row[place].strip() for row in rows} - {""} for name, place in columns.materials}
+    of_names = {column.name: {row[column.place].strip() for row in rows} - {""} for column in columns.materials}
     labels = [name for name, texts in of_names.items() if texts and texts <= unknown.keys()]
     infinite = {column.name for column in columns.inputs if _is_infinite(column, rows)}
     spheres = dict(zip(MATERIALS, fill.spheres, strict=True))

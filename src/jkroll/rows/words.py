@@ -5,64 +5,48 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
+from ..quantities.errors import SYNONYMS
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 from ..quantities.units import SUPERSCRIPTS, BadUnit, dimension_of, is_in_table, parse_unit
 from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
-SYNONYMS: Mapping[str, Sequence[str]] = {
-    "youngs_modulus": ("young modulus", "youngs", "elastic modulus", "elasticity modulus", "modulus of elasticity",
-        "E modulus"),
-    "poisson_ratio": ("poissons", "poissons ratio", "poisson number"),
-    "contact_modulus": ("E_star", "reduced modulus", "reduced Young's modulus", "effective Young's modulus"),
-    "reduced_radius": ("effective radius",),
-    "surface_energy": ("surface free energy",),
-    "work_of_adhesion": ("W_adh", "adhesion work", "delta gamma"),
-    "yield_displacement": ("critical rolling displacement", "rolling displacement"),
-    "hamaker": ("Hamaker constant",),
-    "density": ("mass density",),
-    "load": ("applied load", "normal load"),
-    "speed": ("velocity", "impact velocity", "impact speed", "collision velocity", "collision speed"),
-    "energy": ("impact energy", "collision energy"),
-    "gravity": ("gravitational acceleration",),
-}  # fmt: skip
 SYMBOLS_TOO = {
     "E": "energy",
     "Er": "contact_modulus",
     "W": "work_of_adhesion",
     "SFE": "surface_energy",
+    "rad": "radius",
+    "vimp": "speed",
 }  # what symbols mean besides
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
-class Doubt(NamedTuple):
-    """The input that a word or a symbol may mean, why it is not read, and the names that it may stand for."""
+class Meaning(NamedTuple):
+    """The inputs that a word or a symbol stands for, of which its unit decides; none for another quantity."""
 
-    name: str = ""
-    problem: str = ""
-    meant: tuple[str, ...] = ()
+    names: Sequence[str] = ()
+    problem: str = ""  # why it is not read
+    has_remedy: bool = True  # it may be one of the inputs as it is
 
 
-SIZE = "a radius is half of a diameter or a size, and r may be a distance"
-_FORCE = Doubt("load", "it may be a load, or a force that was measured", ("load",))
-_DOUBTS = {
-    **dict.fromkeys("r d D diam dia diameter diameters durchmesser size".split(), Doubt("radius", SIZE)),
-    "R": Doubt("radius", "", ("radius", "reduced_radius")),  # which of them, sphere 2 says
-    "surfacetension": Doubt("surface_energy", "it may be the tension of a liquid", ("surface_energy",)),
-    "modulus": Doubt("youngs_modulus", "it may be another modulus", ("youngs_modulus",)),
-    "effectivemodulus": Doubt("youngs_modulus", "it may be another modulus", ("youngs_modulus",)),
-    **dict.fromkeys(("normalforce", "appliedforce", "preload", "Fn", "FN"), _FORCE),
-    "adhesionenergy": Doubt("work_of_adhesion", "it may be that of a pair", ("work_of_adhesion", "surface_energy")),
-    "hysteresis": Doubt("adhesion_hysteresis", "it may be another hysteresis", ("adhesion_hysteresis",)),
+_SIZE = Meaning(["radius"], "a radius is half of a diameter or a size, and r may be a distance", has_remedy=False)
+_FORCE = Meaning(["load"], "it may be a load, or a force that was measured")
+_MODULUS = Meaning(["youngs_modulus"], "it may be another modulus")
+_DOUBTFUL_WORDS = {
+    **dict.fromkeys("dia diam diameter diameters durchmesser size".split(), _SIZE),
+    **dict.fromkeys("normalforce appliedforce preload".split(), _FORCE),
+    **dict.fromkeys("modulus effectivemodulus".split(), _MODULUS),
+    "surfacetension": Meaning(["surface_energy"], "it may be the tension of a liquid"),
+    "adhesionenergy": Meaning(["work_of_adhesion", "surface_energy"], "it may be that of a pair"),
+    "hysteresis": Meaning(["adhesion_hysteresis"], "it may be another hysteresis"),
 }
-DOUBTFUL = _DOUBTS | {
-    f"{word}{sphere}": doubt._replace(
-        name=doubt.name + sphere.strip("1"), meant=tuple(name + sphere.strip("1") for name in doubt.meant)
-    )
-    for word, doubt in _DOUBTS.items()
-    if f"{doubt.name}2" in NOMENCLATURE and word != "R"
-    for sphere in ("1", "2")
+_DOUBTFUL_SYMBOLS = {
+    **dict.fromkeys("r d D".split(), _SIZE),
+    **dict.fromkeys("Fn FN".split(), _FORCE),
+    "Rp": Meaning(["radius"], "it may be the radius of a particle"),
+    "Eeff": _MODULUS,
 }
 
 # Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
@@ -105,31 +89,34 @@ def symbol_of(word: str) -> str:
 
 
 @cache
-def meanings() -> dict[str, str]:
-    """Return what words mean, by their keys: an input, with 1 or 2 for the sphere, or "" for another quantity."""
-    of_inputs = {**{name: name for name in (*INPUTS, *MATERIALS)}, **OPTION_WORDS}
-    of_inputs |= {word: name for name, others in SYNONYMS.items() for word in others}
-    known = {key(name): "" for name in NOMENCLATURE}
-    for word, name in of_inputs.items():
-        if name in INPUTS or name in MATERIALS:
-            known[key(word)] = name
-            if f"{name}2" in NOMENCLATURE:
-                known |= {f"{key(word)}1": name, f"{key(word)}2": f"{name}2"}
-    return known | {word: doubt.name for word, doubt in DOUBTFUL.items() if len(word) > 2}
+def meanings() -> dict[str, Meaning]:
+    """Return what words mean, by their keys, with 1 or 2 for the sphere or without."""
+    names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
+    names |= {word: name for name, others in SYNONYMS.items() for word in others}
+    known = {key(word): Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
+    return {key(name): Meaning() for name in NOMENCLATURE} | _of_spheres(known | _DOUBTFUL_WORDS)
 
 
 @cache
-def symbols() -> dict[str, list[str]]:
-    """Return the inputs by their symbols, with Greek letters spelt out, with the index of sphere 1 or without it."""
+def symbols() -> dict[str, Meaning]:
+    """Return what symbols mean, with Greek letters spelt out, with 1 or 2 for the sphere or without."""
     names: dict[str, list[str]] = {}
     for name in INPUTS:
         if name in RATIOS or any(dimension_of(NOMENCLATURE[name].unit)):
-            symbol = symbol_of(NOMENCLATURE[name].symbol)
-            for spelt in {symbol, symbol.removesuffix("1")}:
-                names.setdefault(spelt, []).append(name)
-    for spelt, name in SYMBOLS_TOO.items():
-        names.setdefault(spelt, []).append(name)
-    return names | {spelt: [doubt.name] for spelt, doubt in DOUBTFUL.items() if len(spelt) <= 2}
+            names.setdefault(symbol_of(NOMENCLATURE[name].symbol).removesuffix("1"), []).append(name)
+    for symbol, name in SYMBOLS_TOO.items():
+        names.setdefault(symbol, []).append(name)
+    return _of_spheres({symbol: Meaning(inputs) for symbol, inputs in names.items()} | _DOUBTFUL_SYMBOLS)
+
+
+def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
+    """Return meanings of words, and those of the same words with 1 or 2 for the sphere where an input is of one."""
+    of_spheres = dict(known)
+    for word, meaning in known.items():
+        if of_1 := [name for name in meaning.names if NOMENCLATURE[name].sphere == 1]:
+            of_spheres[f"{word}1"] = meaning._replace(names=of_1)
+            of_spheres[f"{word}2"] = meaning._replace(names=[NOMENCLATURE[name].twin for name in of_1])
+    return of_spheres
 
 
 @cache
@@ -138,7 +125,7 @@ def slips() -> dict[str, str]:
 
     Two words differ by a slip of the pen, a letter or the order of two, if they have such a spelling in common.
     """
-    known = [word for word, name in meanings().items() if name and len(word) > 3 and word not in DOUBTFUL]
+    known = [word for word, meaning in meanings().items() if meaning.names and not meaning.problem and len(word) > 3]
     longest_first = sorted(known, key=len, reverse=True)  # so that gamma is not a slip in gamma2
     return {spelt: word for word in longest_first for spelt in lacking_a_letter(word)}
 
