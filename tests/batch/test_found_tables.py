@@ -23,7 +23,7 @@ from jkroll.errors import BadTable
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import Uncertain
 from jkroll.rows.cells import Column
-from jkroll.rows.header import check_inputs, column_options, understood
+from jkroll.rows.header import check_inputs, stated_meanings, understood
 from relative import approx
 
 
@@ -107,7 +107,7 @@ def values(found: Found) -> dict[str, list[Any]]:
     dialect = DELIMITED[options.get("delimiter") or ("tab" if options.get("format") == "tsv" else "comma")]
     head = dialect.head(found.text)
     rows = head.sample
-    header = understood(head.names, rows, column_options(choice for choice in chosen if not choice.startswith("--")))
+    header = understood(head.names, rows, stated_meanings(choice for choice in chosen if not choice.startswith("--")))
     materials = {column.name: [row[column.place] for row in rows] for column in header.materials}
     return materials | {column.name: [value(column, row) for row in rows] for column in header.inputs}
 
@@ -145,7 +145,7 @@ def refusal(table: str, columns: Sequence[str]) -> str:
     head, *rows = csv.reader([line for line in table.splitlines() if not line.startswith("#")], delimiter=mark)
     rows = [row for row in rows if len(row) == len(head)]
     try:
-        understood(head, rows, column_options(columns))
+        understood(head, rows, stated_meanings(columns))
     except BadTable as error:
         return str(error)
     return ""

@@ -16,7 +16,7 @@ from jkroll.batch.files import FileFormat, input_format, output_format
 from jkroll.batch.job import Settings
 from jkroll.errors import BadRequest, BadTable
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.rows.header import Header, column_options, stated_meanings, understood
+from jkroll.rows.header import Header, stated_meanings, understood
 from jkroll.rows.readings import reading_of
 from relative import approx
 
@@ -175,6 +175,7 @@ REFUSED = {
     "normal force [nN]": "it may be a load, or a force that was measured",
     "F_n [nN]": "--column 'F_n [nN]=load [nN]'",
     "hysteresis (mJ/m2)": "it may be another hysteresis",
+    "gamma [nm]": "what stands behind surface_energy is not its unit",  # no N/m
     "E_eff [GPa]": "it may be another modulus",
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "second radius (nm)": "'second radius (nm)=radius [nm]' or --column 'second radius (nm)=radius2 [nm]'",
@@ -338,7 +339,7 @@ TABLES = {
 
 def read(text: str, chosen: tuple[str, ...] = ()) -> tuple[Header, list[str]]:
     head, *lines = [line.split(",") for line in text.splitlines()]
-    return understood(head, lines, column_options(chosen)), lines[0] if lines else []
+    return understood(head, lines, stated_meanings(chosen)), lines[0] if lines else []
 
 
 @pytest.mark.parametrize("text", [text for text, inputs in TABLES.items() if inputs])
@@ -371,7 +372,7 @@ def test_a_word_with_a_doubt_has_it_with_the_number_of_a_sphere_too(text: str) -
 def test_the_advice_for_values_without_a_unit_reads_their_uncertainty_too(parts: tuple[str, ...]) -> None:
     with pytest.raises(BadTable, match=r"Write --column 'radius=radius \[UNIT\]' with its unit, or --column 'radius='"):
         understood(parts, [["100", "5", "6"][: len(parts)]])
-    (column,) = understood(parts, [["100", "5", "6"][: len(parts)]], column_options(["radius=radius [nm]"])).inputs
+    (column,) = understood(parts, [["100", "5", "6"][: len(parts)]], stated_meanings(["radius=radius [nm]"])).inputs
     assert len(column.sides) == len(parts) - 1
 
 
@@ -450,23 +451,23 @@ def test_many_files_take_chosen_columns_and_resume(run: Run) -> None:
 )
 def test_a_bad_choice_is_refused(column: str, problem: str) -> None:
     with pytest.raises(BadRequest, match=problem.replace("[", r"\[").replace("?", r"\?")):
-        column_options([column])
+        stated_meanings([column])
 
 
 def test_a_choice_is_for_a_column_of_the_table_and_its_unit_must_fit() -> None:
     with pytest.raises(BadTable, match="no column 'radius'; did you mean 'Radius'"):
-        understood(["Radius"], [], column_options(["radius=radius [nm]"]))
+        understood(["Radius"], [], stated_meanings(["radius=radius [nm]"]))
     with pytest.raises(BadRequest, match="is not its unit"):
-        understood(["size"], [], column_options(["size=radius [kg]"]))
+        understood(["size"], [], stated_meanings(["size=radius [kg]"]))
     with pytest.raises(BadRequest, match="more than once"):
-        column_options(["size=radius [nm]", "size="])
+        stated_meanings(["size=radius [nm]", "size="])
 
 
 @pytest.mark.parametrize("text", ["load micro N", "d [nm]", "modulus (GPa)"])
 def test_the_remedy_of_a_refusal_passes_the_column_through(text: str) -> None:
     with pytest.raises(BadTable, match="--column"):
         understood([text])
-    assert understood([text], [], column_options([f"{text}="])).inputs == ()
+    assert understood([text], [], stated_meanings([f"{text}="])).inputs == ()
 
 
 def test_a_symbol_in_a_later_object_is_a_surprise_only_with_a_unit(run: Run) -> None:
@@ -513,6 +514,8 @@ PARTS = {
     ("gamma_mJ_m2=25", "gamma_mJ_m2_sd=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "± gamma [J/m2]=0.005"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma ± (%)=20"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma [mJ/m2] ±=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Gamma ± (mJ/m2)=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "±=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "SD=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "Std. dev. (J/m2)=0.005"): "25±5 mJ/m2",
@@ -544,10 +547,10 @@ def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
 def test_what_belongs_to_a_chosen_column_is_chosen_with_it() -> None:
     for beside in ("F_err", "u(F) [nN]", "F [nN] std", "F (%) ±"):
         names = ["R1 [um]", "F [nN]", "G_err", "F2_err", beside]
-        meanings = stated_meanings(names, ["F [nN]=pull_off_force"], "pull_off_force")
+        meanings = stated_meanings(["F [nN]=pull_off_force"], names, "pull_off_force")
         columns = {column.name: column for column in understood(names, [], meanings).inputs}
         assert [*columns["pull_off_force"].sides.values()] == [4]
-        meanings = stated_meanings(names, ["F [nN]=pull_off_force", f"{beside}="], "pull_off_force")
+        meanings = stated_meanings(["F [nN]=pull_off_force", f"{beside}="], names, "pull_off_force")
         assert not any(column.sides for column in understood(names, [], meanings).inputs)
 
 
@@ -634,10 +637,10 @@ def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
     with pytest.raises(BadTable, match="must be that of the other column, nN"):
         understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])
     with pytest.raises(BadRequest, match="is not its unit"):
-        understood(["P [nN]", "P_err [nm]"], meanings=column_options(["P_err [nm]=load_err [nm]"]))
+        understood(["P [nN]", "P_err [nm]"], meanings=stated_meanings(["P_err [nm]=load_err [nm]"]))
     with pytest.raises(BadTable, match="is no uncertainty of surface_energy"):
-        understood(["dG", "R1 (nm)"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
-    header = understood(["gamma [mJ/m2]", "dG"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
+        understood(["dG", "R1 (nm)"], meanings=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
+    header = understood(["gamma [mJ/m2]", "dG"], meanings=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
     assert header.inputs[0].joined("25", "5") == "(25±5)"
 
 

@@ -55,7 +55,7 @@ class Job(NamedTuple):
 
     def meanings(self, names: Sequence[str]) -> Mapping[str, Reading]:
         """Return the meanings that options give to headers."""
-        return stated_meanings(names, self.settings.columns, self.settings.measured)
+        return stated_meanings(self.settings.columns, names, self.settings.measured)
 
     def reads(self, name: str) -> bool:
         """Return whether a header may be that of an input, or has a meaning by an option."""

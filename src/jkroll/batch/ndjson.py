@@ -12,7 +12,7 @@ import orjson
 
 from ..errors import BadTable
 from ..output.writers import Objects
-from ..rows.header import holds_input
+from ..rows.header import meaning_of
 from ..rows.table import Table
 from ..text import quoted
 from .lines import BOM, SAMPLE, Head, Records, check_encoding
@@ -85,7 +85,8 @@ def _problem(line: bytes, members: Object | None, known: set[str], table: Table)
     surprises = (
         name
         for name in members
-        if name in others and (name in table.added or holds_input(name, _text(members[name]), table.meanings))
+        if name in others
+        and (name in table.added or meaning_of(name, [_text(members[name]).strip()], table.meanings).name)
     )
     return next((f"has {quoted(name)}, which the first line does not have" for name in surprises), "")
 

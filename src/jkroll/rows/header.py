@@ -13,8 +13,8 @@ from ..quantities.nomenclature import header as header_of
 from ..quantities.values import unit_of, value_of
 from ..text import closest, first_of, quoted, shown
 from .cells import Column, is_number
-from .readings import Reading, named, read, reading_of
-from .words import MATERIALS, Meaning, fits, key, unit_for, with_unit
+from .readings import Reading, named, reading_of
+from .words import MATERIALS, fits, key, unit_for, with_unit
 
 _MAX_SAID = 60  # columns that pass through and are named
 _OF_DIRECTIONS = r"(?i)\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])"
@@ -31,29 +31,20 @@ class Header(NamedTuple):
     """The columns of a table."""
 
     texts: tuple[str, ...]
-    columns: tuple[Column, ...]  # that are read
+    inputs: tuple[Column, ...]
+    materials: tuple[Column, ...]  # that name them
     meanings: Mapping[str, Reading] = _NO_MEANINGS  # what `--column` says of headers
     preamble: int = 0  # lines before the header that are passed over
 
     @property
-    def inputs(self) -> tuple[Column, ...]:
-        """The columns of numbers."""
-        return tuple(column for column in self.columns if column.name not in MATERIALS)
-
-    @property
-    def materials(self) -> tuple[Column, ...]:
-        """The columns that name materials."""
-        return tuple(column for column in self.columns if column.name in MATERIALS)
-
-    @property
     def names(self) -> frozenset[str]:
         """The names of the inputs that have columns."""
-        return frozenset(column.name for column in self.columns)
+        return frozenset(column.name for column in (*self.materials, *self.inputs))
 
     @property
     def places(self) -> dict[str, int]:
         """The places of the columns that are read."""
-        return {name: place for column in self.columns for name, place in column.places.items()}
+        return {name: place for column in (*self.inputs, *self.materials) for name, place in column.places.items()}
 
     def reading(self) -> str:
         """Return the sentence that says how the table is read."""
@@ -83,40 +74,36 @@ def _easy(text: str) -> str:
 # --- What options say of columns --------------------------------------------------------------------------------------
 
 
-def stated_meanings(names: Iterable[str], texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
-    """Return the meaning of the columns that options name, and of those of their uncertainties."""
-    chosen = column_options(texts, measured)
-    words = dict.fromkeys([measured, NOMENCLATURE[measured].symbol], measured) if measured else {}
-    words |= {named(head, each.name)[0]: each.name for head, each in chosen.items() if each.name and not each.part}
-    more = {key(word): Meaning([name]) for word, name in words.items()}
-    for head in map(str.strip, names) if more else ():
-        reading = read(head, more)
-        if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
-            chosen.setdefault(head, reading)
-    return chosen
-
-
-def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
+def stated_meanings(texts: Iterable[str], names: Iterable[str] = (), measured: str = "") -> dict[str, Reading]:
     """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input.
 
-    `measured`: a quantity that columns have besides inputs. Raises BadRequest.
+    `names`: the headers of a table, among which the columns of uncertainties of what is said are said, too. `measured`:
+    a quantity that columns have besides inputs. Raises BadRequest.
     """
+    words = dict.fromkeys([key(measured), key(NOMENCLATURE[measured].symbol)], measured) if measured else {}
+    of_measured = tuple(words.items())
     meanings: dict[str, Reading] = {}
     for text in texts:
         head, is_pair, meaning = text.rpartition("=")
         head = head.strip()
         if not is_pair or not head:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
-        reading = read(meaning, {key(measured): Meaning([measured])} if measured else {})
+        reading = reading_of(meaning, of_measured)
         if meaning.strip() and (not reading.is_input or reading.is_symbol or reading.meant):
             meant = reading.meant[0] if reading.meant else "a name with its unit, as in radius [nm]"
             problem = f": {reading.problem}" if reading.problem else ""
             raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; did you mean {meant}?")
         if head in meanings:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
-        if reading.name and not reading.unit_text:
-            reading = reading._replace(unit_text=named(head, reading.name)[1])
         meanings[head] = reading
+        if reading.name:
+            word, unit_text = named(head, reading.name)
+            meanings[head] = reading._replace(unit_text=reading.unit_text or unit_text)
+            words |= {word: reading.name} if not reading.part else {}
+    for head in map(str.strip, names) if words else ():
+        reading = reading_of(head, tuple(words.items()))
+        if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
+            meanings.setdefault(head, reading)
     return meanings
 
 
@@ -141,7 +128,7 @@ def understood(
     for place, text in enumerate(texts):
         cells = [row[place].strip() for row in rows]
         first = next(filter(None, cells), "")
-        heads.append(_meaning(text, cells, meanings)._replace(place=place, text=text, cell=first))
+        heads.append(meaning_of(text, cells, meanings)._replace(place=place, text=text, cell=first))
     heads = [*_beside_others(heads, meanings.keys(), given)]
     parts: dict[str, dict[str, Reading]] = {}  # of inputs, by the part of the uncertainty, "" for the values
     for head in heads:
@@ -155,15 +142,17 @@ def understood(
     known = {name for name, of_name in parts.items() if not {"", "low"}.isdisjoint(of_name)}
     refused = [head for head in heads if head.problem and head.name not in known]
     for of_name in parts.values():
-        needed = [of_name[part] for part in ([""] if "" in of_name else _ENDS) if part in of_name]
-        refused += [head for head in map(_without_unit, needed) if head.problem]
+        values = [head for part, head in of_name.items() if part == "" or (part in _ENDS and "" not in of_name)]
+        refused += [head for head in map(_with_unit, values) if head.problem]
     if refused:
         raise _refusal(sorted(refused, key=lambda head: head.place))
-    columns = filter(None, (_column(of_name, meanings.keys()) for of_name in parts.values()))
-    return Header(tuple(texts), tuple(columns), meanings)
+    columns = [*filter(None, (_column(of_name, meanings.keys()) for of_name in parts.values()))]
+    inputs = tuple(column for column in columns if column.name not in MATERIALS)
+    materials = tuple(column for column in columns if column.name in MATERIALS)
+    return Header(tuple(texts), inputs, materials, meanings)
 
 
-def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -> Reading:
+def meaning_of(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -> Reading:
     """Return the meaning of a column: that of `--column`, else that of its header, if its cells can be of it."""
     if (stated := meanings.get(text.strip())) is not None:
         return stated
@@ -173,8 +162,18 @@ def _meaning(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -
         return Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
     if key(text) in ("model", "law") and cell.casefold() in LAWS:
         return Reading("model", problem="the law is an option: --model dmt")
-    is_unread = reading.problem or not reading.name
-    return Reading() if is_unread and cell[:1].isalpha() else reading
+    return reading if reading.is_input or not cell[:1].isalpha() else Reading()
+
+
+def _with_unit(head: Reading) -> Reading:
+    """Return the head of an input, with a problem if neither it nor its first cell has the unit that it needs."""
+    name, cell = head.name, head.cell
+    kind = _kind(cell, name) if cell and not head.unit_text and NOMENCLATURE[name].unit not in ("", "1") else _VALUE
+    if kind not in (_BARE, _UNIT):
+        return head
+    part = f"_{head.part}" if head.part else ""
+    meant = f"{name}{part} [{unit_for(cell.strip('[]() '), name) or 'UNIT'}]"
+    return head._replace(problem=_NO_UNIT if kind == _BARE else _UNIT, meant=[meant])
 
 
 def _kind(cell: str, name: str) -> str:
@@ -247,17 +246,6 @@ def _column(parts: Mapping[str, Reading], stated: Collection[str]) -> Column | N
 # --- What is refused --------------------------------------------------------------------------------------------------
 
 
-def _without_unit(head: Reading) -> Reading:
-    """Return the head of an input, with a problem if neither it nor its first cell has the unit that it needs."""
-    name, cell = head.name, head.cell
-    if not cell or head.unit_text or name in MATERIALS or NOMENCLATURE[name].unit == "1":
-        return head
-    part = f"_{head.part}" if head.part else ""
-    meant = f"{name}{part} [{unit_for(cell.strip('[]() '), name) or 'UNIT'}]"
-    problem = {_BARE: _NO_UNIT, _UNIT: _UNIT}.get(_kind(cell, name), "")
-    return head._replace(problem=problem, meant=[meant])
-
-
 def _refusal(heads: Sequence[Reading]) -> BadTable:
     """Return the error of columns that may be inputs and cannot be read."""
     remedies = " ".join(" or ".join(_option(head.text, meant) for meant in head.meant or [""]) for head in heads)
@@ -297,8 +285,8 @@ def check_inputs(header: Header, measured: str = "") -> None:
             "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
             f"Write {_option('HEADER', 'INPUT [UNIT]')}"
         )
-    words = {key(word): Meaning([measured]) for word, name in QUANTITY_SYNONYMS.items() if name == measured}
-    likely = ((text, reading) for text in header.texts if (reading := read(text, words)).name == measured)
+    words = tuple((key(word), name) for word, name in QUANTITY_SYNONYMS.items() if name == measured)
+    likely = ((text, reading) for text in header.texts if (reading := reading_of(text, words)).name == measured)
     text, reading = next(likely, ("HEADER", Reading(unit_text="UNIT")))
     option = _option(text, header_of(measured, reading.unit_text or None))
     raise BadTable(f"header: no column has the measured {measured}; name it by {option}")
@@ -308,8 +296,3 @@ def is_input(text: str, meanings: Mapping[str, Reading] = _NO_MEANINGS) -> bool:
     """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
     reading = meanings.get(text.strip()) or reading_of(text)
     return reading.is_input or bool(reading.part)
-
-
-def holds_input(text: str, cell: str, meanings: Mapping[str, Reading]) -> bool:
-    """Return whether a header and its cell are those of an input, or may be."""
-    return bool(_meaning(text, [cell.strip()], meanings).name)

@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import combinations
-from types import MappingProxyType
 from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE
@@ -54,6 +53,7 @@ _MARK = re.compile(r"\s*[,/:;|]\s*|\s+in\s+")
 _GAP = re.compile(r"(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?")
 _PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
 _EDGES = " _.,:;/|-"
+_EXPLICIT = frozenset(",:;/|[({<")
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*$|[⁰¹²³]+$"
 _LONGEST = 120  # letters of a header that can be one
 # Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
@@ -71,23 +71,18 @@ _PART = (
 
 
 @lru_cache(maxsize=1000)
-def reading_of(text: str) -> Reading:
-    """Return the meaning of a header.
+def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
+    """Return the meaning of a header; `more`: keys of further words, with the quantities that they mean.
 
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
     >>> reading_of("± [nm]")[:3], reading_of("SD")[:3], reading_of("u(E) (%)")[:3]
     (('', 'nm', 'both'), ('', '', 'both'), ('youngs_modulus', '%', 'both'))
     """
-    return read(text)
-
-
-def read(text: str, more: Mapping[str, Meaning] = MappingProxyType({})) -> Reading:
-    """Return the meaning of a header; `more`: further words, by their keys."""
     text = _normal(text)
     if not text or len(text) > _LONGEST:
         return Reading()
-    known = {**words.meanings(), **more} if more else words.meanings()
+    known = words.meanings() | {word: Meaning([name]) for word, name in more}
     splits = [*_splits(text)]
     exact = next(filter(None, (_exact(split, known) for split in splits)), None)
     return exact or _of_part(text, more) or _refusal(splits, known) or Reading()
@@ -118,9 +113,10 @@ def _splits(text: str) -> Iterator[_Split]:
     for pattern in (_MARK, _GAP):
         for cut in reversed([*pattern.finditer(text)]):
             word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}")
-            is_mangled = pattern is _GAP and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
             if word and unit and not re.search(r"[\[\](){}<>]", word):
-                yield _Split(word, unit, pattern is _MARK, is_mangled)
+                is_explicit = pattern is _MARK or not _EXPLICIT.isdisjoint(text[len(word) : text.rindex(unit)])
+                is_mangled = pattern is _GAP and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
+                yield _Split(word, unit, is_explicit, is_mangled)
 
 
 def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
@@ -143,7 +139,7 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     return Reading(name, unit_text, "", is_symbol, meaning.problem, meant)
 
 
-def _of_part(text: str, more: Mapping[str, Meaning]) -> Reading | None:
+def _of_part(text: str, more: tuple[tuple[str, str], ...]) -> Reading | None:
     """Return the meaning of a header of a part of an uncertainty, without a name if it is ± alone, if it is one."""
     plain = re.sub(_SHARE, "", text)
     share = "%" if plain != text else ""
@@ -156,7 +152,7 @@ def _of_part(text: str, more: Mapping[str, Meaning]) -> Reading | None:
         unit = share or rest[1:-1].strip()
         is_alone = part == "both" and word not in ("σ", "sigma", "se") and (unit or not word.startswith("err"))
         return Reading(unit_text=unit, part=part) if is_alone else None
-    reading = read(rest, more)
+    reading = reading_of(rest, more)
     is_value = reading.is_input and not reading.part and reading.name not in MATERIALS
     return Reading(reading.name, share or reading.unit_text, part) if is_value else None
 

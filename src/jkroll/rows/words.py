@@ -156,13 +156,13 @@ def units_by_letters() -> dict[str, list[str]]:
 
 
 def squeezed(text: str) -> str:
-    """Return the letters and digits of a unit.
+    """Return the letters and digits of a unit; a sign of an uncertainty stays, as no unit has one.
 
     >>> squeezed("mJ.m-2"), squeezed("kg_per_m³")
     ('mJm2', 'kgm3')
     """
     plain = text.translate(SUPERSCRIPTS).replace("µ", "u").replace("μ", "u")
-    return re.sub(r"[\W_]+|(?<![^\W_])per(?![^\W_])", "", plain)
+    return re.sub(r"[^\w±+]+|_+|(?<![^\W_])per(?![^\W_])", "", plain)
 
 
 def fits(unit_text: str, name: str) -> bool:
