@@ -25,6 +25,9 @@ def check_accuracy(
     """
     bound = stated_accuracy(formula)
     parameters = inspect.signature(formula).parameters
+    scenes = [*scenes]
+    absent = {name for values in scenes for name in parameters if name not in values}
+    assert not absent, f"no scene of tests/scenes.py has {absent}"
     arguments = [{name: values[name] for name in parameters} for values in scenes]
     elements = formula(**{name: np.array([given[name] for given in arguments]) for name in parameters})
     for given, element in zip(arguments, elements.tolist(), strict=True):

@@ -396,6 +396,7 @@ def _evaluate(equation: Callable[..., Exact], arguments: Mapping[str, float]) ->
 
 
 SYMBOLS = {
+    **law_reference.SYMBOLS,
     "R1": "radius", "R2": "radius2", "R": "reduced_radius", "q": "radius_ratio",
     "gamma1": "surface_energy", "gamma2": "surface_energy2", "w": "work_of_adhesion",
     "E1": "youngs_modulus", "E2": "youngs_modulus2", "E": "contact_modulus",
@@ -427,7 +428,6 @@ SYMBOLS = {
     "pos": "position", "X": "position_in_strip", "X_c": "position_in_circle", "b": "contact_half_width",
     "C": "load_constant",
     "R_c": "cylinder_radius", "E_strain": "plane_strain_modulus", "P_l": "load_per_length", "n_roll": "n_roll",
-    **law_reference.SYMBOLS,
 }  # fmt: skip
 
 

@@ -86,6 +86,11 @@ def meaning(words: list[str]) -> Any:
     return action.func, tuple(SimpleNamespace(**vars(word)) if isinstance(word, Call) else word for word in action.args)
 
 
+def test_no_hint_stands_for_an_option_that_there_is() -> None:
+    flags = {flag for command in COMMANDS.values() for flag in command.flags()}
+    assert not flags.intersection(HINTS)
+
+
 @pytest.mark.parametrize("lines", ALIKE, ids=lambda lines: lines[0])
 def test_lines_that_ask_for_the_same(lines: list[str]) -> None:
     first, *others = [meaning(line.split()) for line in lines]

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
+import law_reference
 from accuracy import check_accuracy
 from jkroll import NOMENCLATURE, physics, solve
 from jkroll.answers.questions import QUESTIONS
@@ -25,6 +26,7 @@ from reference import (
     FOLD,
     MEDIAN,
     MEDIAN_OF_A_NAME,
+    SYMBOLS,
     conditions,
     exact_results,
     formula_error,
@@ -129,9 +131,14 @@ CASES = [(name, "random") for name in RESULTS] + [(name, "hard") for name in RES
 @pytest.mark.parametrize(("name", "kind"), CASES)
 def test_result_is_within_the_bound(name: str, kind: str) -> None:
     errors = errors_of_kind(kind)
+    assert name in errors.of_numbers, f"no {kind} scene of tests/scenes.py leads to it: add an input, or NEVER_HARD"
     assert worst(errors.of_numbers[name]).ulp <= BOUND, worst(errors.of_numbers[name])
     assert worst(errors.of_arrays[name]).ulp <= BOUND, worst(errors.of_arrays[name])
     assert worst(errors.between[name]).ulp <= BOUND, worst(errors.between[name])
+
+
+def test_a_symbol_of_the_equations_is_one_quantity() -> None:
+    assert all(SYMBOLS[symbol] == name for symbol, name in law_reference.SYMBOLS.items())
 
 
 def test_half_of_all_results_are_within_the_median() -> None:

@@ -29,7 +29,7 @@ class Law(NamedTuple):
     source: str  # as results name it, where the paper has no equation
     reference: Mapping[str, str]  # the same as BibTeX has it
     routes: Routes
-    given: Mapping[str, Routes]
+    routes_if_given: Mapping[str, Routes] = MappingProxyType({})  # by the input that is given
     omits: frozenset[str] = frozenset()  # quantities that are not shown under it
     by_spacing: frozenset[str] = frozenset()  # quantities that the atomic spacing decides while λ is below 1
 
@@ -54,7 +54,9 @@ class UnknownLaw(JkrollError):
         return f"model: {quoted(self.name, 40)} is not one of {', '.join(LAWS)}"
 
 
-_GIVEN: Mapping[str, Routes] = {
+# Those of every law, before its own. Maugis' edge ratio is known by its own name under any law.
+_OF_EVERY_LAW: Routes = {"edge_ratio": "edge_ratio_at_load"}
+_OF_EVERY_LAW_IF_GIVEN: Mapping[str, Routes] = {
     "speed": {"energy": "kinetic_energy"},
     "modulus_over_energy": {"contact_modulus": "contact_modulus_of_ratio"},
     "adhesion_hysteresis": {"yield_displacement": "yield_displacement_at_hysteresis"},
@@ -64,11 +66,11 @@ _GIVEN: Mapping[str, Routes] = {
     },
     "hamaker": {"work_of_adhesion": "work_of_adhesion_of_hamaker", "atomic_spacing": "atomic_spacing_of_cutoff"},
     "hamaker2": {"work_of_adhesion": "work_of_adhesion_of_hamaker"},
-}
-_MAUGIS_AT_APPROACH: Routes = {
-    "edge_ratio": "edge_ratio_at_approach",
-    "zone_span": "zone_span_at_approach",
-    "approach_maugis_at_load": "approach_maugis",  # under JKR, the load would be that of JKR
+    "approach_at_load": {
+        "edge_ratio": "edge_ratio_at_approach",
+        "zone_span": "zone_span_at_approach",
+        "approach_maugis_at_load": "approach_maugis",  # under JKR, the load would be that of JKR
+    },
 }
 _AT_FACTOR: Routes = {"load": "load_at_factor", "load_margin": "load_margin_of_factor"}
 
@@ -87,18 +89,12 @@ _JKR = Law(
         "year": "1971",
         "doi": "10.1098/rspa.1971.0141",
     },
-    routes={
-        "zone_radius": "contact_radius_at_load",
-        # of Maugis' law: its quantities are known by their own names under any other
-        "edge_ratio": "edge_ratio_at_load",
-    },
-    given={
-        **_GIVEN,
+    routes={"zone_radius": "contact_radius_at_load"},
+    routes_if_given={
         "viscous_time": {"sticking_speed": "sticking_speed_viscous"},
         "load_factor": _AT_FACTOR,
         "load_margin": {"load": "load_at_factor"},
         "approach_at_load": {
-            **_MAUGIS_AT_APPROACH,
             "load": "load_at_factor",
             "load_factor": "load_factor_at_approach",
             "load_margin": "load_margin_at_approach",
@@ -152,7 +148,6 @@ _MAUGIS = Law(
         "pull_off_force": "pull_off_force_maugis",
         "contact_radius": "unloaded_radius_maugis",
         "approach": "unloaded_approach_maugis",
-        "edge_ratio": "edge_ratio_at_load",
         "contact_radius_at_load": "contact_radius_maugis",
         "approach_at_load": "approach_maugis",
         "contact_radius_at_pull_off": "contact_radius_at_pull_off_maugis",
@@ -167,12 +162,11 @@ _MAUGIS = Law(
         "sticking_energy": "sticking_energy_maugis",
         "fold_energy": "fold_energy_maugis",
     },
-    given={
-        **_GIVEN,
+    routes_if_given={
         "viscous_time": {"sticking_speed": None},  # the damping was worked out on the JKR curve
         "load": {"approach_at_load": "approach_maugis_at_load"},
         "edge_ratio": {"load": "load_maugis"},
-        "approach_at_load": {**_MAUGIS_AT_APPROACH, "load": "load_maugis"},
+        "approach_at_load": {"load": "load_maugis"},
     },
     omits=frozenset({"rolling_frequency_as_printed"}),
     by_spacing=frozenset({"sticking_energy", "sticking_speed", "restitution", "lost_energy"}),
@@ -208,25 +202,24 @@ _DMT = Law(
         "stiffness": "stiffness_dmt",
         "adhesive_force": "adhesive_force_dmt",
         "zone_radius": None,
-        "edge_ratio": "edge_ratio_at_load",
         "well_energy": None,
         "pull_off_work": None,
         "pull_off_work_at_dead_load": None,
         "sticking_energy": None,
         "fold_energy": None,
     },
-    given={
-        **_GIVEN,
-        "approach_at_load": {
-            **_MAUGIS_AT_APPROACH,
-            "load": "load_dmt",
-            "contact_radius_at_load": "contact_radius_dmt_at_approach",
-        },
+    routes_if_given={
+        "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
     omits=frozenset({"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt"}),
 )
 
-LAWS: Mapping[str, Law] = MappingProxyType({law.name: law for law in (_JKR, _MAUGIS, _DMT)})
+_ALL = (
+    _JKR,
+    _MAUGIS,
+    _DMT,
+)
+LAWS: Mapping[str, Law] = MappingProxyType({law.name: law for law in _ALL})
 DEFAULT_LAW = _JKR.name
 BETWEEN = _MAUGIS.name  # the law that holds between JKR and DMT
 
@@ -247,11 +240,17 @@ def law_named(name: str) -> Law:
 def routes(model: str, known: frozenset[str]) -> Routes:
     """Return the routes of a law for what is known."""
     law = LAWS[model]
-    found = dict(law.routes)
-    for name, own in law.given.items():
-        if name in known:
-            found |= own
-    return found
+    by_name = {**_OF_EVERY_LAW, **law.routes}
+    for tables in (_OF_EVERY_LAW_IF_GIVEN, law.routes_if_given):
+        for name, table in tables.items():
+            if name in known:
+                by_name |= table
+    return by_name
+
+
+def tables_of(law: Law) -> list[Routes]:
+    """Return all routes of a law, whatever is given."""
+    return [_OF_EVERY_LAW, law.routes, *_OF_EVERY_LAW_IF_GIVEN.values(), *law.routes_if_given.values()]
 
 
 @cache
@@ -264,23 +263,19 @@ def routed_apart(model: str, other: str, known: frozenset[str]) -> frozenset[str
 @cache
 def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[str]]:
     """Return by the name of a quantity every formula by which laws have it, whatever is given."""
-    found: dict[str, list[str]] = {}
-    laws = [LAWS[model] for model in models]
-    for table in (table for law in laws for table in (law.routes, *law.given.values())):
-        for name, route in table.items():
-            if route is not None:
-                found.setdefault(name, []).append(route)
-    return found
+    formulas: dict[str, list[str]] = {}
+    for model in models:
+        for table in tables_of(LAWS[model]):
+            for name, route in table.items():
+                if route is not None:
+                    formulas.setdefault(name, []).append(route)
+    return formulas
 
 
 @cache
 def law_of(formula: str) -> str | None:
     """Return the only law that has some quantity by a formula; None if there is none, or several."""
-    laws = [
-        law.name
-        for law in LAWS.values()
-        if any(formula in table.values() for table in (law.routes, *law.given.values()))
-    ]
+    laws = [law.name for law in LAWS.values() if any(formula in table.values() for table in tables_of(law))]
     return laws[0] if len(laws) == 1 else None
 
 
