@@ -27,10 +27,10 @@ def check_accuracy(
     parameters = inspect.signature(formula).parameters
     scenes = [*scenes]
     absent = {name for values in scenes for name in parameters if name not in values}
-    assert not absent, f"no scene of tests/scenes.py has {absent}"
+    assert not absent, f"neither tests/scenes.py nor test_accuracy.py has values of {absent}"
     arguments = [{name: values[name] for name in parameters} for values in scenes]
     elements = formula(**{name: np.array([given[name] for given in arguments]) for name in parameters})
     for given, element in zip(arguments, elements.tolist(), strict=True):
         for value in {formula(**given), element}:  # one where they agree
             error = error_of(given, value)
-            assert error <= bound, f"{error} ulp, {bound} stated, at {given}"
+            assert error <= bound, f"{error} ulp, {bound} stated in physics/accuracy.py, at {given}"

@@ -100,7 +100,7 @@ def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
         v = √(2U_stick/m) = √(14.18/m) (w⁵R⁴/E*²)^(1/6)
 
     Source:   Thornton & Ning 1998, Eq 54.
-    Valid:    JKR; a head-on collision without other loss.
+    Valid:    A head-on collision without other loss.
     """
     return sqrt(2 * sticking_energy) / sqrt(reduced_mass)  # near DMT, the quotient leaves the doubles
 

@@ -3,7 +3,8 @@
 A law is a table of routes, from the name of a quantity to the formula that gives it: "pull_off_force" is
 "pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so that what is made of
 such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands
-for a quantity that the law does not have; a name without a route is found by the formula of the same name.
+for a quantity that the law does not have; a name without a route is found by the formula of the same name. A formula
+that one law alone routes to belongs to that law: under another it would mix the two, and is refused.
 
 A new law is one more `Law` here and its formulas in `physics`; and where the physics gives a formula no result, the
 reason in `scene.failures`, and where its force curve has several states for a load, these in `answers.curve`. The
@@ -103,8 +104,8 @@ _JKR = Law(
     omits=frozenset({"pull_off_force_lennard_jones"}),
 )
 
-# What follows from the adhesive force, the contact radius and the pull-off force of any law.
-_OF_ANY_LAW: Routes = {
+# Of every law but JKR: what follows from its adhesive force, contact radius and pull-off force, and what JKR alone has.
+_OUTSIDE_JKR: Routes = {
     "unloaded_moment": "unloaded_moment_of_radius",
     "yield_force": "yield_force_of_moment",
     "yield_force_ratio": "yield_force_ratio_of_forces",
@@ -144,7 +145,7 @@ _MAUGIS = Law(
         "doi": "10.1016/0021-9797(92)90285-T",
     },
     routes={
-        **_OF_ANY_LAW,
+        **_OUTSIDE_JKR,
         "pull_off_force": "pull_off_force_maugis",
         "contact_radius": "unloaded_radius_maugis",
         "approach": "unloaded_approach_maugis",
@@ -189,7 +190,7 @@ _DMT = Law(
         "doi": "10.1016/0021-9797(75)90018-1",
     },
     routes={
-        **_OF_ANY_LAW,
+        **_OUTSIDE_JKR,
         "pull_off_force": "pull_off_force_dmt",
         "contact_radius": "unloaded_radius_dmt",
         "approach": "unloaded_approach_dmt",
