@@ -162,7 +162,7 @@ def test_the_moment_is_hertz_load_less_the_load(load: float, radius: float, mode
 
 
 @pytest.mark.parametrize(
-    ("model", "radius", "spacing", "error"), [("jkr", 1e-3, 1e-11, 1e-3), ("dmt", 1e-9, 1e-6, 1e-2)]
+    ("model", "radius", "spacing", "error"), [("jkr", 1e-3, 1e-11, 5e-4), ("dmt", 1e-9, 1e-6, 1e-2)]
 )
 def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: float, error: float) -> None:
     material = known_materials()["quartz"]
@@ -176,9 +176,11 @@ def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: floa
     limits, between = (scene.evaluate(names) for scene in solved)
     shared = [name for name in names if isinstance(limits[name], float) and isinstance(between[name], float)]
     assert len(shared) > 80
+    # What sticks tends to it more slowly.
+    slow = ("sticking_", "restitution", "lost_energy", "energy_over_sticking")
     for name in shared:
-        sticks = name.startswith(("sticking_", "restitution", "lost_energy"))  # tends to it more slowly
-        assert math.isclose(between[name], limits[name], rel_tol=10 * error if sticks else error), name
+        tolerance = 20 * error if name.startswith(slow) else error
+        assert math.isclose(between[name], limits[name], rel_tol=tolerance), name
 
 
 # --- Hysteresis of adhesion -------------------------------------------------------------------------------------------
