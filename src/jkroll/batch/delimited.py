@@ -133,11 +133,11 @@ class Dialect:
         return Head(
             names=tuple(names),
             sample=[[cell.decode("utf-8", "replace") for cell in row] for row in first_rows],
+            writer=Lines(self.mark, end="\r\n" if header.endswith("\r\n") else "\n", has_commas=has_commas),
             size=min(len(mark) + sum(len(line) + 1 for line in raw[:count]), len(block)),
             lines=count,
             preamble=preamble,
             header=mark + written.rstrip("\r\n").encode(BYTES),
-            end="\r\n" if header.endswith("\r\n") else "\n",
             has_decimal_commas=has_commas,
             excel_safe=excel_safe,
         )
@@ -178,10 +178,6 @@ class Dialect:
                 is_other = is_bare and sum(map(is_input, others)) > 1
             if is_other and not any(map(is_input, names)):
                 raise BadTable(f"header: {quoted(line.strip())} has {kind} between its columns; write {advice}")
-
-    def writer(self, head: Head, table: Table) -> Lines:  # noqa: ARG002
-        """Return the writer of a table."""
-        return Lines(self.mark, end=head.end, has_commas=head.has_decimal_commas)
 
     # --- Rows ---------------------------------------------------------------------------------------------------------
 

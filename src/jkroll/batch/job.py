@@ -9,7 +9,7 @@ from ..answers.questions import EVERYTHING, quantities_named
 from ..materials.library import Materials
 from ..rows.header import is_input, stated_meanings, understood
 from ..rows.readings import Reading
-from ..rows.table import Fill, Inverse, Table, idle_of, say_gaps, say_reading, table_of
+from ..rows.table import Fill, Table, idle_of, say_gaps, table_of
 from ..scene.failures import MissingInput
 from ..text import say_wrapped
 
@@ -67,8 +67,7 @@ class Job(NamedTuple):
         `preamble`: the number of lines before the header that are passed over.
         """
         settings = self.settings
-        inverse = Inverse(settings.infer, settings.measured) if settings.infer else None
-        fill = Fill.of(self.inputs, self.known, inverse)
+        fill = Fill.of(self.inputs, self.known, settings.infer, settings.measured)
         columns = understood(names, rows, self.meanings(names), self.inputs)._replace(preamble=preamble)
         asked = quantities_named(settings.quantities) if settings.quantities else ([], EVERYTHING)
         try:
@@ -83,10 +82,10 @@ class Job(NamedTuple):
             )
         except MissingInput:
             if not settings.quiet:
-                say_reading(columns)  # a column may not be understood
+                say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
             raise
         if not settings.quiet:
-            say_reading(columns)
+            say_wrapped(columns.reading(), sys.stderr)
             say_gaps(table, columns, settings.quantities)
             for line in said_of(table)[1:]:
                 say_wrapped(line, sys.stderr)

@@ -21,11 +21,11 @@ class Head(NamedTuple):
 
     names: tuple[str, ...]
     sample: list[list[str]]  # the cells of the first rows
+    writer: Any  # of the table with its results
     size: int = 0  # bytes, up to the end of the header
     lines: int = 0  # up to the end of the header
     preamble: int = 0  # lines above the header
     header: Any = b""  # as it is written, without its end
-    end: str = "\n"  # of lines
     has_decimal_commas: bool = False
     excel_safe: bool = False  # whether cells are written so that a spreadsheet takes no text for a formula
 

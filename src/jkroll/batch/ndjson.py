@@ -46,11 +46,7 @@ class Ndjson:
             raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
         names = tuple(first)
         sample = [[_text(row.get(name)) for name in names] for row in map(_object, lines) if row is not None]
-        return Head(names, sample, size=len(mark), header=mark)
-
-    def writer(self, head: Head, table: Table) -> Objects:  # noqa: ARG002
-        """Return the writer of a table."""
-        return Objects()
+        return Head(names, sample, Objects(), size=len(mark), header=mark)
 
     def read(self, text: bytes, head: Head, table: Table) -> Records:
         """Return whole lines, taken apart."""

@@ -10,9 +10,9 @@ import pyarrow.parquet
 
 from ..errors import BadRequest, BadTable
 from ..output.writers import divided, length
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.cells import Column, Numbers
-from ..rows.columns import BLOCK, DOUBT, STATUS, Wanted
+from ..rows.columns import BLOCK, DOUBT, STATUS
 from ..rows.header import is_input
 from ..rows.readings import Reading
 from ..rows.table import Table
@@ -24,6 +24,8 @@ from .lines import SAMPLE, Head, Records, Source
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 RESULTS = 8 * 32  # bytes of the results of a row, about
+# The headers of columns of texts; the others hold numbers.
+WORDS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 
 # --- Rows as batches --------------------------------------------------------------------------------------------------
 
@@ -32,10 +34,6 @@ class Batches:
     """The writer of rows as batches of Arrow, of which the header is an empty one."""
 
     has_remarks, has_words = True, False
-
-    def __init__(self, words: Sequence[str]) -> None:
-        """`words`: the headers of columns of texts; the others hold numbers."""
-        self.words = {*words, DOUBT, STATUS}
 
     def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
         """Return the batch without rows. `before`: the schema of the columns that stand before these."""
@@ -59,7 +57,7 @@ class Batches:
         return pyarrow.RecordBatch.from_arrays([*before.columns, *arrays], schema=self._schema(heads, before.schema))
 
     def _kind(self, head: str) -> Any:
-        return pyarrow.string() if head in self.words else pyarrow.float64()
+        return pyarrow.string() if head in WORDS else pyarrow.float64()
 
     def _schema(self, heads: Sequence[str], before: Any) -> Any:
         fields = [*before, *(pyarrow.field(head, self._kind(head)) for head in heads)]
@@ -86,11 +84,6 @@ class Batches:
                 flush()
 
 
-def writer_of(wanted: Wanted) -> Batches:
-    """Return the writer of the rows of a list."""
-    return Batches([header(name) for name in wanted.inputs if NOMENCLATURE[name].is_word])
-
-
 # --- A file as blocks -------------------------------------------------------------------------------------------------
 
 
@@ -103,7 +96,8 @@ def source_of(given: Input, form: FileFormat, job: Job) -> Source:  # noqa: ARG0
         schema, metadata = file.schema_arrow, file.metadata
         if not schema.names:
             raise BadTable("the table has no columns")
-        head = Head(tuple(schema.names), _first_rows(file, job.meanings(schema.names)), header=schema)
+        rows = _first_rows(file, job.meanings(schema.names))
+        head = Head(tuple(schema.names), rows, Batches(), header=schema)
     groups = [metadata.row_group(place) for place in range(metadata.num_row_groups)]
     width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + RESULTS
     size, position = max(min(BLOCK, int(BYTES / width)), 1), [0]
@@ -150,10 +144,6 @@ def _is_cell(kind: Any) -> bool:
 
 class Arrow:
     """The format of batches."""
-
-    def writer(self, head: Head, table: Table) -> Batches:  # noqa: ARG002
-        """Return the writer of a table."""
-        return Batches([*table.said])
 
     def read(self, batch: Any, head: Head, table: Table) -> Records:  # noqa: ARG002
         """Return a batch, taken apart."""

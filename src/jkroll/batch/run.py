@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 from ..errors import BadRow, missing_extra
 from ..output.writers import WRITERS, columns_of, written
 from ..quantities.formatting import Format
-from ..rows.columns import Columns, Wanted
+from ..rows.columns import Columns, Wanted, remarks_of
 from ..rows.reasons import Tally, worded
 from ..rows.rows import evaluated
 from ..rows.table import Table, TableBlock
@@ -40,16 +40,6 @@ class Converter(NamedTuple):
     strict: bool  # whether the first row that fails is an error
     compression: str
 
-    @property
-    def writer(self) -> Any:
-        """The writer of the rows."""
-        return self.form.writer(self.head, self.table)
-
-    @property
-    def header(self) -> Any:
-        """The header of the output."""
-        return compressed(self.writer.header(self.table.added, [self.head.header]), self.compression)
-
     def __call__(self, block: Any) -> Converted:
         """Return the block with the results in each row."""
         table = self.table
@@ -59,11 +49,11 @@ class Converter(NamedTuple):
         if self.strict and columns.failed:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))
-        added = [*table.said.values(), *columns_of(columns, Format({}), table.remarks)]
-        output = self.writer.rows(table.added, added, records.before, records.rest)
+        added = [*table.said.values(), *columns_of(columns, Format({}), remarks_of(table.wanted))]
+        output = self.head.writer.rows(table.added, added, records.before, records.rest)
         tally = Tally.of(columns)
-        if table.fill.inverse is not None:
-            tally = tally._replace(inferred=(columns.column(table.fill.inverse.name).copy(),))
+        if table.fill.unknown:
+            tally = tally._replace(inferred=(columns.column(table.fill.unknown).copy(),))
         return Converted(compressed(output, self.compression), records.size, tally)
 
 
@@ -91,9 +81,10 @@ def convert_one(path: str, job: Job) -> Tally:
 
 def _convert(source: Source, convert: Converter, output: BinaryIO, processes: int, bar: Bar) -> Tally:
     """Write a table; return the counts of all of it."""
-    header, line, tally = convert.header, source.head.lines, Tally()
-    size = len(header)
-    with convert.writer.sink(output, header) as write:
+    head, tally = source.head, Tally()
+    header = compressed(head.writer.header(convert.table.added, [head.header]), convert.compression)
+    line, size = head.lines, len(header)
+    with head.writer.sink(output, header) as write:
         try:
             for block, worker in _converted(convert, source.blocks, processes, _path(output)):
                 write(worker.answer_to(size) if worker else block.output)
@@ -168,8 +159,8 @@ def write_columns(
     form = format_of_name(target) or unnamed(target, "csv", quiet=quiet)
     if form.kind == "parquet":
         with missing_extra("parquet"):
-            from .parquet import writer_of
-        writer: Any = writer_of(wanted)
+            from .parquet import Batches
+        writer: Any = Batches()
     else:
         writer = WRITERS[form.kind]
     texts = (compressed(text, form.compression) for text in written(writer, wanted, blocks, units, doubt=doubt))

@@ -89,22 +89,19 @@ class Wanted:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
         return [header(name).replace(name, key, 1) for name in self.names for key in self.keys_of(name)]
 
-    def _with(self, **changed: Any) -> "Wanted":
-        """Return the same quantities with other columns beside them."""
+    def with_columns(self, **changed: Any) -> "Wanted":
+        """Return the same quantities with other columns beside them: `sides` or `alternatives` as above."""
         sides = self.sides if self.uncertainties else None
         same = {"inputs": self.inputs, "sides": sides, "doubts": self.doubts, "alternatives": self.alternatives}
         return type(self)(self.names, named=self.named, **{**same, **changed})
-
-    def with_sides(self, sides: Collection[str]) -> "Wanted":
-        """Return the same quantities with columns for some sides of their uncertainties."""
-        return self._with(sides=dict.fromkeys(self.names, sides))
 
     def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str], *, data: bool = False) -> "Wanted":
         """Return the same quantities, some of them with columns of what may stand in their place.
 
         `scenes`: of each kind of rows; `data`: whether measured forces have columns, too.
         """
-        return self._with(alternatives=kinds_beside(scenes, [name for name in self.names if name in names], data=data))
+        kinds = kinds_beside(scenes, [name for name in self.names if name in names], data=data)
+        return self.with_columns(alternatives=kinds)
 
     def values_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
         """Return the values that may stand in place of the quantities shown, by their keys."""
@@ -121,10 +118,6 @@ class Wanted:
         from ..scene.uncertainty import sources_of_results
 
         return sources_of_results(scene, self.names)
-
-    def lacks(self, scene: Any) -> bool:
-        """Return whether a scene lacks inputs of some quantity."""
-        return bool(scene.missing(self.names))
 
     def work(self, scene: Any) -> int:
         """Return the cost of a row that is computed by itself, counted in formulas."""
@@ -174,7 +167,7 @@ class Row(NamedTuple):
     reasons: Reasons
 
 
-def remarks_of(wanted: Wanted, *, doubt: bool) -> tuple[str, ...]:
+def remarks_of(wanted: Wanted, *, doubt: bool = True) -> tuple[str, ...]:
     """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
     return (DOUBT, STATUS) if doubt and wanted.doubts else (STATUS,)
 

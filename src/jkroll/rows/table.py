@@ -35,13 +35,6 @@ _NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row y
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
 
 
-class Inverse(NamedTuple):
-    """The input that `--infer` seeks, and the quantity whose measured value each row has by `--measured`."""
-
-    name: str
-    quantity: str
-
-
 class Fill(NamedTuple):
     """The inputs, materials and law that the command line gives to all rows. What a row gives itself comes first."""
 
@@ -49,15 +42,16 @@ class Fill(NamedTuple):
     spheres: tuple[Material | None, Material | None]
     model: str | None
     known: Materials
-    inverse: Inverse | None = None
+    unknown: str = ""  # the input that `--infer` seeks
+    measured: str = ""  # the quantity from which it follows, whose measured value each row has by `--measured`
 
     @classmethod
-    def of(cls, inputs: Mapping[str, str], known: Materials, inverse: Inverse | None = None) -> "Fill":
+    def of(cls, inputs: Mapping[str, str], known: Materials, unknown: str = "", measured: str = "") -> "Fill":
         """Return what texts give by the names of inputs."""
         material, material2 = (known[inputs[name]] if name in inputs else None for name in MATERIALS)
         fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
         model = law_named(inputs["model"]).name if "model" in inputs else None
-        return cls(fixed, (material, material2), model, known, inverse)
+        return cls(fixed, (material, material2), model, known, unknown, measured)
 
     def scene(self, given: Mapping[str, Any], *spheres: Material | None) -> Any:
         """Return the scene of inputs and of the materials of both spheres, or the problem of a measured one.
@@ -65,13 +59,13 @@ class Fill(NamedTuple):
         Raises an error of the scene.
         """
         given = {**self.fixed, **given}
-        if self.inverse is None:
+        if not self.unknown:
             return Scene(given, *spheres, model=self.model)
-        if self.inverse.quantity not in given:
-            raise OddRow(f"{self.inverse.quantity}: the row has no measured value", "no measured value")
+        if self.measured not in given:
+            raise OddRow(f"{self.measured}: the row has no measured value", "no measured value")
         from ..scene.inverse import Problem  # for which a table without an unknown does not pay
 
-        return Problem.of([self.inverse.name], [self.inverse.quantity], given, *spheres, model=self.model)
+        return Problem.of([self.unknown], [self.measured], given, *spheres, model=self.model)
 
 
 class Table:
@@ -92,14 +86,9 @@ class Table:
         }
 
     @property
-    def remarks(self) -> tuple[str, ...]:
-        """The headers of the columns of remarks."""
-        return remarks_of(self.wanted, doubt=True)
-
-    @property
     def added(self) -> list[str]:
         """The headers of all columns that are added."""
-        return [*self.said, *self.wanted.heads(header), *self.remarks]
+        return [*self.said, *self.wanted.heads(header), *remarks_of(self.wanted)]
 
 
 class TableBlock(Block):
@@ -131,7 +120,7 @@ class TableBlock(Block):
         """Return the scene of the inputs of rows that are alike."""
         spheres = [lookup.together(self.indices[name][rows]) for name, lookup in self.table.lookups.items()]
         scene = self.table.fill.scene(given, *spheres)
-        if LABEL in spheres and self.table.wanted.lacks(scene):
+        if LABEL in spheres and scene.missing(self.table.wanted.names):
             raise OddRow("names are no materials")  # each row by itself says which
         return scene
 
@@ -162,7 +151,7 @@ class TableBlock(Block):
         spheres = [given.pop(name) for name in MATERIALS]
         if not problems:
             scene = table.fill.scene(given, *spheres)
-            if not labels or not table.wanted.lacks(scene):
+            if not labels or not scene.missing(table.wanted.names):
                 return scene
         errors = [*labels, *problems]
         phrases = dict.fromkeys(error.phrase or str(error) for error in errors)
@@ -184,7 +173,7 @@ def table_of(
     The first rows decide on the columns of uncertainties, unless `uncertainty` asks for all of them. Raises BadTable,
     or an error of the options.
     """
-    check_inputs(columns, fill.inverse.quantity if fill.inverse is not None else "")
+    check_inputs(columns, fill.measured)
     labels, aliases = _names_of_materials(columns, rows, fill.known)
     scenes, labels_left_out = _kinds(columns, rows, fill, labels)
     wanted = wanted_of(scenes, columns, fill, asked, doubts=doubt, labels=labels_left_out)
@@ -197,7 +186,7 @@ def table_of(
     sides = {*SIDES} if uncertainty else {side for each in sources for side in each.sides}
     sides |= {side for value in fill.fixed.values() if is_uncertain(value) for side in value.sides}
     if sides:
-        table.wanted = wanted.with_sides(sides)
+        table.wanted = wanted.with_columns(sides=dict.fromkeys(wanted.names, sides))
         table.left_out = [source for each in sources for source in each.left_out]
     solids = [solid for lookup in table.lookups.values() for solid in lookup.known if solid is not None]
     given = {*columns.names, *fill.fixed}
@@ -205,7 +194,7 @@ def table_of(
     used = {
         name
         for scene in scenes
-        for name in (scene.used() if fill.inverse else scene.inputs_of(*scene.possible(wanted.names)))
+        for name in (scene.used() if fill.unknown else scene.inputs_of(*scene.possible(wanted.names)))
     }
     table.assumed = [name for name in DEFAULTS if name in used - given]
     taken = {*table.added}
@@ -214,11 +203,6 @@ def table_of(
             remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
             raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
     return table
-
-
-def say_reading(columns: Header) -> None:
-    """Say on stderr how the columns are read."""
-    say_wrapped(columns.reading(), sys.stderr)
 
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
@@ -262,33 +246,26 @@ def wanted_of(
 
     `labels`: names that are no material's, if the scenes leave out what they would give.
     """
-    if fill.inverse is not None:
+    if fill.unknown:
         from .infer import Unknowns
 
         scenes[0].check()
-        return Unknowns([fill.inverse.name], named=[fill.inverse.name], sides={}, doubts=doubts)
+        return Unknowns([fill.unknown], named=[fill.unknown], sides={}, doubts=doubts)
     explicit, offered = asked
     for name in explicit:
         if name in columns.names or name in fill.fixed:
             raise BadRequest(f"--quantities: {name} is an input here")
-        outcomes = [_lack_of(name, scene) for scene in scenes]
-        if all(isinstance(error, MissingInput) and not isinstance(error, NotInLaw) for error in outcomes):
+        lacks = [*filter(None, (_lack_of(name, scene) for scene in scenes))]
+        if len(lacks) == len(scenes):
             texts = [message or f"no material {quoted(text)}" for text, message in labels.items()]
             if texts:
-                raise BadTable("; ".join([texts[0], str(outcomes[0])]))
-            raise next(filter(None, outcomes))
+                raise BadTable("; ".join([texts[0], str(lacks[0])]))
+            raise lacks[0]
     names_of_2 = {name for name in (*columns.names, *fill.fixed) if NOMENCLATURE[name].sphere == 2}
     is_of_two = bool(names_of_2) or fill.spheres[1] not in (None, fill.spheres[0])
-    missing = [scene.missing(offered) for scene in scenes]
-    possible = [
-        name
-        for name in offered
-        if name not in columns.names
-        and not (NOMENCLATURE[name].of_identical and is_of_two)
-        and any(
-            scene.shows_to_identical(name) and name not in lacks for scene, lacks in zip(scenes, missing, strict=True)
-        )
-    ]
+    shown = {name for scene in scenes for name in scene.possible(offered) if scene.shows_to_identical(name)}
+    shown -= {*columns.names, *(name for name in shown if is_of_two and NOMENCLATURE[name].of_identical)}
+    possible = [name for name in offered if name in shown]
     names = tuple(dict.fromkeys((*explicit, *possible)))
     if not names:
         scenes[0].plan(offered[0])
@@ -299,11 +276,11 @@ def wanted_of(
 
 
 def _lack_of(name: str, scene: Any) -> MissingInput | None:
-    """Return what a scene lacks of a quantity, if it lacks something."""
+    """Return which inputs a scene lacks of a quantity that its law has, if it lacks some."""
     try:
         scene.plan(name)
     except MissingInput as error:
-        return error
+        return None if isinstance(error, NotInLaw) else error
     return None
 
 
@@ -325,9 +302,8 @@ def _kinds(
     if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
         spheres = {name: solid and solid._replace(displacement=None) for name, solid in spheres.items()}
     some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
-    measured = fill.inverse.quantity if fill.inverse is not None else ""  # which is no input of the scene
     names = [column.name for column in columns.inputs]
-    cases = dict.fromkeys(_without_exclusive(first, names, measured) for first in names or [""])
+    cases = dict.fromkeys(_without_exclusive(first, names, fill.measured) for first in names or [""])
 
     def kinds(labels: Collection[str]) -> list[Any]:
         of_columns = {name: LABEL if name in labels else some for name in of_names}
@@ -335,7 +311,7 @@ def _kinds(
         return [fill.scene(given, *{**spheres, **of_columns}.values()) for given in inputs]
 
     scenes = kinds(labels)
-    if labels and (fill.inverse is not None or scenes[0].missing(["work_of_adhesion"])):
+    if labels and (fill.unknown or scenes[0].missing(["work_of_adhesion"])):
         return kinds([]), {}  # their rows will say that they are unknown
     return scenes, unknown if labels else {}
 
@@ -346,7 +322,7 @@ def idle_of(table: Table) -> list[str]:
     One that is infinite is left out: it may make a body rigid.
     """
     fill, wanted = table.fill, table.wanted
-    quantities = wanted.names if fill.inverse is None else [fill.inverse.quantity]
+    quantities = [fill.measured] if fill.unknown else wanted.names
     law = [fill.model or DEFAULT_LAW]
     entering = depends_on(quantities, law)
     if wanted.doubts:
