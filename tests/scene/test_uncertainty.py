@@ -25,6 +25,8 @@ from jkroll.scene.uncertainty import (
     Propagated,
     Source,
     TooManyRanges,
+    part_beyond_pull_off,
+    sources_of_results,
     uncertainties,
     uncertainties_of,
 )
@@ -424,3 +426,29 @@ def test_shares_are_those_of_changes_whose_squares_no_double_holds(size: float) 
     inertia = found["moment_of_inertia"]
     assert isinstance(inertia, Propagated)
     assert inertia.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.05)
+
+
+FORCE = Scene(QUARTZ)["pull_off_force"]
+NEXT_TO_PULL_OFF = {**QUARTZ, "load": -0.98 * FORCE}
+WIDTHS = {"load": 0.02 * FORCE, "surface_energy": 0.02 * QUARTZ["surface_energy"], "youngs_modulus": 1e9}
+
+
+@pytest.mark.parametrize(
+    ("names", "part"),
+    [
+        (["load"], 0.15865525),  # one standard deviation from pull-off
+        (["surface_energy"], 0.15865525),
+        (["load", "surface_energy"], 0.23975006),  # 1/√2 of one
+        (["youngs_modulus"], 0.0),  # on which the pull-off force does not depend
+    ],
+)
+def test_a_part_of_the_values_within_error_bars_is_beyond_pull_off(names: list[str], part: float) -> None:
+    for kind, expected in ((Measured, part), (Interval, 0.0)):
+        bars: dict[str, Uncertain] = {}
+        for name in names:
+            value, width = NEXT_TO_PULL_OFF[name], WIDTHS[name]
+            bars[name] = Measured(value, width, width) if kind is Measured else Interval(value, value - width, value)
+        scene = Scene({**NEXT_TO_PULL_OFF, **bars})
+        sources = sources_of_results(scene, ["contact_radius_at_load"]).entering
+        assert len(sources) == len(names)
+        assert part_beyond_pull_off(scene, sources) == approx(expected, rel=1e-6)

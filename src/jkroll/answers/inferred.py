@@ -5,9 +5,9 @@ from contextlib import suppress
 from copy import copy
 from functools import cached_property
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..errors import JkrollError, NoResult
+from ..errors import NoResult
 from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
@@ -16,7 +16,7 @@ from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
-from ..scene.uncertainty import uncertainties_of_unknowns
+from ..scene.uncertainty import Bars, Sources, uncertainties_of_unknowns
 from ..scene.unknowns import solution
 from ..text import listed
 from .alternatives import Alternative, head_of
@@ -24,9 +24,6 @@ from .answer import Answer
 from .notes import about_missing, about_uncertainties, symbol_beside
 from .questions import Question
 from .results import Note, Result, propagated_of
-
-if TYPE_CHECKING:
-    from ..scene.uncertainty import Propagated, Sources
 
 # Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
 _LOSING = frozenset({"restitution", "sticking_speed"})
@@ -93,10 +90,10 @@ class Inferred(Answer):
         )
 
     @cached_property
-    def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
+    def _uncertainties(self) -> tuple[Bars, Sources | None]:
         return ({}, None) if self.solution is None else self._bars(self.solution)
 
-    def _bars(self, solution: Solution) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
+    def _bars(self, solution: Solution) -> tuple[Bars, Sources | None]:
         """Return the error bars of a solution and their sources, if anything is uncertain."""
         return uncertainties_of_unknowns(solution) if self.problem.is_uncertain else ({}, None)
 

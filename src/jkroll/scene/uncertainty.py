@@ -133,9 +133,7 @@ class Propagated(NamedTuple):
     """
 
     uncertainty: Uncertain
-    shares: Mapping[
-        str, float
-    ]  # of numbers: of the variance, or of the width of a range; by the first input of a source
+    shares: Mapping[str, float]  # of numbers, by the first input of a source: in the variance, or width of a range
 
 
 _Bar = tuple[Mapping[str, Any], Sequence[Any]]  # the sides of an error bar, and how far each source moves the value

@@ -1,7 +1,7 @@
 """The solver of the inverse problem, of numbers and arrays: one unknown by scans, two by a grid and Newton's method."""
 
 from functools import cached_property
-from math import expm1, inf, log, nan
+from math import inf, nan
 from typing import Any
 
 import numpy
@@ -32,7 +32,7 @@ _TOGETHER = 1 << 17  # values of a scan that are computed at once
 _WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among the usual ones
 
 MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
-_OF_LOAD = (-14.0, 46.0)  # coordinates of a load that are scanned: from 1e-6 P_c beyond pull-off to 1e20 P_c
+_LOADS = numpy.linspace(-14.0, 46.0, 209)  # coordinates that are scanned: from 1e-6 P_c beyond pull-off to 1e20 P_c
 _ROUNDS = 150  # of Newton's method
 _LAST_STEP = 1e-14  # of the coordinates: a step as small as this ends the search
 _NEAR = 1e-9  # in logarithms of the measured values: a pair that is as near as this is a solution
@@ -49,9 +49,8 @@ def solution(problem: Problem) -> Solution:
     arrays = solutions(problem, 1)
     for error in arrays.failures.values():
         raise error
-    values, growths = (
-        {name: float(column[0]) for name, column in each.items()} for each in (arrays.values, arrays.growths)
-    )
+    values = {name: float(column[0]) for name, column in arrays.values.items()}
+    growths = {name: float(column[0]) for name, column in arrays.growths.items()}
     return Solution(problem, values, float(arrays.condition[0]), growths, {})
 
 
@@ -237,7 +236,7 @@ class Pairs:
         """Return the places at which the unknowns have some values; a load beyond pull-off counts as one next to it."""
         places = {name: numpy.log(column) for name, column in values.items() if name != "load"}
         if self.load is not None:
-            places["load"] = numpy.log1p(numpy.maximum(values["load"] / self._force(values), expm1(_OF_LOAD[0])))
+            places["load"] = numpy.log1p(numpy.maximum(values["load"] / self._force(values), numpy.expm1(_LOADS[0])))
         return numpy.array([places[name] for name in self.problem.unknowns])
 
     def _force(self, values: Values) -> Any:
@@ -327,10 +326,7 @@ class Pairs:
     @cached_property
     def _mesh(self) -> Any:
         """The places of the grid."""
-        axes = []
-        for name in self.problem.unknowns:
-            low, high = _OF_LOAD if name == "load" else map(log, SIZES[name])
-            axes.append(numpy.linspace(low, high, round((high - low) / log(10) * PER_DECADE) + 1))
+        axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in self.problem.unknowns]
         return numpy.array(numpy.meshgrid(*axes, indexing="ij"))
 
     @cached_property
@@ -368,10 +364,8 @@ class Pairs:
         corners = numpy.lib.stride_tricks.sliding_window_view(residuals, (2, 2), axis=(1, 2))
         low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
         margin = _MARGIN * (high - low)
-        may_cross = (low - margin <= 0) & (high + margin >= 0) | numpy.isnan(corners).any(axis=(3, 4)) & numpy.isfinite(
-            low
-        )
-        cells = may_cross.all(axis=0)
+        is_at_gap = numpy.isnan(corners).any(axis=(3, 4)) & numpy.isfinite(low)
+        cells = ((low - margin <= 0) & (high + margin >= 0) | is_at_gap).all(axis=0)
         first, last = self._mesh[:, :-1, :-1][:, cells], self._mesh[:, 1:, 1:][:, cells]
         shares = [(0.5, 0.5), *((i, j) for i in (0.2, 0.8) for j in (0.2, 0.8))]
         return numpy.concatenate([first + numpy.reshape(share, (2, 1)) * (last - first) for share in shares], axis=1)
@@ -410,10 +404,8 @@ class Pairs:
     def _left_open(self, matrix: Any) -> str:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
         steepest = max(matrix, key=lambda slope: float(numpy.hypot(*slope)))
-        (left, right), (by_left, by_right) = (
-            (NOMENCLATURE[name].symbol for name in self.problem.unknowns),
-            steepest.tolist(),
-        )
+        by_left, by_right = steepest.tolist()
+        left, right = (NOMENCLATURE[name].symbol for name in self.problem.unknowns)
         if min(abs(by_left), abs(by_right)) <= _LEFT_OPEN * max(abs(by_left), abs(by_right)):
             return f"they leave {left if abs(by_left) < abs(by_right) else right} open"
         return f"both stay as they are along {left} ∝ {right}^{-by_right / by_left:.3g}"
