@@ -101,7 +101,7 @@ class SeveralSolutions(Unsolved):
         texts = [", ".join(amount(name, value, form) for name, value in values.items()) for values in self.values]
         if len(self.problem.unknowns) > 1:
             texts = [f"the pairs ({texts[0]})", *(f"({text})" for text in texts[1:])]
-        return f"{listed(texts)} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
+        return f"{listed(texts)} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.measured)}"
 
     def _may_be_typed(self, digits: int) -> bool:
         """Return whether the values with so many digits give the measured ones."""
@@ -109,7 +109,7 @@ class SeveralSolutions(Unsolved):
         return all(
             abs(forward.get(name, inf) - level) <= AS_SHOWN * abs(level)
             for forward in (self.problem.with_values(values).numbers(*self.problem.measured) for values in typed)
-            for name, level in self.problem.levels.items()
+            for name, level in self.problem.measured.items()
         )
 
 
@@ -166,8 +166,9 @@ class Problem(NamedTuple):
     """
 
     unknowns: tuple[str, ...]
-    measured: Mapping[str, Any]
+    measured: Values  # by quantity
     scene: Scene
+    uncertain: Mapping[str, Uncertain] = MappingProxyType({})  # the measured values that have an uncertainty, with it
 
     @classmethod
     def of(
@@ -179,18 +180,10 @@ class Problem(NamedTuple):
         model: str | None,
     ) -> "Problem":
         """Return the problem, given the inputs and, among them, the measured values of quantities."""
+        uncertain = {name: given[name] for name in quantities if is_uncertain(given[name])}
+        measured = {name: uncertain[name].value if name in uncertain else given[name] for name in quantities}
         others = {name: value for name, value in given.items() if name not in quantities}
-        return cls(tuple(unknowns), {name: given[name] for name in quantities}, Scene(others, *spheres, model=model))
-
-    @property
-    def levels(self) -> dict[str, Any]:
-        """The measured values without their uncertainties."""
-        return {name: value.value if is_uncertain(value) else value for name, value in self.measured.items()}
-
-    @property
-    def uncertain(self) -> dict[str, Uncertain]:
-        """The measured values that have an uncertainty."""
-        return {name: value for name, value in self.measured.items() if is_uncertain(value)}
+        return cls(tuple(unknowns), measured, Scene(others, *spheres, model=model), uncertain)
 
     @property
     def is_uncertain(self) -> bool:
@@ -218,10 +211,11 @@ class Problem(NamedTuple):
         None of them has an uncertainty.
         """
         middles = {name: given.value for name, given in self.scene.uncertain.items()}
-        arrays = {name: value for name, value in self.levels.items() if getattr(value, "shape", ())} | self.scene.arrays
-        given = {**middles, **{name: value[rows] for name, value in arrays.items()}, **changed}
-        levels = {name: given.pop(name, level) for name, level in self.levels.items()}
-        return self._replace(measured=levels, scene=self.scene.replace(**given) if given else self.scene)
+        values = {**self.measured, **self.scene.arrays}
+        arrays = {name: value[rows] for name, value in values.items() if getattr(value, "shape", ())}
+        given = {**middles, **arrays, **changed}
+        measured = {name: given.pop(name, value) for name, value in self.measured.items()}
+        return Problem(self.unknowns, measured, self.scene.replace(**given) if given else self.scene)
 
     def missing(self, names: Sequence[str]) -> Iterable[str]:
         """Return the unknowns if the scene lacks an input without which the measured quantities have no value."""
@@ -235,7 +229,7 @@ class Problem(NamedTuple):
 
     def echo(self) -> dict[str, Any]:
         """Return these inputs as they were understood, and the measured values."""
-        return {**self.filled().echo(self.used()), **self.levels}
+        return {**self.filled().echo(self.used()), **self.measured}
 
     def check(self) -> None:
         """Raise the error of a problem that has no solution whatever the measured values are."""

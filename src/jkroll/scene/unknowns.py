@@ -133,7 +133,7 @@ class Roots:
 
     def __init__(self, problem: Problem, size: int, sizes: tuple[float, float]) -> None:
         self.problem, self.size, self.sizes = problem, size, sizes
-        ((self.unknown,), ((self.quantity, levels),)) = problem.unknowns, problem.levels.items()
+        ((self.unknown,), ((self.quantity, levels),)) = problem.unknowns, problem.measured.items()
         self.levels = numpy.full(size, levels, dtype=float)
         self.scan = Scan(self.function, grid(self.unknown, sizes), size)
 
@@ -179,7 +179,7 @@ class Roots:
     def _outside(self, problem: Problem, low: float, high: float) -> NoSolution:
         """Return the error of a measured value outside the range of the quantity."""
         lies = f"it lies between {amount(self.quantity, low)} and {amount(self.quantity, high)}"
-        text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([self.unknown])}"
+        text = f"no value gives {equal(problem.measured)}; {lies} for {sizes_in_words([self.unknown])}"
         return NoSolution(problem, text, (low, high))
 
     def _undetermined(self, row: int, inside: Any) -> Undetermined:
@@ -189,7 +189,7 @@ class Roots:
         ends, _ = bisected(inside, outside, lambda x: self._is_level(rows, self.function(rows, x)))
         low, high = ends.tolist()
         span = f"{amount(self.unknown, low)} to {amount(self.unknown, high)}"
-        return Undetermined(problem, f"every value from {span} gives {equal(problem.levels)}", (low, high))
+        return Undetermined(problem, f"every value from {span} gives {equal(problem.measured)}", (low, high))
 
     def _is_level(self, rows: Rows, y: Any) -> Any:
         return abs(y - self.levels[rows]) <= ROUNDING * abs(self.levels[rows])
@@ -219,7 +219,7 @@ class Pairs:
     def __init__(self, problem: Problem, size: int = 1) -> None:
         self.problem, self.size = problem, size
         self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
-        self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
+        self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.measured.values()], dtype=float)
 
     def rows(self, rows: Any) -> "Pairs":
         """Return the same in some rows."""
@@ -374,7 +374,7 @@ class Pairs:
 
     def _failure(self) -> JkrollError:
         """Return the reason why no pair gives both measured values."""
-        problem, levels = self.problem, self.problem.levels
+        problem, levels = self.problem, self.problem.measured
         if not numpy.isfinite(self.on_mesh.sum(axis=0)).any():
             return problem.failure()
         scene = problem.filled()
@@ -395,7 +395,7 @@ class Pairs:
         depends = self.problem.filled().inputs_of(first)
         sought, other = sorted(self.problem.unknowns, key=lambda name: name not in depends)
         places = grid(other, SIZES[other])
-        problem = Problem((sought,), {first: self.problem.levels[first]}, self.problem.with_values({other: places}))
+        problem = Problem((sought,), {first: self.problem.measured[first]}, self.problem.with_values({other: places}))
         one = Roots(problem, len(places), SIZES[sought])
         rows, roots = one.scan.crossings(one.levels)
         heights = outcomes(self.problem, {sought: roots, other: places[rows]})
