@@ -26,7 +26,7 @@ from jkroll.rows.columns import SIDES, Columns, Row, Wanted
 from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import Block, evaluated
 from jkroll.rows.table import table_of
-from jkroll.scene.alternatives import by_law
+from jkroll.scene.alternatives import at_least_measured, at_most_measured, by_law
 from jkroll.scene.failures import Failure
 from jkroll.scene.limits import LIMITS, NOT_JUDGED
 from jkroll.scene.scene import LEAST, Scene
@@ -81,9 +81,9 @@ def side_of(key: str) -> str:
     return name if key not in NOMENCLATURE and side in SIDES else ""
 
 
-def law_of(key: str) -> str:
-    """Return the law whose results a column has in place of a quantity; an empty text for other columns."""
-    return key.partition("_by_")[2]
+def kind_of(key: str) -> str:
+    """Return the kind of what a column has in place of a quantity, as "maugis"; an empty text for other columns."""
+    return (side_of(key) or key).partition("_by_")[2]
 
 
 # --- Doors ------------------------------------------------------------------------------------------------------------
@@ -324,8 +324,15 @@ def _in_rows(one: Rows, other: Rows, row: int, keys: Sequence[str], scene: Scene
 def _same(scene: Scene | None, key: str, one: float | None, other: float | None) -> bool:
     if one == other or scene is None:
         return one == other
+    name = (side_of(key) or key).partition("_by_")[0]
+    scenes = _made_of(scene, kind_of(key))
     if side_of(key):
-        return sides_agree(scene, side_of(key), one, other)
-    if law_of(key):
-        scene, key = by_law(scene), key.partition("_by_")[0]
-    return one is not None and other is not None and agree(scene, key, one, other)
+        return any(sides_agree(each, name, one, other) for each in scenes)
+    return one is not None and other is not None and any(agree(each, name, one, other) for each in scenes)
+
+
+def _made_of(scene: Scene, kind: str) -> list[Scene]:
+    """Return the scenes whose answers stand in a column: of a kind of what may stand in place, or without a kind."""
+    if kind == "data":
+        return [at_least_measured(scene), at_most_measured(scene)]
+    return [by_law(scene) if kind else scene]

@@ -23,7 +23,7 @@ from doors import (
     call_of,
     differences,
     is_at_its_end,
-    law_of,
+    kind_of,
     of_list,
     of_table,
     printed,
@@ -35,11 +35,13 @@ from jkroll import answer, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError, NoResult
+from jkroll.output.answered import Answered
 from jkroll.pictures.axes import Axis
 from jkroll.pictures.maps import limits_of, limits_on_map, over
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
-from jkroll.quantities.values import value_of
+from jkroll.quantities.values import is_uncertain, middle, value_of
 from jkroll.rows.columns import DOUBT, STATUS
+from jkroll.scene.alternatives import at_least_measured, at_most_measured
 from jkroll.scene.failures import (
     INFINITE,
     OF_IDENTICAL_SPHERES,
@@ -321,6 +323,38 @@ def test_doors_agree_on_alternatives_of_fresh_questions(run: Run, numbers: range
     check_alternatives(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 
+QUARTZ_TO_ROLL = {"material": ["quartz"], "radius": ["1e-7 m", "1e-6 m"]}
+BESIDE = {
+    "one pair": Ask("yield-force", {**QUARTZ_TO_ROLL, "radius": ["3e-7 m"]}),
+    "one pair with an error bar": Ask(
+        "yield-force", {**QUARTZ_TO_ROLL, "radius": ["3e-7 m"], "surface_energy": ["0.022±0.002 J/m^2"]}
+    ),
+    "sizes about those that were measured": Ask("report", {**QUARTZ_TO_ROLL, "radius": ["9e-8 m", "1e-6 m", "4e-6 m"]}),
+    "several solids": Ask(
+        "n-grav", {"material": ["iron", "quartz", "silica-dry", "PS"], "radius": ["1e-7 m", "5e-6 m"]}
+    ),
+    "the size that was measured": Ask("yield-force", {"material": ["PS"], "radius": ["1e-5 m", "5e-6 m"]}),
+    "standard uncertainties": Ask(
+        "yield-force", {**QUARTZ_TO_ROLL, "surface_energy": ["0.022±0.002 J/m^2", "0.024 J/m^2"]}
+    ),
+    "ranges": Ask("r-min", {**QUARTZ_TO_ROLL, "radius": ["2e-7 to 3e-7 m", "1e-6 m"]}),
+    "an uncertain load": Ask("n-roll", {**QUARTZ_TO_ROLL, "load": ["1e-9±1e-10 N", "1e-8±1e-10 N"]}, model="maugis"),
+    "an uncertain atomic spacing": Ask(
+        "pull-off", {**QUARTZ_TO_ROLL, "atomic_spacing": ["3e-10±1e-10 m", "2e-10 to 4e-10 m"]}
+    ),
+    "sources of two kinds": Ask(
+        "pull-off", {**QUARTZ_TO_ROLL, "surface_energy": ["0.022±0.002 J/m^2"], "atomic_spacing": ["2e-10 to 4e-10 m"]}
+    ),
+    "another law": Ask("yield-force", QUARTZ_TO_ROLL, model="dmt"),
+    "a displacement that was given": Ask("yield-force", {**QUARTZ_TO_ROLL, "yield_displacement": ["1e-10 m"]}),
+}
+
+
+@pytest.mark.parametrize("name", BESIDE)
+def test_doors_agree_on_what_stands_beside(run: Run, name: str) -> None:
+    assert [*alternative_disagreements(run, BESIDE[name])] == []
+
+
 def check_alternatives(run: Run, seed: int, numbers: range) -> None:
     """Ask random questions at all doors with what may stand in place of the answers."""
     for number in numbers:
@@ -350,7 +384,9 @@ def alternative_disagreements(run: Run, ask: Ask) -> Iterator[str]:
         yield from (f"table: {text}" for text in _in_written(found.rows, found.cells))
     for row, (texts, scene) in enumerate(zip(ask.rows(), scenes_of(ask), strict=True)):
         yield from (f"row {row}: {text}" for text in _in_answer(ask, texts, floats, row))
-        yield from (f"row {row}: {text}" for text in _in_law(scene, floats.values[row]))
+        yield from (f"row {row}: {text}" for text in _in_scene(scene, floats.values[row]))
+    if len(floats.values) == 1:
+        yield from (f"lines: {text}" for text in _in_lines(run, ask, floats.values[0]))
 
 
 def _in_shared(one: Rows, other: Rows) -> Iterator[str]:
@@ -367,43 +403,79 @@ def _in_files(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     except Refused:
         return
     for row, line in enumerate(cells):
-        for key in filter(law_of, floats.keys):
-            name = key.partition("_by_")[0]
-            if _read(line[header(name).replace(name, key, 1)], "") != floats.values[row].get(key):
+        for key in filter(kind_of, floats.keys):
+            if _read(line[_head(key)], "") != floats.values[row].get(key):
                 yield f"csv: row {row}: {key} = {floats.values[row].get(key)!r} and {line}"
 
 
 def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> Iterator[str]:
     """Iterate over what differs between a row and the answer to it in Python, which has the object of JSON."""
-    names = [key for key in floats.keys if not side_of(key) and not law_of(key) and key in floats.values[row]]
+    values, reasons = floats.values[row], floats.reasons[row]
+    names = [key for key in floats.keys if not side_of(key) and not kind_of(key) and key in values]
     given: dict[str, Any] = {name: text if name in SPHERES else value_of(text, name) for name, text in texts.items()}
     try:
         found = answer(names, model=ask.model, **given)
-        laws = found.as_dict().get("laws", {})
+        of_json = found.as_dict()
     except JkrollError:
         return
-    for law, entries in laws.items():
-        for name, entry in entries.items():
-            key = f"{name}_by_{law}"
-            if key in floats.keys and entry["value"] != floats.values[row].get(key):
-                yield f"json: {key} = {floats.values[row].get(key)!r} and {entry['value']!r}"
-    for law, values in found.alternatives.items():
-        for name in [name for name in values if f"{name}_by_{law}" in floats.keys]:
-            value = getattr(values[name], "value", values[name])
-            if value != floats.values[row].get(f"{name}_by_{law}"):
-                yield f"answer: {name} by {law}: {floats.values[row].get(f'{name}_by_{law}')!r} and {value!r}"
+    for door, every in (("json", _of_json(of_json)), ("answer", _of_python(found))):
+        for key in [key for key in every if key in floats.keys]:
+            if side_of(key) and reasons:
+                continue  # sources are those of all quantities together
+            if every[key] != values.get(key):
+                yield f"{door}: {key} = {values.get(key)!r} and {every[key]!r}"
     if {one.code for one in found.doubts if one.code} != {*codes(floats.doubts[row] & ~NOT_JUDGED).split()}:
         yield f"doubts {codes(floats.doubts[row])} and {found.doubts}"
 
 
-def _in_law(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
-    """Iterate over the values by the other law that are not those of that law."""
-    for key in filter(law_of, values):
-        name, _, law = key.partition("_by_")
-        other = Scene(scene.stated, scene.material, scene.material2, model=law)
-        spacing = {"atomic_spacing": other["atomic_spacing"]} if law == "maugis" else {}
-        if (value := other.replace(**spacing).evaluate((name,))[name]) != values[key]:
+def _of_json(found: Mapping[str, Any]) -> dict[str, float | None]:
+    """Return the numbers of an object that may stand in place of its results, by the keys of columns."""
+    numbers: dict[str, float | None] = {}
+    for law, entries in found.get("laws", {}).items():
+        for name, entry in entries.items():
+            numbers[f"{name}_by_{law}"] = entry["value"]
+            sides = entry.get("uncertainty", {})
+            numbers |= {f"{name}_by_{law}_{side}": sides[side] for side in sides if side != "kind"}
+    for name, (low, high) in found.get("displacement", {}).get("values", {}).items():
+        if low < high:
+            numbers |= {f"{name}_by_data_low": low, f"{name}_by_data_high": high}
+    return numbers
+
+
+def _of_python(found: Answered) -> dict[str, float | None]:
+    """Return the numbers of an answer that may stand in place of its results, by the keys of columns."""
+    numbers: dict[str, float | None] = {}
+    for kind, values in found.alternatives.items():
+        for name, value in values.items():
+            key = f"{name}_by_{kind}"
+            numbers[key] = middle(value)
+            if is_uncertain(value):
+                numbers |= {f"{key}_{side}": number for side, number in value.sides.items()}
+    return numbers
+
+
+def _in_scene(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
+    """Iterate over the values beside results that are not those of the other law, or of the displacements measured."""
+    for key in (key for key in values if kind_of(key) and not side_of(key)):
+        name, _, kind = key.partition("_by_")
+        if kind == "data":
+            ends = [end(scene)["yield_displacement"] for end in (at_least_measured, at_most_measured)]
+            value = sum(scene.replace(yield_displacement=end)[name] for end in ends) / 2
+        else:
+            other = Scene({**scene.stated, **scene.uncertain}, scene.material, scene.material2, model=kind)
+            spacing = {"atomic_spacing": other["atomic_spacing"]} if kind == "maugis" else {}
+            value = other.replace(**spacing).evaluate((name,))[name]
+        if value != values[key]:
             yield f"{key} = {values[key]!r} and {value!r}"
+
+
+def _in_lines(run: Run, ask: Ask, values: Mapping[str, float]) -> Iterator[str]:
+    """Iterate over the lines of one pair that are not the values of its row, and those that it has not."""
+    lines = [line.split() for line in answered(run, *ask.words("--alternatives")).out.splitlines()]
+    found = {line[0]: float(line[1]) for line in lines if line and line[0] != "model"}
+    for key in {*found, *values}:
+        if kind_of(key) and found.get(key) != values.get(key):
+            yield f"{key} = {values.get(key)!r} and {found.get(key)!r}"
 
 
 @pytest.mark.parametrize("quantity", ["pull_off_force", "yield_force", "n_roll"])
@@ -497,7 +569,7 @@ def _in_cells(floats: Rows, cells: Sequence[Cells], options: Sequence[str]) -> I
 
 def _head(key: str) -> str:
     """Return the header of a column of results."""
-    name = side_of(key) or key.partition("_by_")[0]
+    name = (side_of(key) or key).partition("_by_")[0]
     return header(name).replace(name, key, 1)
 
 

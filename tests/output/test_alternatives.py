@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -101,6 +102,48 @@ def test_lists_have_it_beside_the_headline(run: Run) -> None:
     assert "by Maugis" not in run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
     assert "P_c by JKR" in run("pull-off quartz 100nm,1um --model maugis", terminal=True).out
     assert re.search(r"no data +880–1300", run("yield-force quartz 2nm 1um", terminal=True).out)
+
+
+def test_lists_have_its_error_bars(run: Run) -> None:
+    def cell(gamma: str, model: str) -> str:
+        found: Any = solve(
+            "yield_force", model=model, material="quartz", radius=1e-6, gamma=gamma, atomic_spacing=4e-10
+        )
+        return f"{found.value * 1e12:.1f} ± {found.minus * 1e12:.1f}"
+
+    out = run("yield-force quartz 100nm,1um --gamma 22±1mJ/m2", terminal=True).out
+    (row,) = [line for line in out.splitlines() if line.strip().startswith("1000")]
+    assert cell("22±1 mJ/m2", "maugis") in row
+    by_spacing: Any = solve("pull_off_force", model="maugis", **QUARTZ, atomic_spacing="0.4±0.1 nm")
+    out = run("pull-off quartz 100nm,1um --z0 0.4±0.1nm", terminal=True).out
+    assert f"{by_spacing.value * 1e9:.2f} +{by_spacing.plus * 1e9:.2f}/-{by_spacing.minus * 1e9:.2f}" in out
+
+
+def test_in_a_list_they_are_tables_below_where_they_do_not_fit(run: Run) -> None:
+    words = "yield-force quartz,silica-humid 100nm,1um --gamma 22±1.5mJ/m2 --load 1±0.1nN"
+    heads = [line for line in run(words, terminal=True).out.splitlines() if line.startswith("material")]
+    *of_results, last = heads
+    assert "by" not in "".join(of_results)
+    assert last.split("  ")[-2:] == ["Q by Maugis [pN]", "Q by data [pN]"]
+
+
+def test_measured_forces_have_columns(run: Run) -> None:
+    """Of rows whose solid was not rolled, or is far from its size and surface energy, they are empty."""
+    Path("in.csv").write_text("material,radius [nm],gamma [mJ/m2]\nquartz,300,\niron,300,\nquartz,20,\nquartz,300,50\n")
+    run("batch in.csv -o out.csv --alternatives --quantities yield_force")
+    rows = [*csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())]
+    heads = [f"yield_force_by_data{side} [N]" for side in ("", "_low", "_high")]
+    found: Any = answer("yield_force", material="quartz", radius=3e-7).alternatives["data"]["yield_force"]
+    assert [float(rows[0][head]) for head in heads] == [found.value, found.low, found.high]
+    assert {row[head] for row in rows[1:] for head in heads} == {""}
+    (of_list, _) = csv.DictReader(run("yield-force quartz,iron 300nm --csv --alternatives").out.splitlines())
+    assert [of_list[head] for head in heads] == [rows[0][head] for head in heads]
+    lines = run("yield-force quartz 300nm --alternatives").out.splitlines()
+    assert f"yield_force_by_data_low {of_list[heads[1]]} N" in lines
+    of_json = json.loads(run("yield-force quartz 300nm --json").out)["displacement"]["values"]["yield_force"]
+    assert of_json == [found.low, found.high]
+    assert "_by_data" not in run("yield-force iron 300nm --csv --alternatives").out
+    assert "_by_data" not in run("yield-force quartz 300nm --xi 1nm --csv --alternatives").out
 
 
 def test_files_and_lines_have_it_where_it_is_asked_for(run: Run) -> None:

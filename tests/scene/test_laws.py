@@ -463,8 +463,7 @@ def test_a_result_of_another_law_says_so() -> None:
     results = {result.name: result for result in found.results}
     assert (results["yield_force"].law, results["yield_force"].equation) == ("maugis", "Maugis 1992")
     assert results["yield_angle"].law == ""
-    of_jkr, _ = found.alternatives
-    assert (of_jkr.head, of_jkr.values["yield_force"]) == ("JKR", solve("yield_force", **QUARTZ))
+    assert found.alternatives["jkr"]["yield_force"] == solve("yield_force", **QUARTZ)
     assert found.inputs["model"] == "maugis"
 
 

@@ -1,14 +1,15 @@
 """Alternatives to the results of one scene: by another law of attraction, or by forces that were measured."""
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Collection, Iterator, Sequence
+from typing import Any
 
 from ..errors import JkrollError
 from ..quantities.formatting import span
-from ..quantities.laws import BETWEEN, LAWS
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, XI
-from ..quantities.values import Interval, is_uncertain
+from ..quantities.values import ends_of, is_uncertain, middle
 from ..scene.alternatives import (
+    DATA,
     FORCES,
     ROLLED,
     SIO2,
@@ -17,12 +18,14 @@ from ..scene.alternatives import (
     at_least_measured,
     at_most_measured,
     at_other_reading,
+    beside,
     by_law,
     displacements_where_measured,
     factor_of_data,
     factor_of_law,
     farthest,
     is_at_displacement,
+    moved_by_law,
     ratio,
     rolled_solid,
     rolling,
@@ -39,68 +42,24 @@ _ALIKE = 0.2  # relative difference of radii that needs no scaling
 _ELSEWHERE = "polystyrene has 42 nm at 5 µm, ice 0.19 mm at 1 mm"  # Sümer & Sitti; Musiolik & Wurm 2019
 
 
-class Alternative(NamedTuple):
-    """The answers of a scene that may stand in place of the one that was asked, by quantity.
+def by_other_law(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
+    """Return the answers under the law that holds between JKR and DMT; under that law, those of JKR.
 
-    A value is a number, one with its error bar, or a range; None stands for a quantity that has none there. A quantity
-    that is not among them is the same.
+    None stands for a quantity that has no value there. One that is not among them is the same.
     """
-
-    key: str  # in names of columns and in JSON
-    head: str  # of a column
-    values: Mapping[str, Any]
-    none: str = "–"  # in place of a value
-
-
-def head_of(law: str) -> str:
-    """Return the head of the column of a law."""
-    return LAWS[law].title.partition("–")[0]
-
-
-def by_other_law(scene: Scene, names: Sequence[str]) -> Alternative:
-    """Return the answers under the law that holds between JKR and DMT; under that law, those of JKR."""
     other = by_law(scene)
-    between = scene if scene.law.name == BETWEEN else other
-    missing = {*other.missing(names), *scene.missing(names)}
-    found = other.evaluate([name for name in names if name in missing or uses_law(between, name)])
-    values = {name: None if isinstance(value, JkrollError) else value for name, value in found.items()}
-    return Alternative(other.law.name, head_of(other.law.name), {**values, **_error_bars(scene, values, by_law)})
+    differing = {*other.missing(names), *scene.missing(names), *moved_by_law(scene, names)}
+    return _values(scene, other.law.name, [name for name in names if name in differing])
 
 
-def by_data(scene: Scene, names: Sequence[str]) -> Alternative:
+def by_data(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     """Return the answers with the displacements that forces measured on the same solid mean, as ranges."""
-    rolled = rolling(names, scene.law.name)
-    ends = []
-    for end in (at_least_measured, at_most_measured):
-        numbers = end(scene).numbers(*rolled)
-        ends.append({**numbers, **_error_bars(scene, numbers, end)})
-    values = {name: between(ends[0].get(name), ends[1].get(name)) for name in rolled}
-    size = "1 µm" if rolled_solid(scene) == SIO2 else "5 µm"
-    return Alternative("data", f"by {size} data", values, "no data")
+    return _values(scene, DATA, rolling(names, scene.law.name))
 
 
-def between(one: Any, other: Any) -> Interval | None:
-    """Return the range of two values, with their error bars; None if one is missing."""
-    if one is None or other is None:
-        return None
-    ends = [
-        end for value in (one, other) for end in ((value,) if isinstance(value, float) else (value.low, value.high))
-    ]
-    return Interval(sum(ends) / len(ends), min(ends), max(ends))
-
-
-def _error_bars(scene: Scene, values: Mapping[str, Any], alternative: Callable[[Scene], Scene]) -> dict[str, Any]:
-    """Return those values of an alternative that have error bars, with these. Sources of two kinds give none."""
-    known = [name for name, value in values.items() if value is not None]
-    if not scene.is_uncertain or not known:
-        return {}
-    from ..scene.uncertainty import Propagated, uncertainties
-
-    try:
-        bars, _ = uncertainties(scene, known, alternative)
-    except JkrollError:
-        return {}
-    return {name: bar.uncertainty for name, bar in bars.items() if isinstance(bar, Propagated)}
+def _values(scene: Scene, kind: str, names: Sequence[str]) -> dict[str, Any]:
+    found = beside(scene, {kind: names} if names else {}).get(kind, {})
+    return {name: None if isinstance(value, JkrollError) else value for name, value in found.items()}
 
 
 # --- In full, for programs --------------------------------------------------------------------------------------------
@@ -113,15 +72,14 @@ def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, A
     """
     law, other = scene.law.name, by_law(scene)
     known = {name: value for name, value in scene.numbers(*names).items() if value}
-    values = by_other_law(scene, [*known]).values
-    numbers = other.numbers(*values)
+    values = by_other_law(scene, [*known])
     half = {} if law == BETWEEN else at_half_spacing(other).numbers(*values)
     rolled = rolling(values, BETWEEN)
     reading = at_other_reading(scene) if rolled else None
     readings = reading.numbers(*rolled) if reading is not None else {}
     found: dict[str, dict[str, Any]] = {}
     for name in values:
-        own, number = known[name], numbers.get(name)
+        own, number = known[name], middle(values[name])
         found[name] = {"value": number} | ({} if number is None else {f"over_{law}": number / own})
         if is_uncertain(values[name]):
             found[name]["uncertainty"] = values[name]
@@ -153,7 +111,7 @@ def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] |
         found["here"] = [end[XI] for end in ends]
         both = [name for name in rolled if own.get(name) and name in low and name in high]
         found["over_assumed"] = {name: [low[name] / own[name], high[name] / own[name]] for name in both}
-        found["values"] = {name: [low[name], high[name]] for name in both}
+        found["values"] = {name: [*ends_of(value)] for name, value in by_data(scene, both).items()}
     return found
 
 
@@ -216,8 +174,8 @@ def _advised(scene: Scene, name: str) -> Iterator[str]:
 
 def _about_displacement(scene: Scene, names: Sequence[str]) -> str:
     """Return what stands in place of answers with the assumed ξ: "Q = 89–270 pN by forces on SiO2 of 1 µm"."""
-    values = by_data(scene, names[:MAX_TOLD]).values
-    told = (f"{NOMENCLATURE[name].symbol} = {span(name, one.low, one.high)}" for name, one in values.items() if one)
+    values = by_data(scene, names[:MAX_TOLD])
+    told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(one))}" for name, one in values.items() if one)
     return f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi){_beyond_hysteresis(scene)}"
 
 

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import in_words
-from ..quantities.laws import BETWEEN, DEFAULT_LAW
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import INFINITY, XI
 from ..rows.columns import outcomes
+from ..scene.alternatives import DATA, by_law, factor_of_law
 from ..scene.failures import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
@@ -39,7 +40,6 @@ from .results import Note, Result, over_spacing, propagated_of, with_law
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Sources
-    from .alternatives import Alternative
 
 
 def with_force_by_maugis(error: Failure, scene: Scene) -> Failure:
@@ -153,18 +153,24 @@ class Answer:
         return displacement_in_full(self.scene, self._known)
 
     @cached_property
-    def alternatives(self) -> "list[Alternative]":
-        """The results that may stand in place of these: by the other law where it moves one, and by measured forces."""
-        from ..scene.alternatives import rolled_solid
-        from .alternatives import by_data, by_other_law
+    def beside(self) -> Mapping[str, Mapping[str, Any]]:
+        """What may stand in place of the results, by kind: the name of the other law, or DATA."""
+        from .alternatives import by_data, by_other_law  # which a line in a pipe does not show
 
-        found = []
-        law_matters = any(doubt.is_exceeded for doubt in self.validity if doubt.limit.factor is not None)
-        if self._known and (self.scene.law.name == BETWEEN or law_matters):
-            found.append(by_other_law(self.scene, self.shown))
-        if XI in self.inputs and rolled_solid(self.scene):
-            found.append(by_data(self.scene, self._known))
-        return [one for one in found if one.values]
+        if not self._known or self.scene.missing(["tabor_parameter"]):
+            return {}
+        found = {
+            by_law(self.scene).law.name: by_other_law(self.scene, self.shown),
+            DATA: by_data(self.scene, self._known),
+        }
+        return {kind: values for kind, values in found.items() if values}
+
+    @cached_property
+    def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
+        """What may stand in place of the results, by the other law only where that moves one."""
+        law_matters = any(doubt.is_exceeded for doubt in self.validity if doubt.limit.factor is factor_of_law)
+        is_shown = law_matters or self.scene.law.name == BETWEEN
+        return {kind: values for kind, values in self.beside.items() if is_shown or kind not in LAWS}
 
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:

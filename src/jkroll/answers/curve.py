@@ -15,7 +15,6 @@ from ..scene.limits import Doubt, bits_of, doubts
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from ..text import quoted
-from .alternatives import Alternative
 from .answer import Answer
 from .questions import Question
 from .results import Result
@@ -235,9 +234,9 @@ class AtState(Answer):
         return self.curve.laws
 
     @property
-    def alternatives(self) -> "list[Alternative]":
+    def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
         """None: a state of the curve has no place on that of another law."""
-        return []
+        return {}
 
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:

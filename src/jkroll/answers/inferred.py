@@ -19,7 +19,6 @@ from ..scene.scene import Scene
 from ..scene.uncertainty import Bars, Sources, uncertainties_of_unknowns
 from ..scene.unknowns import solution
 from ..text import listed
-from .alternatives import Alternative, head_of
 from .answer import Answer
 from .notes import about_missing, about_uncertainties, symbol_beside
 from .questions import Question
@@ -115,9 +114,9 @@ class Inferred(Answer):
         return self.forward.displacement
 
     @cached_property
-    def alternatives(self) -> list[Alternative]:
+    def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
         """The values under the other laws, with their error bars."""
-        return [Alternative(law, head_of(law), self._measures(solution)) for law, solution in self._by_law.items()]
+        return {law: self._measures(solution) for law, solution in self._by_law.items()}
 
     def _measures(self, solution: Solution) -> dict[str, Any]:
         """Return the values of a solution, with their error bars."""

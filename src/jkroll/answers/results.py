@@ -50,10 +50,6 @@ class Result(NamedTuple):
         """The value, with its uncertainty if it has one."""
         return self.propagated.uncertainty if self.propagated is not None else self.value
 
-    def sides(self) -> dict[str, float]:
-        """Return the numbers of the uncertainty by name: minus and plus, or low and high; none without one."""
-        return self.propagated.uncertainty.sides if self.propagated is not None else {}
-
 
 # Of notes, the most important first. What makes numbers doubtful has a size, by which these stand among each other.
 Kind = Literal[

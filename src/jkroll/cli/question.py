@@ -102,7 +102,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
         if call.alternatives:
             wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
         elif is_shown and len(sweep.models) == 1:
-            wanted = wanted.with_alternatives(sweep.kinds, question.headline, data=True)
+            wanted = wanted.with_alternatives(sweep.kinds, question.headline)
     blocks = sweep.columns(wanted, one_by_one=is_shown)
     if len(sweep) == 1:
         headline = [name for name in question.headline if name in wanted.names and name not in sweep.spreads]

@@ -95,7 +95,7 @@ class Answered:
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, float | Uncertain | None]]:
         """The values that may stand in place of these: "maugis", by the law that holds, "data", by measured forces."""
-        return {one.key: one.values for one in self._found.alternatives}
+        return self._found.alternatives
 
     @cached_property
     def notes(self) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 from ..quantities.formatting import Format, pretty
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import is_uncertain, middle
 from ..text import fitting, json_text, say, spelled
 from .writers import WRITERS
 
@@ -54,23 +55,27 @@ def _text(cell: str | float) -> str:
 def write_plain(answer: "Answer", out: TextIO, form: Format, *, alternatives: bool = False) -> None:
     """Write a line `name value unit` for each result of a scene, and for each side of its uncertainty.
 
-    `alternatives`: whether what may stand in its place under the other law has a line, too.
+    `alternatives`: whether what may stand in its place has lines, too.
     """
-    by_law = answer.laws if alternatives else {}
+    beside = answer.beside if alternatives else {}
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
     for result in answer.results:
-        if result.value is not None:
-            numbers = {result.name: result.value} | {
-                f"{result.name}_{side}": number for side, number in result.sides().items()
-            }
-            if (value := by_law.get(result.name, {}).get("value")) is not None:
-                numbers[f"{result.name}_by_{other_law(answer.scene.law.name)}"] = value
-            for name, number in numbers.items():
-                say(
-                    f"{name} {spelled(form.number(result.name, number))} {form.unit(result.name)}".removesuffix(" 1"),
-                    out,
-                )
+        measures = {result.name: result.measure}
+        measures |= {f"{result.name}_by_{kind}": values.get(result.name) for kind, values in beside.items()}
+        for name, number in _numbers(measures).items():
+            say(f"{name} {spelled(form.number(result.name, number))} {form.unit(result.name)}".removesuffix(" 1"), out)
+
+
+def _numbers(measures: "Mapping[str, float | Uncertain | None]") -> dict[str, float]:
+    """Return the numbers of measures by their names, with the sides of their uncertainties; None has none."""
+    numbers = {}
+    for name, value in measures.items():
+        if value is not None:
+            numbers[name] = middle(value)
+        if is_uncertain(value):
+            numbers |= {f"{name}_{side}": number for side, number in value.sides.items()}
+    return numbers
 
 
 def write_json(answers: "Iterable[Answer]", count: int, out: TextIO, form: Format) -> None:

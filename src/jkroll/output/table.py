@@ -11,7 +11,6 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from ..answers.alternatives import Alternative, between, head_of
 from ..answers.notes import symbol_beside
 from ..quantities.formatting import Format, amount, in_words, pretty, significant, with_known_prefix
 from ..quantities.laws import DEFAULT_LAW, LAWS
@@ -19,7 +18,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import of_sides
 from ..rows.columns import DOUBT, as_list
-from ..scene.alternatives import DATA
+from ..scene.alternatives import DATA, SIO2, rolled_solid
 from ..scene.limits import OF_LAW, codes_of
 from ..text import fitting, say, say_wrapped, terminal_width
 
@@ -40,12 +39,16 @@ _LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "materia
 
 
 class Column(NamedTuple):
-    """A column of texts. Numbers are set to the right; `meaning` says what a result is."""
+    """A column of texts. Numbers are set to the right; `meaning` says what a result is.
+
+    `below`: of what may stand in place of a result, the head where it is not beside the result, with its unit.
+    """
 
     head: str
     cells: Sequence[str]
     is_right: bool = True
     meaning: str = ""
+    below: str = ""
 
 
 # --- One scene --------------------------------------------------------------------------------------------------------
@@ -67,8 +70,8 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         printed = next((table for table in tables if print_table(table, out, styles=styles)), [])
         if not printed:
             print_table([symbol, own, unit], out, styles=styles, anyway=True)
-    left = [one for one in others if one.head not in {column.head for column in printed}]
-    rest = [result for result in results if any(one.values.get(result.name) is not None for one in left)]
+    left = {head: values for head, values in others.items() if head not in {column.head for column in printed}}
+    rest = [result for result in results if any(values.get(result.name) is not None for values in left.values())]
     if rest:
         say("", out)
         quantity, symbol, _, *columns, unit = _scene_columns(rest, left, answer, form)
@@ -87,19 +90,24 @@ def _results(answer: "Answer") -> "list[Result]":
     ]
 
 
-def _others(answer: "Answer") -> "list[Alternative]":
-    """Return what has columns beside the results: what may stand in their place, and limits of theirs."""
+def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
+    """Return what has columns beside the results, by head: what may stand in their place, and limits of theirs."""
+    data = "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
+    others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
     values = {result.name: result.value for result in answer.results}
-    limits = [
-        Alternative(column[1], column[1], {column[0]: values[limit]})
-        for limit, column in answer.question.beside.items()
-        if column and values.get(limit) is not None and column[1] != head_of(answer.scene.law.name)
-    ]
-    return [*answer.alternatives, *limits]
+    for limit, column in answer.question.beside.items():
+        if column and values.get(limit) is not None and column[1] != head_of(answer.scene.law.name):
+            others[column[1]] = {column[0]: values[limit]}
+    return others
+
+
+def head_of(law: str) -> str:
+    """Return the head of the column of a law."""
+    return LAWS[law].title.partition("–")[0]
 
 
 def _scene_columns(
-    results: "Iterable[Result]", others: Sequence[Alternative], answer: "Answer", form: Format
+    results: "Iterable[Result]", others: Mapping[str, Mapping[str, Any]], answer: "Answer", form: Format
 ) -> list[Column]:
     """Return the columns of results: words, symbols, values, what may stand in their place, and the unit of a row."""
     own = head_of(answer.scene.law.name)
@@ -107,15 +115,12 @@ def _scene_columns(
     for result in results:
         name, value = result.name, result.measure
         same = None if value is None else f"as {own}"
-        values = [value, *(one.values.get(name, same) for one in others)]
+        values = [value, *(of_other.get(name, same) for of_other in others.values())]
         numbers = [each for each in values if each is not None and not isinstance(each, str)]
         unit = _unit(name, numbers[:1], form)
-        nones = [_NONE, *(one.none for one in others)]
-        cells = [_cell(each, unit, form, none) for each, none in zip(values, nones, strict=True)]
         words = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs)]
-        rows.append([*words, *cells, pretty(unit[0]) if numbers else ""])
-    heads = ["quantity", "symbol", own, *(one.head for one in others), "unit"]
-    columns = zip(heads, zip(*rows, strict=True), strict=True)
+        rows.append([*words, *(_cell(each, unit, form) for each in values), pretty(unit[0]) if numbers else ""])
+    columns = zip(["quantity", "symbol", own, *others, "unit"], zip(*rows, strict=True), strict=True)
     return [Column(head, cells, head not in ("quantity", "symbol", "unit")) for head, cells in columns]
 
 
@@ -163,7 +168,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     """Write a table of several pairs; inputs that all of them share stand above, and what was assumed, by name.
 
     A pair is a row. Where that is wider than the terminal, a pair is a column, and where this is too wide as well, a
-    row again, of as many tables as it takes.
+    row again, of as many tables as it takes: those of results, then of what may stand in their place.
     """
     pairs = _Pairs(columns, form)
     common = {name: values[0] for name, values in pairs.inputs.items() if len({*values}) == 1}
@@ -175,10 +180,17 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     tables = [[*leading, *results], *(_across(leading, results) if len(columns) <= MAX_ACROSS else [])]
     if any(print_table(table, out) for table in tables):
         return
-    while results:
-        counts = range(len(results), 0, -1)
-        is_printed = (print_table([*leading, *results[:count]], out, anyway=count == 1) for count in counts)
-        results = results[next(count for count, done in zip(counts, is_printed, strict=True) if done) :]
+    alternatives = [column._replace(head=column.below) for column in results if column.below]
+    for rest in ([column for column in results if not column.below], alternatives):
+        _print_in_parts(leading, rest, out)
+
+
+def _print_in_parts(leading: Sequence[Column], columns: Sequence[Column], out: TextIO) -> None:
+    """Print columns as as many tables as it takes, with the leading columns in each."""
+    while columns:
+        counts = range(len(columns), 0, -1)
+        is_printed = (print_table([*leading, *columns[:count]], out, anyway=count == 1) for count in counts)
+        columns = columns[next(count for count, done in zip(counts, is_printed, strict=True) if done) :]
 
 
 def _across(leading: Sequence[Column], results: Sequence[Column]) -> list[list[Column]]:
@@ -235,20 +247,20 @@ class _Pairs:
         """Return the columns of a result: by the other law where that moves a result of the pairs, and by data."""
         values, symbol = self._measures(name), symbol_beside(name, self.inputs)
         unit = _unit(name, [value for value in values if value is not None], self.form)
+        in_unit = f" [{pretty(unit[0])}]" if unit[0] else ""
 
         def cells(values: Iterable[Any], none: str = _NONE) -> list[str]:
             return [_cell(value, unit, self.form, none) for value in values]
 
-        head = f"{symbol} [{pretty(unit[0])}]" if unit[0] else symbol
-        columns = [Column(head, cells(values), meaning=NOMENCLATURE[name].sentence)]
-        keys = self.columns.wanted.beside(name)
-        if DEFAULT_LAW in keys or any(bits & OF_LAW for bits in as_list(self.columns.doubts)):
-            of_laws = {law: self._measures(key) for law, key in keys.items() if law in LAWS}
-            columns += [Column(f"{symbol} by {head_of(law)}", cells(of_law)) for law, of_law in of_laws.items()]
-        if DATA[0] in keys:
-            ends = (self._measures(keys[end]) for end in DATA)
-            ranges = [between(low, high) for low, high in zip(*ends, strict=True)]
-            columns += [Column("by data", cells(ranges, "no data"))] if any(ranges) else []
+        columns = [Column(f"{symbol}{in_unit}", cells(values), meaning=NOMENCLATURE[name].sentence)]
+        law_matters = any(bits & OF_LAW for bits in as_list(self.columns.doubts))
+        for kind, key in self.columns.wanted.beside(name).items():
+            others = self._measures(key)
+            if kind == DATA and any(value is not None for value in others):
+                columns.append(Column("by data", cells(others, "no data"), below=f"{symbol} by data{in_unit}"))
+            elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
+                head = f"{symbol} by {head_of(kind)}"
+                columns.append(Column(head, cells(others), below=f"{head}{in_unit}"))
         return columns
 
     def _measures(self, key: str) -> list[Any]:

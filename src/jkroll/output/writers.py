@@ -13,7 +13,8 @@ from typing import Any, BinaryIO
 
 from ..quantities.formatting import Format, in_words
 from ..quantities.nomenclature import INFINITY, header
-from ..rows.columns import DOUBT, Columns, Wanted, as_list, middle, remarks_of
+from ..quantities.values import middle
+from ..rows.columns import DOUBT, Columns, Wanted, as_list, remarks_of
 from ..scene.limits import codes
 from ..text import spelled
 

@@ -311,6 +311,16 @@ class Interval(_Interval):
 Uncertain = Measured | Interval
 
 
+def middle(value: Any) -> Any:
+    """Return the middle of a value that has an uncertainty; any other value as it is."""
+    return value.value if is_uncertain(value) else value
+
+
+def ends_of(value: Any) -> tuple[Any, Any]:
+    """Return the ends of an uncertainty; of any other value twice itself."""
+    return (value.low, value.high) if is_uncertain(value) else (value, value)
+
+
 def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
     """Return a value with the numbers of its uncertainty by side; nan stands for none."""
     known = {side: number for side, number in sides.items() if not isnan(number)}

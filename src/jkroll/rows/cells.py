@@ -22,6 +22,7 @@ from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, exponent_of
 from ..quantities.values import Uncertain, error_about, has_uncertainty, unit_of, value_of, written
+from ..scene.alternatives import measured_solid
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
@@ -350,5 +351,6 @@ def _kind(material: Material | None) -> Hashable:
 
 
 def _is_special(material: Material) -> bool:
-    """Return whether a material has uncertainties, or is rigid: more follows then than from a number."""
-    return bool(material.uncertainties) or material.displacement is not None or INFINITY in material.properties.values()
+    """Return whether more follows from a material than from numbers: uncertainties, rigidity, forces measured on it."""
+    more = material.uncertainties or material.displacement is not None or measured_solid(material)
+    return bool(more) or INFINITY in material.properties.values()

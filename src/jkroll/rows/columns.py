@@ -5,6 +5,7 @@ a gap that floats do not leave, or an uncertainty needs a search, the row is com
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from math import isnan, nan
 from types import MappingProxyType
@@ -12,12 +13,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import where
-from ..quantities.values import is_uncertain
-from ..scene.alternatives import beside, kinds_beside
+from ..quantities.values import is_uncertain, middle
+from ..scene.alternatives import DATA, beside, by_law, kinds_beside
 from ..scene.failures import (
     OF_IDENTICAL_SPHERES,
     Failure,
-    MissingInput,
     written_outcome,
 )
 from ..scene.limits import bits_of, doubts, possible_bits
@@ -26,7 +26,7 @@ from ..text import listed
 from .reasons import ROW, UNCERTAINTY, Gaps, Reasons, lack, status_of, worded
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Propagated, Sources
+    from ..scene.uncertainty import Sources
 
 BLOCK = 1 << 12  # rows computed together as arrays: many for the calls of numpy, few for the cache
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
@@ -61,25 +61,31 @@ class Wanted:
     ) -> None:
         """`named`: quantities that were asked for by name, and concern any row; `inputs`: that stand before them.
 
-        `sides`: of the uncertainties of quantities, those of SIDES that have columns; None where uncertainties are not
-        wanted. `doubts`: whether limits are judged. `alternatives`: by the quantity, what may stand in its place and
-        has columns: the name of a law, or the ends of what measured forces mean, `DATA`.
+        `sides`: of the uncertainties of quantities, and of what may stand in their place, those of SIDES that have
+        columns, by key; None where uncertainties are not wanted. `doubts`: whether limits are judged. `alternatives`:
+        by the quantity, the kinds of what may stand in its place and has columns: the name of a law, DATA.
         """
         self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
-        self.uncertainties = sides is not None
-        self.sides = {name: tuple(side for side in SIDES if side in some) for name, some in (sides or {}).items()}
         self.alternatives = {name: kinds for name, kinds in alternatives.items() if name in self.names}
+        self._beside = {f"{name}_by_{kind}": kind for name, kinds in self.alternatives.items() for kind in kinds}
+        ranges = {key: ("low", "high") for key, kind in self._beside.items() if kind == DATA}
+        self.uncertainties = sides is not None
+        self.sides = {
+            key: tuple(side for side in SIDES if side in some) for key, some in {**(sides or {}), **ranges}.items()
+        }
         self.keys = tuple(key for name in self.names for key in self.keys_of(name))
         self.places = {key: place for place, key in enumerate(self.keys)}
-        self.known_sides = frozenset(side for some in self.sides.values() for side in some)
+        self.known_sides = frozenset(side for name in self.names for side in self.sides.get(name, ()))
 
-    def sides_of(self, name: str) -> dict[str, str]:
-        """Return the keys of the columns of a quantity's uncertainty, by the side: "radius_minus"."""
-        return {side: f"{name}_{side}" for side in self.sides.get(name, ())}
+    def sides_of(self, key: str) -> dict[str, str]:
+        """Return the keys of the columns of the uncertainty of a column, by the side: "radius_minus"."""
+        return {side: f"{key}_{side}" for side in self.sides.get(key, ())}
 
     def keys_of(self, name: str) -> tuple[str, ...]:
-        """Return the keys of the columns of a quantity, of its uncertainty, and of what may stand in its place."""
-        return (name, *self.sides_of(name).values(), *self.beside(name).values())
+        """Return the keys of the columns of a quantity and of what may stand in its place, with their uncertainties."""
+        return tuple(
+            each for key in (name, *self.beside(name).values()) for each in (key, *self.sides_of(key).values())
+        )
 
     def beside(self, name: str) -> dict[str, str]:
         """Return the keys of the columns of what may stand in place of a quantity: "pull_off_force_by_maugis"."""
@@ -95,21 +101,35 @@ class Wanted:
         same = {"inputs": self.inputs, "sides": sides, "doubts": self.doubts, "alternatives": self.alternatives}
         return type(self)(self.names, named=self.named, **{**same, **changed})
 
-    def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str], *, data: bool = False) -> "Wanted":
+    def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str]) -> "Wanted":
         """Return the same quantities, some of them with columns of what may stand in their place.
 
-        `scenes`: of each kind of rows; `data`: whether measured forces have columns, too.
+        `scenes`: of each kind of rows.
         """
-        kinds = kinds_beside(scenes, [name for name in self.names if name in names], data=data)
-        return self.with_columns(alternatives=kinds)
+        kinds = kinds_beside(scenes, [name for name in self.names if name in names])
+        sides = {name: {*some} for name, some in self.sides.items()}
+        for scene in scenes:
+            if scene.is_uncertain:
+                from ..scene.uncertainty import sides_of_results
 
-    def values_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
-        """Return the values that may stand in place of the quantities shown, by their keys."""
-        wanted = {name: kinds for name, kinds in self.alternatives.items() if name in shown}
-        results = {
-            f"{name}_by_{kind}": written_outcome(name, value) for (name, kind), value in beside(scene, wanted).items()
+                other = by_law(scene)
+                with suppress(JkrollError):  # sources of two kinds give no error bars
+                    for name, some in sides_of_results(other, [*kinds]).items():
+                        sides.setdefault(f"{name}_by_{other.law.name}", set()).update(some)
+        return self.with_columns(alternatives=kinds, sides=sides if self.uncertainties else None)
+
+    def numbers_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
+        """Return what may stand in place of the quantities shown, with their uncertainties, by their keys."""
+        names_of: dict[str, list[str]] = {}
+        for name in shown:
+            for kind in self.alternatives.get(name, ()):
+                names_of.setdefault(kind, []).append(name)
+        return {
+            f"{name}_by_{kind}": value
+            for kind, values in beside(scene, names_of).items()
+            for name, value in values.items()
+            if not isinstance(value, JkrollError)
         }
-        return {key: value for key, value in results.items() if not isinstance(value, JkrollError)}
 
     def sources_in(self, scene: Any) -> "Sources | None":
         """Return the sources of uncertainty of the quantities of a scene; None if it has no uncertainty."""
@@ -128,17 +148,19 @@ class Wanted:
         results = outcomes(scene, self.names, self.named)
         reasons = reasons_of(results)
         values = {name: outcome for name, outcome in results.items() if name not in reasons}
-        numbers: dict[str, float] = {**values, **self.values_beside(scene, [*results])}
+        beside = self.numbers_beside(scene, [*results])
+        numbers: dict[str, float] = {**values, **{key: middle(value) for key, value in beside.items()}}
+        fill_sides(self, beside, numbers, reasons)
         inputs = scene.echo(scene.inputs_used(self.names, self.names)) if self.inputs else {}
         if self.uncertainties and scene.is_uncertain:
-            from ..scene.uncertainty import uncertainties
+            from ..scene.uncertainty import measures_of, uncertainties
 
             bars, sources = uncertainties(scene, [*results])
             if (remark := left_out(self, scene, sources)) is not None:
                 reasons[UNCERTAINTY] = remark
             else:
                 inputs |= {name: given for name, given in sources.given.items() if name in inputs}
-                fill_sides(self, bars, numbers, reasons)
+                fill_sides(self, measures_of(bars), numbers, reasons)
         return Row(
             inputs,
             [numbers.get(key, nan) for key in self.keys],
@@ -152,7 +174,7 @@ class Wanted:
         `scene_of` returns a row as a scene of numbers. Raises a JkrollError where floats are to compute all rows.
         """
         arrays = _Arrays(self, scene, size)
-        again = arrays.explain(scene_of)
+        again = arrays.explain(scene_of) | arrays.columns.put_sides(arrays.beside)
         if self.uncertainties and scene.is_uncertain:
             again |= arrays.add_sides()
         return arrays.columns, again
@@ -211,20 +233,21 @@ class Columns:
             self.reasons.pop(place, None)
         self.reasons.update((rows[row], reasons) for row, reasons in columns.reasons.items())
 
-    def put_sides(self, bars: "Mapping[str, Propagated | JkrollError]") -> Any:
-        """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
+    def put_sides(self, values: Mapping[str, Any]) -> Any:
+        """Take the sides of values of arrays that have some, by the keys of columns; return the rows with open ones."""
         import numpy
 
         again = numpy.zeros(len(self), dtype=bool)
-        for name, bar in bars.items():
-            if isinstance(bar, JkrollError):
-                again |= ~numpy.isnan(self.column(name))
-                continue
-            width = bar.uncertainty.high - bar.uncertainty.low
-            for side, key in self.wanted.sides_of(name).items():
-                if side in bar.uncertainty.sides:
-                    self.column(key)[...] = where(width > 0, bar.uncertainty.sides[side], numpy.nan)
-            again |= numpy.isnan(width) & ~numpy.isnan(self.column(name))
+        for key, value in values.items():
+            is_known = ~numpy.isnan(self.column(key))
+            if isinstance(value, JkrollError):
+                again |= is_known
+            elif is_uncertain(value):
+                width = value.high - value.low
+                for side, of_side in self.wanted.sides_of(key).items():
+                    if side in value.sides:
+                        self.column(of_side)[...] = where(is_known & (width > 0), value.sides[side], numpy.nan)
+                again |= is_known & numpy.isnan(width)
         return again
 
     def add_remark(self, remark: JkrollError) -> None:
@@ -297,18 +320,15 @@ def reasons_of(results: Mapping[str, Any]) -> dict[str, JkrollError]:
 
 
 def fill_sides(
-    wanted: Wanted,
-    bars: "Mapping[str, Propagated | JkrollError]",
-    numbers: dict[str, float],
-    reasons: dict[str, JkrollError],
+    wanted: Wanted, values: Mapping[str, Any], numbers: dict[str, float], reasons: dict[str, JkrollError]
 ) -> None:
-    """Add the columns of uncertainties to the numbers of a row, or the reasons why they have none."""
-    for name, bar in bars.items():
-        for side, key in wanted.sides_of(name).items():
-            if isinstance(bar, JkrollError):
-                reasons[key] = bar
-            elif side in bar.uncertainty.sides:
-                numbers[key] = bar.uncertainty.sides[side]
+    """Add the columns of uncertainties of values to the numbers of a row, or the reasons why they have none."""
+    for key, value in values.items():
+        for side, of_side in wanted.sides_of(key).items():
+            if isinstance(value, JkrollError):
+                reasons[of_side] = value
+            elif is_uncertain(value) and side in value.sides:
+                numbers[of_side] = value.sides[side]
 
 
 def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Collection[str] = ()) -> OddRow | None:
@@ -342,8 +362,9 @@ class _Arrays:
         numbers = numpy.full((len(wanted.keys), size), numpy.nan)
         for name in self.known:
             numbers[wanted.places[name]] = where(self.shown[name], self.outcomes[name], numpy.nan)
-        for key, value in wanted.values_beside(scene, [*self.outcomes]).items():
-            numbers[wanted.places[key]] = where(self.shown[key.rpartition("_by_")[0]], value, numpy.nan)
+        self.beside = wanted.numbers_beside(scene, [*self.outcomes])
+        for key, value in self.beside.items():
+            numbers[wanted.places[key]] = where(self.shown[key.partition("_by_")[0]], middle(value), numpy.nan)
         inputs = scene.echo(scene.inputs_used(wanted.names, wanted.names)) if wanted.inputs else {}
         of_rows = {name: repeated(inputs.get(name), size) for name in wanted.inputs}
         self.empty = {name: numpy.isnan(numbers[wanted.places[name]]) for name in self.outcomes}
@@ -400,12 +421,12 @@ class _Arrays:
         from ..scene import uncertainty
 
         values = {name: self.columns.column(name) for name in self.known}
-        possible = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, MissingInput)]
-        sources = uncertainty.sources_of_results(self.scene, possible)
+        sources = uncertainty.sources_of_results(self.scene, [*self.outcomes])
         if (remark := left_out(self.wanted, self.scene, sources)) is not None:
             self.columns.add_remark(remark)
             return numpy.zeros(self.size, dtype=bool)
-        return self.columns.put_sides(uncertainty.uncertainties_of(values, self.scene, sources.entering))
+        bars = uncertainty.uncertainties_of(values, self.scene, sources.entering)
+        return self.columns.put_sides(uncertainty.measures_of(bars))
 
 
 def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
@@ -422,11 +443,6 @@ def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
             keys = numpy.unique(keys * (numbers.max() + 1) + numbers, return_inverse=True)[1]
     for key in range(int(keys.max(initial=-1)) + 1):
         yield rows[keys == key]
-
-
-def middle(value: Any) -> Any:
-    """Return the middle of an input that has an uncertainty; any other value as it is."""
-    return value.value if is_uncertain(value) else value
 
 
 def repeated(value: Any, size: int) -> Any:

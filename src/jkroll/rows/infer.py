@@ -16,7 +16,7 @@ from ..scene.inverse import SIZES, Problem, already_given, input_named
 from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
-from ..scene.uncertainty import uncertainties_of_unknowns
+from ..scene.uncertainty import measures_of, uncertainties_of_unknowns
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
 from .columns import Columns, OddRow, Row, Wanted, fill_sides, left_out, repeated
@@ -53,7 +53,7 @@ class Unknowns(Wanted):
             if (remark := left_out(self, scene.scene, sources, scene.uncertain)) is not None:
                 reasons[UNCERTAINTY] = remark
             else:
-                fill_sides(self, uncertainties_of_unknowns(solved)[0], numbers, reasons)
+                fill_sides(self, measures_of(uncertainties_of_unknowns(solved)[0]), numbers, reasons)
         bits = bits_of(doubts(solved.scene, [*scene.measured])) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
@@ -80,7 +80,7 @@ class Unknowns(Wanted):
         if remark is not None:
             columns.add_remark(remark)
         elif sources is not None:
-            again = columns.put_sides(uncertainties_of_unknowns(solved)[0])
+            again = columns.put_sides(measures_of(uncertainties_of_unknowns(solved)[0]))
         return columns, again
 
     def _reasons(self, error: JkrollError) -> Reasons:

@@ -145,13 +145,10 @@ def entering(
         names = shown(scene)
         inputs.update(scene.echo(scene.inputs_used(quantities, names)))
         if scene.is_uncertain:
-            from ..scene.uncertainty import sources_of
+            from ..scene.uncertainty import sides_of_results
 
-            inputs_of = {name: {*scene.inputs_of(name)} for name in scene.possible(names)}
-            for source in sources_of(scene, set().union(*inputs_of.values())).entering:
-                for name, of_name in inputs_of.items():
-                    if not of_name.isdisjoint(source.names):
-                        sides.setdefault(name, set()).update(source.given.sides)
+            for name, of_name in sides_of_results(scene, names).items():
+                sides.setdefault(name, set()).update(of_name)
     return inputs, sides
 
 

@@ -186,7 +186,7 @@ def table_of(
     sides = {*SIDES} if uncertainty else {side for each in sources for side in each.sides}
     sides |= {side for value in fill.fixed.values() if is_uncertain(value) for side in value.sides}
     if sides:
-        table.wanted = wanted.with_columns(sides=dict.fromkeys(wanted.names, sides))
+        table.wanted = wanted.with_columns(sides=dict.fromkeys(wanted.keys, sides))
         table.left_out = [source for each in sources for source in each.left_out]
     solids = [solid for lookup in table.lookups.values() for solid in lookup.known if solid is not None]
     given = {*columns.names, *fill.fixed}

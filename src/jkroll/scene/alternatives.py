@@ -2,14 +2,16 @@
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import reduce
+from math import nan
 from typing import Any
 
 from ..errors import JkrollError
-from ..materials.library import Displacement
-from ..physics.elementary import at_least, at_most, quotient, where
+from ..materials.library import Displacement, Material
+from ..physics.elementary import NUMBER, at_least, at_most, quotient, where
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law, routed_apart
 from ..quantities.nomenclature import INFINITY, XI
-from ..quantities.values import Interval
+from ..quantities.values import Interval, ends_of, middle
+from .failures import written_outcome
 from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
 from .wiring import depends_on
 
@@ -29,9 +31,10 @@ def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
 def by_law(scene: Scene) -> Scene:
     """Return the scene under the law between JKR and DMT, or for that under JKR, at its atomic spacing."""
     law = other_law(scene.law.name)
-    spacing = {} if law == DEFAULT_LAW else {"atomic_spacing": scene["atomic_spacing"]}
+    spacing = scene.uncertain.get("atomic_spacing", scene["atomic_spacing"])
     changed = routed_apart(scene.law.name, law, scene.known)
-    return scene.replace(model=law, **spacing).with_results_of(scene, changed)
+    given = {} if law == DEFAULT_LAW else {"atomic_spacing": spacing}
+    return scene.replace(model=law, **given).with_results_of(scene, changed)
 
 
 @_kept
@@ -103,21 +106,26 @@ def _is_near(scene: Scene, solid: str) -> Any:
     known = scene.numbers("surface_energy", "reduced_radius")
     least, most = _SIZES[solid]
     low, high = _OF_SPHERES if solid == SIO2 else (0.0, INFINITY)
-    radius, energy = 2 * known.get("reduced_radius", 0.0), known["surface_energy"]
+    radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("surface_energy", 0.0)
     return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
 
 
 def solid_of_kind(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it, of any size and γ, and ξ is assumed.
+    """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
+    solid = scene.material
+    if solid is None or not (measured := measured_solid(solid)) or not assumes_displacement(scene):
+        return ""
+    return measured if scene.material2 in (None, solid) else ""
+
+
+def measured_solid(material: Material) -> str:
+    """Return the solid on which rolling was measured, if a material is of it.
 
     The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
     """
-    solid = scene.material
-    if solid is None or not assumes_displacement(scene) or scene.material2 not in (None, solid):
-        return ""
-    if SIO2 in solid.aliases:
+    if SIO2 in material.aliases:
         return SIO2
-    return _POLYSTYRENE[0] if solid.name in _POLYSTYRENE else ""
+    return _POLYSTYRENE[0] if material.name in _POLYSTYRENE else ""
 
 
 def assumes_displacement(scene: Scene) -> bool:
@@ -143,7 +151,7 @@ def _measured(scene: Scene) -> Interval:
     found = _OF_POLYSTYRENE
     if scene.material is not None and SIO2 in scene.material.aliases:
         low, high = displacements_where_measured(scene)
-        found = Displacement(Interval((low + high) / 2, low, high), ROLLED["radius"])
+        found = Displacement(Interval._make(((low + high) / 2, low, high, "range")), ROLLED["radius"])
     return found.at(2 * scene["reduced_radius"])
 
 
@@ -166,36 +174,77 @@ def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
     return where(_is_near(scene, solid), factor, 1.0)
 
 
-# --- Columns of rows --------------------------------------------------------------------------------------------------
+# --- What stands beside answers ---------------------------------------------------------------------------------------
 
-DATA = ("data_low", "data_high")  # the ends of what measured forces mean
+DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
 
 
-def kinds_beside(scenes: Sequence[Scene], names: Sequence[str], *, data: bool) -> dict[str, tuple[str, ...]]:
-    """Return by quantity the kinds of alternatives with columns: the name of the other law, ends of measured forces.
+def kinds_beside(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, tuple[str, ...]]:
+    """Return by quantity the kinds of alternatives that have columns: the name of the other law, and DATA.
 
     `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
     """
     others = {by_law(scene).law.name for scene in scenes}
     law = others.pop() if len(others) == 1 else BETWEEN
     moved = {name for scene in scenes for name in moved_by_law(scene, names)}
-    has_data = data and any(map(solid_of_kind, scenes))
-    rolled = {name for name in names if has_data and name != XI and XI in depends_on([name])}
-    return {name: (*([law] if name in moved else ()), *(DATA if name in rolled else ())) for name in names}
+    rolled = {name for scene in scenes if _may_be_rolled(scene) for name in rolling(names, scene.law.name)}
+    return {name: (*([law] if name in moved else ()), *([DATA] if name in rolled else ())) for name in names}
 
 
-def beside(scene: Scene, wanted: Mapping[str, Collection[str]]) -> dict[tuple[str, str], Any]:
-    """Return what may stand in place of quantities, by quantity and kind: nothing in a column of the law in use."""
-    found: dict[tuple[str, str], Any] = {}
-    if not wanted:
-        return found
-    made: dict[str, Callable[[Scene], Scene]] = {by_law(scene).law.name: by_law}
-    if any(DATA[0] in kinds for kinds in wanted.values()) and rolled_solid(scene):
-        made |= dict(zip(DATA, (at_least_measured, at_most_measured), strict=True))
-    for kind, make in made.items():
-        if names := [name for name, kinds in wanted.items() if kind in kinds]:
-            found.update(((name, kind), outcome) for name, outcome in make(scene).evaluate(names).items())
+def _may_be_rolled(scene: Scene) -> bool:
+    """Return whether rolling may have been measured on the solid of rows, of which one without a name may be any."""
+    solid = scene.material
+    is_any = solid is not None and not solid.name and bool(solid.properties)
+    return assumes_displacement(scene) if is_any else bool(solid_of_kind(scene))
+
+
+def beside(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
+    """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
+
+    `names_of`: the quantities of each kind, of which those that a scene does not have are left out. An error stands for
+    a quantity that has no value.
+    """
+    law, found = by_law(scene).law.name, {}
+    if law in names_of:
+        found[law] = _with_bars(scene, names_of[law], by_law)
+    solid = solid_of_kind(scene) if DATA in names_of else ""
+    if solid and (is_near := _is_near(scene, solid)) is not False:
+        lows, highs = (_with_bars(scene, names_of[DATA], end) for end in (at_least_measured, at_most_measured))
+        found[DATA] = {name: _between(lows[name], highs[name], is_near) for name in names_of[DATA]}
     return found
+
+
+def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene]) -> dict[str, Any]:
+    """Return quantities of what is made of a scene, with their error bars. Sources that do not go together give none.
+
+    Raises a JkrollError for a scene of arrays of which some elements have no error bars.
+    """
+    values = {name: written_outcome(name, value) for name, value in alternative(scene).evaluate(names).items()}
+    if not scene.is_uncertain:
+        return values
+    from .uncertainty import Propagated, uncertainties
+
+    try:
+        bars, _ = uncertainties(scene, names, alternative)
+    except JkrollError:
+        if scene.shape:
+            raise
+        return values
+    return values | {name: bar.uncertainty for name, bar in bars.items() if isinstance(bar, Propagated)}
+
+
+def _between(one: Any, other: Any, is_near: Any) -> Any:
+    """Return the range of two values with their error bars, where it is that of spheres like those that were rolled.
+
+    Two values that are the same are one. An error stands for no value.
+    """
+    for value in (one, other):
+        if isinstance(value, JkrollError):
+            return value
+    ends = (*ends_of(one), *ends_of(other))
+    low, high = reduce(at_most, ends), reduce(at_least, ends)
+    value = where(is_near, (middle(one) + middle(other)) / 2, nan)
+    return value if isinstance(low, NUMBER) and low == high else Interval._make((value, low, high, "range"))
 
 
 # --- The size of a doubt about the law --------------------------------------------------------------------------------

@@ -120,6 +120,17 @@ def sources_of_results(scene: Scene | Problem, names: Sequence[str]) -> Sources:
     return sources_of(scene.scene, scene.used(), [Source((name,), given) for name, given in scene.uncertain.items()])
 
 
+def sides_of_results(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
+    """Return the sides of the uncertainties of those quantities of a scene that have some: minus, plus, low, high."""
+    inputs_of = {name: {*scene.inputs_of(name)} for name in scene.possible(names)}
+    sides: dict[str, set[str]] = {}
+    for source in sources_of(scene, set().union(*inputs_of.values())).entering:
+        for name, of_name in inputs_of.items():
+            if not of_name.isdisjoint(source.names):
+                sides.setdefault(name, set()).update(source.given.sides)
+    return sides
+
+
 # --- Error bars -------------------------------------------------------------------------------------------------------
 
 Place = Sequence[Any]  # a value of each source
@@ -149,7 +160,8 @@ def uncertainties(
     why a quantity has no value at one place of the sources.
     """
     middle = scene if alternative is None else alternative(scene)
-    values = {name: value for name, value in middle.numbers(*names).items() if isfinite(value)}
+    numbers = middle.numbers(*names)
+    values = {name: value for name, value in numbers.items() if not isinstance(value, float) or isfinite(value)}
     sources = sources_of_results(middle, names)
     return uncertainties_of(values, scene, sources.entering, alternative), sources
 
@@ -184,6 +196,11 @@ def uncertainties_of(
         return columns
 
     return propagated(evaluate, values, sources)
+
+
+def measures_of(bars: Bars) -> dict[str, Uncertain | JkrollError]:
+    """Return the values that have error bars, with these, or the errors that say why there is none."""
+    return {name: bar.uncertainty if isinstance(bar, Propagated) else bar for name, bar in bars.items()}
 
 
 def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
