@@ -157,17 +157,13 @@ class Answer:
         """What may stand in place of the results, by kind: the name of the other law, or DATA."""
         from .alternatives import by_data, by_other_law  # which a line in a pipe does not show
 
-        if not self._known or self.scene.missing(["tabor_parameter"]):
-            return {}
-        found = {
-            by_law(self.scene).law.name: by_other_law(self.scene, self.shown),
-            DATA: by_data(self.scene, self._known),
-        }
+        scene, known = self.scene, self._known
+        found = {by_law(scene).law.name: by_other_law(scene, self.shown), DATA: by_data(scene, known)} if known else {}
         return {kind: values for kind, values in found.items() if values}
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
-        """What may stand in place of the results, by the other law only where that moves one."""
+        """What may stand in place of the results: by the other law where it moves one, and by measured forces."""
         law_matters = any(doubt.is_exceeded for doubt in self.validity if doubt.limit.factor is factor_of_law)
         is_shown = law_matters or self.scene.law.name == BETWEEN
         return {kind: values for kind, values in self.beside.items() if is_shown or kind not in LAWS}

@@ -81,7 +81,7 @@ _FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
 _INSTEAD = "Derivation; BibTeX, with --tex for Methods"
 MATERIALS = Option("file", "--materials", str, "FILE", "Read your own materials as well")
 NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
-ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add the results by Maugis' law")
+ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add results by Maugis' law, by measured forces")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 _OUTPUT = (
     Option("to", "--to", str, "UNIT", "Units of results, with commas; --digits N"),
