@@ -28,7 +28,7 @@ from jkroll.rows.columns import Columns, Row, Wanted
 from jkroll.rows.header import understood
 from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import Block, evaluated
-from jkroll.rows.table import TableBlock
+from jkroll.rows.table import Records, TableBlock
 from jkroll.scene.limits import CODES, UNCHECKED
 from relative import approx
 from tables import IN_SMALL_BLOCKS, random_table
@@ -136,7 +136,9 @@ def agree(size: int, seed: int) -> None:
     names = tuple(header.split(","))
     table = Job(Settings(), {}, known_materials()).table(names, [])
     rows = [line.encode().split(b",") for line in lines]
-    block = TableBlock(table, size, {name: [row[place] for row in rows] for name, place in table.places.items()})
+    block = TableBlock(
+        table, Records(rows, {name: [row[place] for row in rows] for name, place in table.places.items()})
+    )
     together = evaluated(table.wanted, block)
     singly = Columns.of_rows(table.wanted, [by_itself(table.wanted, block, row) for row in range(size)])
     statuses = singly.status, together.status

@@ -17,11 +17,11 @@ from typing import NamedTuple
 from ..errors import BadTable
 from ..output.writers import Lines, in_quotes
 from ..rows.header import is_input
-from ..rows.table import Table
+from ..rows.table import Records, Table
 from ..rows.words import MATERIALS
 from ..text import quoted
 from .decimals import has_decimal_commas, points_among_commas, with_points
-from .lines import BOM, MAX_RECORD, SAMPLE, Head, Records, check_encoding
+from .lines import BOM, MAX_RECORD, SAMPLE, Head, check_encoding
 
 _MISTAKEN = (
     (";", "semicolons", "--delimiter semicolon"),

@@ -152,8 +152,6 @@ def _decompressor(compression: str) -> tuple[Callable[[], Any], type[Exception]]
 
 # --- The input --------------------------------------------------------------------------------------------------------
 
-Cut = Callable[[bytes], int]  # number of bytes of whole records at the beginning of a text
-
 
 class Input:
     """An open file or pipe."""
@@ -175,17 +173,16 @@ class Input:
 
         Raises BadTable at the end if the file was changed in the meantime.
         """
-        if compression:
-            yield from decompressed(self.file, compression, self.path)
-        else:
-            yield from iter(self._piece, b"")
-        self.check_unchanged()
-
-    def _piece(self) -> bytes:
+        read = (
+            decompressed(self.file, compression, self.path)
+            if compression
+            else iter(partial(self.file.read1, CHUNK), b"")
+        )
         try:
-            return self.file.read1(CHUNK)
+            yield from read
         except OSError as error:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
+        self.check_unchanged()
 
     def position(self) -> int:
         """Return the number of bytes read of a file; 0 of a pipe."""
@@ -217,8 +214,10 @@ def lines_of(given: Input, form: FileFormat, job: Job) -> Source:
     return Source(dialect, head, filter(None, chain([first[head.size :]], every)), given.size, given.position)
 
 
-def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
+def blocks(pieces: Iterable[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:
     """Iterate over blocks of whole records: about BLOCK of them, and CHUNK bytes at most unless a record is longer.
+
+    `cut`: returns the number of bytes of whole records at the beginning of a text.
 
     The first has the rows that decide how a table is read, in whichever pieces they come. A record that does not end
     within MAX_RECORD, or at all, is given up: its first lines are a block, and the format says what is wrong with them.

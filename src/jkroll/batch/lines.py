@@ -1,10 +1,9 @@
 """The parts that formats whose records are lines have in common."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from ..errors import BadTable
-from ..rows.cells import Numbers
 from ..rows.reasons import Tally
 
 BOM = b"\xef\xbb\xbf"
@@ -12,8 +11,6 @@ MAX_RECORD = 1 << 24  # bytes
 SAMPLE = 200  # rows that decide how a table is read
 _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
-
-_NO_NUMBERS: Mapping[str, Numbers] = {}  # which can be pickled
 
 
 class Head(NamedTuple):
@@ -28,18 +25,6 @@ class Head(NamedTuple):
     header: Any = b""  # as it is written, without its end
     has_decimal_commas: bool = False
     excel_safe: bool = False  # whether cells are written so that a spreadsheet takes no text for a formula
-
-
-class Records(NamedTuple):
-    """A block of a table, taken apart."""
-
-    before: Any  # what stands before the results of each row; blank lines above a row belong to it
-    cells: Mapping[str, Sequence[bytes]]  # by the name of the column
-    odd: Mapping[int, str]  # records that are no rows, and why
-    starts: Sequence[int]  # the line in the block at which each begins
-    size: int  # lines in the block
-    rest: bytes = b""  # blank lines behind the last row
-    numbers: Mapping[str, Numbers] = _NO_NUMBERS  # columns that are numbers already
 
 
 class Source(NamedTuple):

@@ -13,9 +13,9 @@ import orjson
 from ..errors import BadTable
 from ..output.writers import Objects
 from ..rows.header import meaning_of
-from ..rows.table import Table
+from ..rows.table import Records, Table
 from ..text import quoted
-from .lines import BOM, SAMPLE, Head, Records, check_encoding
+from .lines import BOM, SAMPLE, Head, check_encoding
 
 Object = dict[str, Any]
 _UNWRITTEN = "[...]"  # stands for a value that is nested too deeply

@@ -15,11 +15,11 @@ from ..rows.cells import Column, Numbers
 from ..rows.columns import BLOCK, DOUBT, STATUS
 from ..rows.header import is_input
 from ..rows.readings import Reading
-from ..rows.table import Table
+from ..rows.table import Records, Table
 from ..text import quoted, shown
 from .files import FileFormat, Input
 from .job import Job
-from .lines import SAMPLE, Head, Records, Source
+from .lines import SAMPLE, Head, Source
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about

@@ -44,8 +44,7 @@ class Converter(NamedTuple):
         """Return the block with the results in each row."""
         table = self.table
         records = self.form.read(block, self.head, table)
-        rows = TableBlock(table, len(records.before), records.cells, records.odd, records.numbers)
-        columns = evaluated(table.wanted, rows)
+        columns = evaluated(table.wanted, TableBlock(table, records))
         if self.strict and columns.failed:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))

@@ -91,36 +91,38 @@ class Table:
         return [*self.said, *self.wanted.heads(header), *remarks_of(self.wanted)]
 
 
+class Records(NamedTuple):
+    """A block of a table, taken apart."""
+
+    before: Any  # what stands before the results of each row; blank lines above a row belong to it
+    cells: Mapping[str, Sequence[bytes]]  # by the name of the column
+    odd: Mapping[int, str] = MappingProxyType({})  # records that are no rows, and why
+    starts: Sequence[int] = ()  # the line in the block at which each begins
+    size: int = 0  # lines in the block
+    rest: bytes = b""  # blank lines behind the last row
+    numbers: Mapping[str, Numbers] = MappingProxyType({})  # columns that are numbers already
+
+
 class TableBlock(Block):
     """Some rows of a table. Those whose materials have the same properties are alike."""
 
-    def __init__(
-        self,
-        table: Table,
-        size: int,
-        cells: Mapping[str, Sequence[bytes]],
-        odd: Mapping[int, str] = MappingProxyType({}),
-        numbers: Mapping[str, Numbers] = MappingProxyType({}),
-    ) -> None:
-        """`cells`: the columns that are read, by name; `numbers`: those that are numbers already.
-
-        `odd`: records that are no rows, and why.
-        """
-        self.table, self.cells, self.odd = table, cells, odd
-        unread = [reader for reader in table.readers if reader.column.name not in numbers]
-        numbers = {**numbers, **{reader.column.name: reader.numbers(cells) for reader in unread}}
-        nothing = numpy.zeros(size, dtype=numpy.int64)
-        lookups = table.lookups.items()
-        self.indices = {name: lookup.indices(cells[name]) if name in cells else nothing for name, lookup in lookups}
-        are_rows = numpy.zeros(size, dtype=numpy.int64)
-        are_rows[[*odd]] = BAD
-        super().__init__(size, numbers, [are_rows, *(lookup.kinds(self.indices[name]) for name, lookup in lookups)])
+    def __init__(self, table: Table, records: Records) -> None:
+        """`records`: the cells of the columns that the table reads."""
+        self.table, self.cells, self.odd = table, records.cells, records.odd
+        unread = [reader for reader in table.readers if reader.column.name not in records.numbers]
+        numbers = {**records.numbers, **{reader.column.name: reader.numbers(self.cells) for reader in unread}}
+        self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
+        are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
+        are_rows[[*self.odd]] = BAD
+        kinds = [table.lookups[name].kinds(indices) for name, indices in self.indices.items()]
+        super().__init__(len(are_rows), numbers, [are_rows, *kinds])
 
     def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the scene of the inputs of rows that are alike."""
-        spheres = [lookup.together(self.indices[name][rows]) for name, lookup in self.table.lookups.items()]
-        scene = self.table.fill.scene(given, *spheres)
-        if LABEL in spheres and scene.missing(self.table.wanted.names):
+        spheres = dict(zip(MATERIALS, self.table.fill.spheres, strict=True))
+        spheres |= {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
+        scene = self.table.fill.scene(given, *spheres.values())
+        if LABEL in spheres.values() and scene.missing(self.table.wanted.names):
             raise OddRow("names are no materials")  # each row by itself says which
         return scene
 
@@ -181,7 +183,7 @@ def table_of(
         wanted = wanted.with_alternatives(scenes, wanted.names)
     table = Table(columns, fill, wanted, labels and {**labels, **aliases})
     cells = {name: [row[place].encode() for row in rows] for name, place in table.places.items()}
-    first = TableBlock(table, len(rows), cells)
+    first = TableBlock(table, Records(rows, cells))
     sources = _sources_of(wanted, first)
     sides = {*SIDES} if uncertainty else {side for each in sources for side in each.sides}
     sides |= {side for value in fill.fixed.values() if is_uncertain(value) for side in value.sides}
