@@ -890,6 +890,7 @@ def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
         }
 
 
+@pytest.mark.slow
 def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Run) -> None:
     single = run("pull-off quartz 100nm --csv").out.splitlines()[1].split(",")[-2]
     rows = list(csv.DictReader(run("contact quartz 100nm --curve --csv").out.splitlines()))
