@@ -35,7 +35,7 @@ def run_infer(call: Call) -> int:
     for quantity in measured:
         if quantity in call.spreads:
             raise already_given(quantity, quantity)
-    problems = Problems(names, measured, call.pairs, call.spreads, call.models)
+    problems = Problems(names, measured, call.sweep)
     if len(names) > 1 and len(problems) > MAX_PAIRS:
         raise BadRequest(f"{len(problems)} pairs are more than {MAX_PAIRS}, in which two inputs are looked for")
     return write(call, problems, Question(tuple(names), tuple(names)), form, Inferred)

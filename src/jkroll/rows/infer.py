@@ -16,12 +16,12 @@ from ..scene.inverse import SIZES, Problem, already_given, input_named
 from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
-from ..scene.uncertainty import measures_of, uncertainties_of_unknowns
+from ..scene.uncertainty import measures_of, sources_of_results, uncertainties_of_unknowns
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
 from .columns import Columns, OddRow, Row, Wanted, fill_sides, left_out, repeated
 from .reasons import ROW, UNCERTAINTY, Reasons
-from .sweep import Pair, Sweep
+from .sweep import Sweep
 
 _WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
 _ONE = "is not one quantity and its value", '"pull_off_force": "300 nN"'
@@ -95,16 +95,9 @@ class Problems(Sweep):
     most_answers = 10_000  # each takes milliseconds
     most_in_table = 500
 
-    def __init__(
-        self,
-        names: Sequence[str],
-        measured: Mapping[str, Sequence[Spread]],
-        pairs: Sequence[Pair],
-        spreads: Mapping[str, Sequence[Spread]],
-        models: Sequence[str | None],
-    ) -> None:
+    def __init__(self, names: Sequence[str], measured: Mapping[str, Sequence[Spread]], given: Sweep) -> None:
         """`names`: of the unknowns; `measured`: the lists and ranges of the values of each quantity."""
-        super().__init__(pairs, {**spreads, **measured}, models)
+        super().__init__(given.pairs, {**given.spreads, **measured}, given.models)
         self.names, self.quantities = names, [*measured]
 
     def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Problem:
@@ -113,7 +106,7 @@ class Problems(Sweep):
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
         """Return the columns of the unknowns. Raises the error of the inputs; MissingInput if all rows lack some."""
-        columns, lacking = self.headline((), (), doubts=True), []
+        lacking = []
         for problem in self.kinds:
             try:
                 problem.check()
@@ -123,8 +116,8 @@ class Problems(Sweep):
                 pass
         if len(lacking) == len(self.kinds):
             raise lacking[0]
-        sources = [*filter(None, map(columns.sources_in, self.kinds))]
-        sides = {side for of_kind in sources for side in of_kind.sides}
+        uncertain = [problem for problem in self.kinds if problem.is_uncertain]
+        sides = {side for problem in uncertain for side in sources_of_results(problem, self.names).sides}
         inputs = {name for problem in self.kinds for name in problem.echo()}
         return Unknowns(self.names, named=self.names, inputs=in_order(inputs), sides=dict.fromkeys(self.names, sides))
 

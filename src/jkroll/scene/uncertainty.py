@@ -133,7 +133,7 @@ def sides_of_results(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
 
 # --- Error bars -------------------------------------------------------------------------------------------------------
 
-Place = Sequence[Any]  # a value of each source
+Place = Mapping[str, Any]  # by input; the others have the middles of their uncertainties
 Evaluate = Callable[[Sequence[Place]], Mapping[str, list[Any]]]  # quantities at places; an error where one has no value
 
 
@@ -176,7 +176,7 @@ def uncertainties_of(
     middles = {name: given.value for name, given in scene.uncertain.items()}
 
     def outcomes(place: Place) -> Mapping[str, Any]:
-        changed = scene.replace(**{**middles, **moved(sources, place)})
+        changed = scene.replace(**{**middles, **place})
         return (changed if alternative is None else alternative(changed)).evaluate([*values])
 
     def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
@@ -185,8 +185,9 @@ def uncertainties_of(
             return {name: [row[name] for row in rows] for name in values}
         import numpy
 
+        arrays = {name: numpy.array([place[name] for place in places]) for name in places[0]}
         columns: dict[str, list[Any]] = {}
-        for name, outcome in outcomes([*numpy.transpose(places)]).items():
+        for name, outcome in outcomes(arrays).items():
             is_error = isinstance(outcome, JkrollError)
             columns[name] = [outcome] if is_error else numpy.broadcast_to(outcome, len(places)).tolist()
             for number, value in enumerate(columns[name]):
@@ -218,18 +219,13 @@ def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
     return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
 
 
-def moved(sources: Sequence[Source], place: Place) -> dict[str, Any]:
-    """Return the inputs of sources at a place."""
-    return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
-
-
 def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
     """Return the uncertainties of numbers or arrays, from sources of one kind."""
     if not (sources and values):
         return {}
     given = sources[0].given
     is_range = isinstance(given, Interval)
-    outcomes = evaluate([*(_on_edges(sources) if is_range else _at_ends(sources))])
+    outcomes = evaluate([*(_on_edges if is_range else _at_ends)(sources)])
     bars: Bars = {}
     for name, value in values.items():
         if errors := [outcome for outcome in outcomes[name] if isinstance(outcome, JkrollError)]:
@@ -249,11 +245,10 @@ def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[
 
 
 def _at_ends(sources: Sequence[Source]) -> Iterator[Place]:
-    """Iterate over places at the lower and the upper end of each standard uncertainty in turn."""
-    middle = [source.given.value for source in sources]
-    for axis, source in enumerate(sources):
+    """Iterate over places at the lower and the upper end of each uncertainty in turn."""
+    for source in sources:
         for end in (source.given.low, source.given.high):
-            yield [*middle[:axis], end, *middle[axis + 1 :]]
+            yield dict.fromkeys(source.names, end)
 
 
 def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
@@ -273,15 +268,16 @@ def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
     The largest value of a quantity that has no turning point is that of a corner. One that is that of the weaker body,
     and falls off where the other becomes the weaker, has it at a corner or where such a ridge meets an edge.
     """
-    ends = [(source.given.low, source.given.high) for source in sources]
-    for axis, (low, high) in enumerate(ends):
+    for axis, source in enumerate(sources):
+        low, high = source.given.low, source.given.high
         is_by_ratio = low * high > 0
         ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
         parts = [step / STEPS for step in range(1, STEPS)]
         between = [where(is_by_ratio, low * ratio**part, low + part * (high - low)) for part in parts]
-        for corner in product(*(pair if other != axis else (low,) for other, pair in enumerate(ends))):
+        for corner in product(*(_at_ends([other]) for other in (*sources[:axis], *sources[axis + 1 :]))):
+            others = {name: end for place in corner for name, end in place.items()}
             for value in (low, *between, high):
-                yield [*corner[:axis], value, *corner[axis + 1 :]]
+                yield others | dict.fromkeys(source.names, value)
 
 
 def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
@@ -314,12 +310,12 @@ def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
 
     def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
         rows = numpy.tile(numpy.arange(size), len(places))
-        columns = [
-            numpy.concatenate([numpy.broadcast_to(value, size) for value in column])
-            for column in zip(*places, strict=True)
-        ]
+        inputs = {
+            name: numpy.concatenate([numpy.broadcast_to(place.get(name, given.value), size) for place in places])
+            for name, given in sources.given.items()
+        }
         near = {name: numpy.resize(values, len(rows)) for name, values in solution.values.items()}
-        ends = solutions(problem.rows(rows, moved(sources.entering, columns)), len(rows), near)
+        ends = solutions(problem.rows(rows, inputs), len(rows), near)
         if numpy.ndim(solution.condition) == 0:
             failures = [*ends.failures.values()]
             return {name: failures or values.tolist() for name, values in ends.values.items()}
