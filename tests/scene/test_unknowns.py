@@ -513,6 +513,7 @@ def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
         (f"{WORDS} --measured P_c=3nN", 2, "two inputs need two measured quantities, and 1 is given: "),
         (f"{WORDS} --measured P_c=3nN --measured P_c=4nN", 2, "--measured: pull_off_force is given twice"),
         (f"{COMMAND} --young 1GPa", 2, "youngs_modulus is given and asked for"),
+        (COMMAND.replace("young", "work_of_adhesion"), 2, "surface_energy and work_of_adhesion exclude each other"),
         (COMMAND.replace(",young", ""), 2, "an input needs one measured quantity, and 2 are given: "),
         (COMMAND.replace("quartz", "grains.csv"), 2, "infer reads no tables, and batch infers one input"),
         (COMMAND.replace("300nN", "1nN:1uN:1001"), 2, (

@@ -16,7 +16,7 @@ from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
 from ..quantities.values import Uncertain, is_uncertain
 from ..text import listed, quoted
-from .failures import MAX_DIGITS, MissingInput
+from .failures import MAX_DIGITS, Contradiction, MissingInput
 from .scene import EXCLUSIVE, Scene
 
 Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
@@ -235,6 +235,8 @@ class Problem(NamedTuple):
         """Raise the error of a problem that has no solution whatever the measured values are."""
         for name in self.unknowns:
             input_named(name)
+        if len(self.unknowns) > 1 and any({*self.unknowns} <= {*names} for names in EXCLUSIVE):
+            raise Contradiction(self.unknowns)
         for name, quantity in product(self.unknowns, self.measured):
             self._check_given(name, quantity)
         scene = self.filled()
