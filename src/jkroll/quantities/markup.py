@@ -4,6 +4,7 @@ Mathematics stands between ⟦ and ⟧, written as symbols of the nomenclature a
 """
 
 import re
+from collections.abc import Callable
 from textwrap import wrap
 
 from ..text import NO_BREAK_SPACE, with_units_joined
@@ -72,15 +73,12 @@ def typeset(text: str) -> str:
     >>> typeset("⟦P_c⟧ at ⟦R1²/ξ⟧ = -5 m⁻¹")
     '$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 m$^{-1}$'
     """
-    parts = []
-    for place, part in enumerate(_FORMULA.split(text)):
-        if place % 2:
-            formula = "".join(map(_token, _TOKEN.finditer(part)))
-            parts.append(f"${formula}$" if formula else "")
-        else:
-            words = re.sub(r"(?<![\w.])-(?=[\d.])", "−", part).replace("$", r"\$")
-            parts.append(re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(_DIGITS)}}}$", words))
-    return "".join(parts)
+
+    def words(part: str) -> str:
+        part = re.sub(r"(?<![\w.])-(?=[\d.])", "−", part).replace("$", r"\$")
+        return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(_DIGITS)}}}$", part)
+
+    return _in_parts(text, words, str)
 
 
 def as_latex(text: str) -> str:
@@ -89,14 +87,20 @@ def as_latex(text: str) -> str:
     >>> as_latex("radius & ⟦R_c⟧ is 1 µm; ⟦γ⟧ is 2.5e-05 J/m²")
     'radius \\& $R_{\\mathrm{c}}$ is 1~${\\mu}$m; ${\\gamma}$ is 2.5${\\times}10^{-5}$~J/m$^{2}$'
     """
-    parts = []
-    for place, part in enumerate(_FORMULA.split(text)):
-        if place % 2:
-            formula = "".join(map(_token, _TOKEN.finditer(part)))
-            parts.append(f"${formula.translate(_COMMANDS)}$")
-        else:
-            words = with_units_joined(part).translate(_ESCAPED)
-            parts.append(_POWER_OF_TEN.sub(lambda match: rf"${{\times}}10^{{{int(match[1])}}}$", words))
+
+    def words(part: str) -> str:
+        escaped = with_units_joined(part).translate(_ESCAPED)
+        return _POWER_OF_TEN.sub(lambda match: rf"${{\times}}10^{{{int(match[1])}}}$", escaped)
+
+    return _in_parts(text, words, lambda formula: formula.translate(_COMMANDS))
+
+
+def _in_parts(text: str, words: Callable[[str], str], formula: Callable[[str], str]) -> str:
+    """Return a text whose words and whose formulas, in mathtext, went through a function each."""
+    parts = _FORMULA.split(text)
+    parts[::2] = map(words, parts[::2])
+    formulas = ("".join(map(_token, _TOKEN.finditer(part))) for part in parts[1::2])
+    parts[1::2] = (f"${formula(each)}$" if each else "" for each in formulas)
     return "".join(parts)
 
 
