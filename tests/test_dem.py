@@ -53,7 +53,7 @@ def test_three_rows(run: Run, load: float) -> None:
         ("quartz 1um", "peels off before it slides"),
         ("quartz 1um --shear-strength 10MPa", "slides before it peels off"),
         ("quartz 100nm --xi 1nm", "pushed, it rolls first"),
-        ("quartz 0.5nm", "pushed, it slides before it peels off first"),
+        ("quartz 0.5nm", "pushed, it slides before it peels off at"),
         ("quartz 100nm", "at 22 nN"),  # where its whole area slides at 29.2 nN
     ],
 )
@@ -68,8 +68,8 @@ def test_turns_of_a_sphere_that_arrives(run: Run) -> None:
         "n_roll_after_impact", "n_roll", "n_roll_energy_balance"
     ]  # fmt: skip
     said = (
-        "a sphere that arrives at a speed does not spin yet and turns n_imp times; n_roll and n_bal are those of one "
-        "that"
+        "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start, "
+        "n_roll and n_bal"
     )
     for words in (
         "n-roll quartz 1um --speed 5cm/s",

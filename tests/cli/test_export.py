@@ -152,6 +152,7 @@ def test_doubts_and_the_caveat_are_in_the_file_or_beside_it(run: Run, program: s
     assert "by Maugis' law, better here than JKR (Tabor parameter 0.14" in told
     assert re.search("(γ|gamma) of quartz: measured for micron-sized particles", told)
     assert "changes no result here" not in told
+    assert "--model" not in told  # of a law that no program has
     assert ran.out.startswith(quiet.out)
     if program != "dust-simulation":
         assert ran.out.isascii()

@@ -9,6 +9,7 @@ from harness import Run, Stream
 from jkroll.output.catalogue import write_quantities
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.scene.limits import MEANINGS
 from jkroll.text import say_wrapped
 from relative import approx
 
@@ -106,11 +107,11 @@ def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
     assert ("–" in line) or law == "maugis"
 
 
-def test_warnings_are_one_line_and_stand_under_quiet(run: Run) -> None:
+def test_a_warning_is_of_two_lines_at_most_and_stands_under_quiet(run: Run) -> None:
     for options in ("", "--quiet"):
-        first = run(f"report quartz 0.3nm {options}").err.replace("assumed:", "\nassumed:").split("warning: ")[1]
-        assert first.startswith("with the (2/7)W0 of n_roll the contact springs back (W0/W_yield = 0.0287); also ")
-        assert "does-not-roll, slides-first, xi-over-limit and " in first
+        warning, *_, last = run(f"report quartz 0.3nm {options}").err.partition("warning: ")[2].splitlines()
+        assert warning == "with the (2/7)W0 of n_roll the contact springs back (W0/W_yield = 0.0287)"
+        assert last == "more: --explain"
     explained = run("report quartz 0.3nm --explain").out
     numbers = {
         one["symbol"]: one["code"]
@@ -137,7 +138,20 @@ def test_doubts_stand_by_size_unless_error_bars_are_wider(run: Run, words: str, 
 
 def test_every_law_has_its_own_doubt(run: Run) -> None:
     notes = run("pull-off quartz 100nm,900nm --model jkr,dmt").err.splitlines()
-    assert notes[1].startswith("note: doubts: law-off-5% in 2, law-off-25% in 1 of 4 rows")
+    said = "law-off-25% in 1 of 4 rows (another law differs by more than 25 %); law-off-5% in 2 (another"
+    assert notes[1].startswith(f"note: doubts: {said}")
+
+
+def test_a_list_explains_the_doubts_that_it_names(run: Run) -> None:
+    said = run("yield-force quartz 0.5nm 2nm 1um").err
+    for line in said.splitlines():
+        assert len(line) <= 154
+    pieces = said.partition("numbers have no meaning: ")[2].splitlines()[0].split("; ")
+    assert len(pieces) == 2
+    for piece in pieces:
+        found = re.fullmatch(r"(\S+) in \d(?: of 3 rows)? \((.+)\)", piece)
+        assert found
+        assert MEANINGS[found[1]] == found[2]
 
 
 @pytest.mark.parametrize("topic", ["dem", "energies", "tables"])

@@ -161,9 +161,9 @@ def test_the_option_takes_both_and_says_what_they_stand_for(run: Run) -> None:
         part = run(f"n-grav quartz 1um {text}")
         assert part.code == 0
         assert float(part.out.split()[1]) == approx(float(energy.out.split()[1]))
-        assert "this Δw stands for ξ = 786.164 pm" in run(f"n-grav quartz 1um {text} --explain").out
+        assert "to roll at ξ = 786.164 pm, 40 % of w must be lost" in run(f"n-grav quartz 1um {text} --explain").out
     said = run("n-grav quartz 1um --xi 0.786164nm --explain").out
-    assert "to roll so, 40 % of w must be lost where the contact opens and closes" in said
+    assert "to roll at ξ = 786.164 pm, 40 % of w must be lost where the contact opens and closes" in said
     assert run("n-grav quartz 1um --adhesion-hysteresis 20mJ/m2±10%").code == 0
     assert run("n-grav quartz 1um --adhesion-hysteresis 0.0001lbf/in±20%").code == 0
     assert run("n-grav quartz 1um --adhesion-hysteresis 120%").code == 2

@@ -21,7 +21,7 @@ from ..scene.failures import (
     rests_on_spacing,
     without_value,
 )
-from ..scene.limits import Doubt, doubts_of_answer, not_judged
+from ..scene.limits import Doubt, doubts_of_answer
 from ..scene.scene import Scene
 from .notes import (
     about_given,
@@ -176,7 +176,7 @@ class Answer:
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
         return [
-            Note("warning" if doubt.limit.ends_meaning else "doubt", self.about(doubt), doubt.code, doubt.excess)
+            Note("warning" if doubt.limit.ends_meaning else "doubt", self.about(doubt), doubt.excess)
             for doubt in self.exceeded
         ]
 
@@ -219,7 +219,7 @@ class Answer:
             *about_given(scene, self._possible, *self._entering),
             *about_results([*self.results], scene),
             *about_missing([*self.results], self.errors),
-            *about_limits(not_judged(self.validity)),
+            *about_limits(self.validity),
             *(about_uncertainties(found, sources) if sources is not None else ()),
             *(about_lost_contacts(scene, sources) if sources is not None and self._has_bars_at_load else ()),
         )

@@ -8,9 +8,9 @@ from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, significant, span
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, of_sphere
-from ..scene.alternatives import assumes_displacement, is_at_displacement, rolling
+from ..scene.alternatives import assumes_displacement, rolling
 from ..scene.failures import NO_END, MissingInput, grouped, without_value
-from ..scene.limits import IMPACT, doubts, not_judged, touched
+from ..scene.limits import IMPACT, Doubt, doubts, touched
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
@@ -53,9 +53,9 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     inputs, needed = entering(scene, names)
     return [
         *notes,
-        *(note for note in about_given(scene, possible, inputs, needed) if note.kind not in ("material", "assumed")),
+        *about_given(scene, possible, inputs, needed),
         *about_conventions(scene, possible),
-        *about_limits(not_judged(doubts(scene, possible))),
+        *about_limits(doubts(scene, possible)),
     ]
 
 
@@ -108,19 +108,13 @@ def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_
     for name, value in values.items():
         rules[name] += f" = {amount(name, value, _SHORT)}"
     by_rule = {name: f"{rule} ({NOMENCLATURE[name].option})" for name, rule in rules.items()}
-    by_value = [name for name in DEFAULTS if name in inputs and name not in scene.given]
-    return {**by_rule, **dict(zip(by_value, parts_of_assumed(by_value), strict=True))}
+    return by_rule | {name: assumed_value(name) for name in DEFAULTS if name in inputs and name not in scene.given}
 
 
-def parts_of_assumed(names: Collection[str]) -> list[str]:
-    """Return the parts of an enumeration of inputs that were assumed, with the options that set them."""
-    return [
-        (
-            f"{f'{symbol_of(name)} = {amount(name, DEFAULTS[name])}' if DEFAULTS[name] else 'no load'} "
-            f"({NOMENCLATURE[name].option})"
-        )
-        for name in names
-    ]
+def assumed_value(name: str) -> str:
+    """Return the value of an input that was assumed, with the option that sets it."""
+    value = f"{symbol_of(name)} = {amount(name, DEFAULTS[name])}" if DEFAULTS[name] else "no load"
+    return f"{value} ({NOMENCLATURE[name].option})"
 
 
 def _about_work(scene: Scene, inputs: Collection[str], steps: Collection[str]) -> Iterator[str]:
@@ -211,11 +205,9 @@ def _about_impact(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         speed = amount("sticking_speed", scene["sticking_speed"])
         yield Note("result", f"e = 0: they stick, as v_stick = {speed} is not below v")
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
-        whose = "" if scene.law.is_default else " of JKR"
         ratios = scene.numbers("energy_over_sticking").values()  # none in a law without U_stick
-        size = "".join(f" is {one:.3g} U_stick, the largest energy that sticks" for one in ratios)
-        if whose or size:
-            yield Note("result", f"W0 = P_cδ0{whose}{size}")
+        size = "".join(f" is {ratio:.3g} U_stick, the largest energy that sticks" for ratio in ratios)
+        yield Note("result", f"W0 = P_cδ0 of JKR{size}")
 
 
 def _about_contact(scene: Scene, names: Collection[str]) -> Iterator[Note]:
@@ -224,7 +216,9 @@ def _about_contact(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if unlike:
         yield Note("warning", f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone")
     if "n_grav" in names and not scene.is_identical:
-        yield Note("caveat", f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
+        chain = Scene(scene.stated_of_1, scene.material, model=scene.stated_model).numbers("n_grav").values()
+        other = "".join(f"; the next, between spheres 1, yields at {carried + 1:.4g}" for carried in chain)
+        yield Note("caveat", f"N_grav is what the first contact, on body 2, carries{other}")
     if {*_OF_TURNING} <= {*names}:
         yield _first_to_yield(scene)
     of_jkr = [name for name in ("sticking_energy_paszun_dominik", "sticking_energy_pencil_code") if name in names]
@@ -235,18 +229,13 @@ def _about_contact(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if rolling(names, scene.law.name):
         from .alternatives import about_unmeasured
 
-        texts: dict[Kind, str] = {"displacement": about_unmeasured(scene), "model": _about_hysteresis(scene, names)}
-        yield from (Note(kind, text) for kind, text in texts.items() if text)
-
-
-def _about_hysteresis(scene: Scene, names: Collection[str]) -> str:
-    """Return the part of the work of adhesion that a displacement stands for, or the displacement of a part."""
-    if is_at_displacement(scene):
-        ratio = scene.numbers("hysteresis_ratio").get("hysteresis_ratio", 1.0)
-        lost = f"{significant(100 * ratio, 2)} % of w must be lost where the contact opens and closes"
-        return f"to roll so, {lost}" if ratio < 1 else ""
-    found = scene.numbers(XI) if XI not in names else {}
-    return "".join(f"this Δw stands for ξ = {amount(XI, value)}" for value in found.values())
+        if text := about_unmeasured(scene):
+            yield Note("displacement", text)
+        values = scene.numbers(XI, "hysteresis_ratio")
+        if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
+            lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
+            text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"
+            yield Note("model", text)
 
 
 def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
@@ -259,12 +248,8 @@ def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
     notes = [Note("model", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
     spinning = [symbol_of(name) for name in _OF_SPINNING if name in names]
     if spinning and "speed" in scene.stated:
-        are = "are those" if spinning[1:] else "is that"
-        text = (
-            f"a sphere that arrives at a speed does not spin yet and turns n_imp times; {listed(spinning)} {are} of "
-            "one that rolls from the start"
-        )
-        notes.insert(0, Note("caveat", text))
+        text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
+        notes.insert(0, Note("caveat", f"{text}, {listed(spinning)}"))
     return notes
 
 
@@ -274,9 +259,8 @@ def _first_to_yield(scene: Scene) -> Note:
     roll, first, bend, twist, ratio = scene.evaluate(names).values()
     gives_way = "peels off before it slides" if ratio < 1 else "slides before it peels off"
     force = span("sliding_or_peeling_force", first, first)
-    pushed = f"pushed, it rolls first; where it cannot, it {gives_way} at {force}, as the contact shrinks"
-    if roll >= first:
-        pushed = f"pushed, it {gives_way} first, at {force}, as the contact shrinks"
+    rolls = "it rolls first; where it cannot, " if roll < first else ""
+    pushed = f"pushed, {rolls}it {gives_way} at {force}, as the contact shrinks"
     return Note("caveat", f"{pushed}; turned, it {'rolls' if bend < twist else 'twists'} first")
 
 
@@ -294,23 +278,13 @@ def model_error(name: str, scene: Scene) -> float | None:
     return float(abs(values[name] - values[exact_model]) / values[exact_model])
 
 
-def _between_spheres_1(scene: Scene) -> str:
-    """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
-    chain = Scene(scene.stated_of_1, scene.material, model=scene.stated_model).numbers("n_grav")
-    if not chain:
-        return "those between spheres 1 may roll before it"
-    carried = chain["n_grav"] + 1  # the chain that it carries is a sphere shorter
-    if carried < scene["n_grav"]:
-        return f"the one between spheres 1 next to it yields before it, at {carried:.4g}"
-    return "those between spheres 1 carry more"
-
-
-def about_limits(missing: Mapping[str, Sequence[str]]) -> list[Note]:
+def about_limits(found: Iterable[Doubt]) -> list[Note]:
     """Return a note for the limits of the model that could not be judged, by the inputs that they need."""
-    return [
-        Note("unchecked", f"not checked: {', '.join(map(symbol_of, names))}: need{'' if names[1:] else 's'} {needs}")
-        for needs, names in missing.items()
-    ]
+    subjects: dict[str, dict[str, None]] = {}
+    for doubt in found:
+        if doubt.error is not None:
+            subjects.setdefault(doubt.error.options(), {})[doubt.limit.subject] = None
+    return [Note("unchecked", f"not checked (give {give}): {', '.join(words)}") for give, words in subjects.items()]
 
 
 def about_missing(results: Iterable[Result], errors: Mapping[str, JkrollError]) -> list[Note]:

@@ -74,7 +74,6 @@ class Note(NamedTuple):
 
     kind: Kind  # a warning is of a number without a meaning
     text: str
-    brief: str = ""  # of a doubt: its code
     size: float | None = None  # of what makes numbers doubtful: the logarithm of a factor
 
 

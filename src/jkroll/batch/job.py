@@ -100,9 +100,9 @@ def said_of(table: Table) -> tuple[str, ...]:
     idle = idle_of(table)
     if not (table.assumed or idle or table.left_out):
         return (table.reading,)
-    from ..answers.notes import idle_in_words, left_out_in_words, parts_of_assumed
+    from ..answers.notes import assumed_value, idle_in_words, left_out_in_words
 
-    notes = ["assumed " + ", ".join(parts_of_assumed(table.assumed))] if table.assumed else []
+    notes = ["assumed " + ", ".join(map(assumed_value, table.assumed))] if table.assumed else []
     notes += [idle_in_words(idle)] if idle else []
     notes += left_out_in_words((source, "") for source in table.left_out)
     return table.reading, *(f"note: {text}" for text in notes)

@@ -35,7 +35,7 @@ def run_export(call: Call) -> int:
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Answer(Question(names, names), scene)
     notes = [*(f"note: {note.text}" for note in about_middles(answer.uncertain)), *every_line(answer)]
-    notes = [line.replace(f"; --model {BETWEEN}", "") for line in notes]  # a law that no program has
+    notes = [line.replace(f": --model {BETWEEN}", "") for line in notes]  # a law that no program has
     if program.about:
         for line in (*(f"note: {text}" for text in program.about(scene)), *notes):
             say_wrapped(line, sys.stderr)

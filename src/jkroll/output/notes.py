@@ -12,14 +12,12 @@ from ..rows.columns import Columns
 from ..rows.reasons import Tally
 from ..scene.limits import ENDING_MEANING, MEANINGS, OF_LAW, codes_of
 from ..scene.scene import Scene
-from ..text import first_of
 
 MAX_NOTES = 2  # below an answer
-MAX_LENGTH = 148  # of a note, two lines of a terminal
-MAX_CODES = 3  # of doubts that are named together
+MAX_LENGTH = 154  # of a note, two lines of a terminal
 _MORE = "more: --explain"
-_OF_ROWS = "jkroll guide models"
 _BEHIND = ("model", "data")  # kinds that change nothing that a reader does: in explanations
+_ELSEWHERE = ("material", "assumed")  # said when a file of materials was read, and above the results
 _KINDS = get_args(Kind)
 _FIRST_DOUBT, _AFTER_ERROR_BARS = "doubt", "assumed"  # the kinds in whose place doubts stand
 
@@ -29,28 +27,30 @@ def of_answer(answer: Answer, *, has_head: bool = False, quiet: bool = False) ->
 
     `quiet`: whether warnings alone are wanted.
     """
+    head = [note.text for note in answer.notes if note.kind == "assumed" and not (has_head or quiet)]
+    return [*head, *_lines([*answer.notes, *answer.doubts()], answer.width, quiet=quiet)]
+
+
+def every_line(answer: Answer) -> list[str]:
+    """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
     every = by_importance([*answer.notes, *answer.doubts()], answer.width)
-    head = [note.text for note in every if note.kind == "assumed" and not has_head]
-    notes = [
-        note for note in every if note.kind not in ("material", "assumed")
-    ]  # material: said when its file was read
-    warnings = _lines([note for note in notes if note.kind == "warning"])
-    return warnings if quiet else [*head, *_lines(notes)]
+    return [_line(note.kind, note.text) for note in every if note.kind != "material"]
 
 
-def _lines(notes: Sequence[Note]) -> list[str]:
+def _lines(notes: Iterable[Note], width: float = 0.0, *, quiet: bool = False) -> list[str]:
     """Return the lines of the first of some notes, all warnings in one; the last says whether there are more."""
-    warnings = [note for note in notes if note.kind == "warning"]
-    others = [note for note in notes if note.kind != "warning"]
-    lines = []
-    if warnings:
-        also = dict.fromkeys(note.brief for note in warnings[1:])
-        lines = [f"warning: {warnings[0].text}" + (f"; also {first_of([*also], MAX_CODES)}" if also else "")]
-    shown = [note for note in others if note.kind not in _BEHIND][: MAX_NOTES - len(lines)]
-    texts = [_first_clauses(note.text) for note in shown]
-    lines += [f"note: {text}" for text in texts]
-    is_whole = texts == [note.text for note in others] and not warnings[1:]
-    return [*lines, *([] if is_whole else [_MORE])]
+    every = [note for note in by_importance(notes, width) if note.kind not in _ELSEWHERE]
+    warnings = "; ".join(note.text for note in every if note.kind == "warning")
+    others = [] if quiet else [note for note in every if note.kind != "warning"]
+    lines = [_line("warning", warnings)] if warnings else []
+    front = [*lines, *(_line(note.kind, note.text) for note in others if note.kind not in _BEHIND)]
+    shown = [*map(_first_clauses, front[:MAX_NOTES])]
+    is_whole = shown == front and len(shown) == len(lines) + len(others)
+    return [*shown, *([] if is_whole else [_MORE])]
+
+
+def _line(kind: Kind, text: str) -> str:
+    return f"{'warning' if kind == 'warning' else 'note'}: {text}"
 
 
 def _first_clauses(text: str) -> str:
@@ -69,14 +69,6 @@ def by_importance(every: Iterable[Note], width: float = 0.0) -> list[Note]:
         return _KINDS.index(_FIRST_DOUBT if note.size > width else _AFTER_ERROR_BARS), -note.size
 
     return sorted(every, key=key)
-
-
-def every_line(answer: Answer) -> list[str]:
-    """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    every = by_importance([*answer.notes, *answer.doubts()], answer.width)
-    return [
-        f"{'warning' if note.kind == 'warning' else 'note'}: {note.text}" for note in every if note.kind != "material"
-    ]
 
 
 class OfRows:
@@ -106,24 +98,23 @@ class OfRows:
 
         It has columns beside the values of a law that is not exact, too.
         """
-        of_law, left_out = codes_of(OF_LAW), codes_of(OF_LAW) if has_table else ()
-        codes = sorted(self.tally.codes, key=of_law.__contains__)  # those of the law last
-        ending = [code for code in codes if code in ENDING_MEANING]
-        doubts = [code for code in codes if code not in (*ending, *left_out)]
-        found = [Note("warning", self._counted(ending, "numbers have no meaning"))] if ending else []
+        of_law = codes_of(OF_LAW)[::-1]  # the worst first
+        others = [code for code in self.tally.codes if code not in of_law]
+        ending = [code for code in others if code in ENDING_MEANING]
+        doubts = [code for code in others if code not in ending]
+        doubts += [code for code in of_law if code in self.tally.codes and not has_table]
+        notes = [Note("warning", self._counted("numbers have no meaning", ending))] if ending else []
+        notes += [Note("doubt", self._counted("doubts", doubts), size=0.0)] if doubts else []
         if quiet:
-            return _lines(found)
-        found += [
-            Note("missing", gaps.sentence() if self.tally.rows > 1 else gaps.words) for gaps in self.tally.gaps.values()
-        ]
-        found += [Note("doubt", self._counted(doubts, "doubts"), size=0.0)] if doubts else []
-        found += dict.fromkeys(note for kind in self._kinds for note in notes_on_rows(*kind))
+            return _lines(notes, quiet=True)
+        of_gaps = (gaps.sentence() if self.tally.rows > 1 else gaps.words for gaps in self.tally.gaps.values())
+        notes += [Note("missing", text) for text in of_gaps]
+        notes += dict.fromkeys(note for kind in self._kinds for note in notes_on_rows(*kind))
         head = [f"assumed: {', '.join(self.assumed.values())}"] if self.assumed and not has_table else []
-        return [*head, *_lines(by_importance(found))]
+        return [*head, *_lines(notes)]
 
-    def _counted(self, codes: Sequence[str], lead: str) -> str:
-        """Return in how many rows codes stand, and the meaning of the first."""
+    def _counted(self, lead: str, codes: Sequence[str]) -> str:
+        """Return in how many rows codes stand, each with its meaning."""
         counts, rows = self.tally.codes, self.tally.rows
-        texts = [f"{code} in {counts[code]}" if rows > 1 else code for code in codes]
-        some = f" of {rows} rows" if rows > 1 else ""
-        return f"{lead}: {first_of(texts, MAX_CODES)}{some} ({codes[0]}: {MEANINGS[codes[0]]}): {_OF_ROWS}"
+        first, *others = (f"{code} in {counts[code]} of {rows} rows ({MEANINGS[code]})" for code in codes)
+        return "; ".join([f"{lead}: {first}", *(text.replace(f" of {rows} rows", "") for text in others)])
