@@ -12,7 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from ..answers.notes import symbol_beside
-from ..quantities.formatting import Format, amount, in_words, pretty, significant, with_known_prefix
+from ..quantities.formatting import Format, amount, from_to, in_words, pretty, significant, with_known_prefix
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
@@ -153,8 +153,7 @@ def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form:
     if isinstance(value, str) or (isinstance(value, tuple) and value.kind != "range"):
         return form.in_unit(value, unit)
     if isinstance(value, tuple):
-        ends = (convert(end, unit[1]) for end in (value.low, value.high))
-        return "–".join(dict.fromkeys(significant(end, form.digits or _OF_A_RANGE) for end in ends))
+        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or _OF_A_RANGE)
     number = convert(value, unit[1])
     keeps_zeros = form.digits is None and number and not 10**_DIGITS <= abs(number) < 10**6
     text = f"{number:#.{_DIGITS}g}" if keeps_zeros else significant(number, form.digits or _DIGITS)

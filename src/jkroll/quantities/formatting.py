@@ -161,11 +161,29 @@ def span(name: str, low: float, high: float) -> str:
     """
     plain = NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ())
     unit, scale = AS_USUAL.common_unit(name, [low, high]) or plain
-    texts = dict.fromkeys(significant(convert(end, scale), 2) for end in (low, high))
-    text, shown = (" to " if low < 0 else "–").join(texts), with_known_prefix(name, unit)
+    text, shown = from_to(convert(low, scale), convert(high, scale)), with_known_prefix(name, unit)
     if shown == unit:
         return f"{text} {pretty(unit)}".strip()
-    return f"({text}){shown.removeprefix('1')}" if len(texts) > 1 else f"{text}{shown.removeprefix('1')}"
+    return f"({text}){shown.removeprefix('1')}" if low != high else f"{text}{shown.removeprefix('1')}"
+
+
+def from_to(low: float, high: float, digits: int = 2) -> str:
+    """Return the ends of a range; one number where both are the same in these digits.
+
+    >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6)
+    ('14–15', '-1 to 2', '3', '(1–1.3)e6')
+    """
+    shift = _shift(max(abs(low), abs(high)))
+    texts = dict.fromkeys(significant(end * 10.0**-shift, digits) for end in (low, high))
+    text = (" to " if low < 0 else "–").join(texts)
+    if not shift:
+        return text
+    return f"({text})e{shift}" if len(texts) > 1 else f"{text}e{shift}"
+
+
+def _shift(size: float) -> int:
+    """Return the power of ten that stands behind numbers of a size; 0 for those that read well without."""
+    return 0 if size == 0 or 1e-3 <= size < 1e6 else floor(log10(size))
 
 
 def _range(interval: "Interval", scale: Unit, digits: int | None) -> str:
@@ -192,7 +210,7 @@ def _plus_minus(measured: "Measured", scale: Unit) -> str:
     shown.
     """
     value, minus, plus = (convert(number, scale) for number in (measured.value, measured.minus, measured.plus))
-    shift = 0 if 1e-3 <= abs(value) < 1e6 or value == 0 else floor(log10(abs(value)))
+    shift = _shift(abs(value))
     value, minus, plus = (number * 10.0**-shift for number in (value, minus, plus))
     place = _second_digit(min(side for side in (minus, plus) if side))
     middle, below, above = (f"{round(number, -place):.{max(-place, 0)}f}" for number in (value, minus, plus))
