@@ -9,7 +9,6 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import INFINITY, XI
-from ..rows.columns import outcomes
 from ..scene.alternatives import DATA, by_law, factor_of_law
 from ..scene.failures import (
     BEYOND_PULL_OFF,
@@ -61,7 +60,7 @@ class Answer:
     def __init__(self, question: Question, scene: Scene) -> None:
         """Compute the quantities of a question as far as the scene allows."""
         self.question, self.scene = question, scene
-        self.outcomes = outcomes(scene, question.quantities, question.named)
+        self.outcomes = scene.outcomes(question.quantities, question.named)
         self.shown = [*self.outcomes]
         self.errors: dict[str, MissingInput | NoResult] = {
             name: one for name, one in self.outcomes.items() if isinstance(one, MissingInput | NoResult)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain, islice
 from math import isnan
-from typing import Any, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, question_about
@@ -13,14 +13,15 @@ from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..output import notes as note_lines
 from ..output.files import text_output
 from ..output.records import write_json, write_plain
-from ..output.writers import WRITERS, written
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
-from ..rows.columns import Columns, Wanted
 from ..rows.sweep import Sweep
 from ..scene.wiring import formula_of
 from ..text import ending, fitting, quoted, say_wrapped
 from .call import Call, worded
+
+if TYPE_CHECKING:
+    from ..rows.columns import Columns, Wanted
 
 MAX_CURVES = 1_000_000
 MAX_TABLE = 10_000  # rows of a table on a terminal
@@ -114,7 +115,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
     return _ended(call, notes, notes.lines(has_table=is_shown, quiet=call.quiet))
 
 
-def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
+def unless_failed(columns: "Columns", headline: Sequence[str]) -> "Columns":
     """Return the columns of a single row, or raise its failure if it lacks the headline of the question."""
     numbers = [columns.column(name)[0] for name in headline if name in columns.wanted.places]
     if columns.failed and all(map(isnan, numbers)):
@@ -122,7 +123,7 @@ def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
     return columns
 
 
-def deliver(call: Call, wanted: Wanted, notes: note_lines.OfRows, blocks: Iterable[Columns], form: Format) -> bool:
+def deliver(call: Call, wanted: "Wanted", notes: note_lines.OfRows, blocks: "Iterable[Columns]", form: Format) -> bool:
     """Write columns to stdout, as a table or as lines of text, or to a file; return whether it was a table."""
     every = notes.watch(blocks)
     if call.target is not None:
@@ -139,6 +140,8 @@ def deliver(call: Call, wanted: Wanted, notes: note_lines.OfRows, blocks: Iterab
             sweep_table(first[0], sys.stdout, form._replace(typed=call.typed), notes.assumed)
             return True
         every = chain(first, every)
+    from ..output.writers import WRITERS, written
+
     writer = WRITERS["plain" if is_table else call.kind]
     for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
         sys.stdout.write(fitting(text.decode(), sys.stdout))
@@ -230,6 +233,7 @@ def _write_curve(call: Call) -> int:
     Raises the failure of the first state if each has one.
     """
     from ..answers.curve import FORCE_CURVE, AtState, OfCurve, at_states
+    from ..rows.columns import Columns
 
     check_format(call)
     if call.kind in ("explain", "cite"):

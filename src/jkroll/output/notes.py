@@ -2,16 +2,17 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import get_args
+from typing import TYPE_CHECKING, get_args
 
 from ..answers.answer import Answer
 from ..answers.notes import assumed_of_rows, first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
 from ..errors import JkrollError
-from ..rows.columns import Columns
-from ..rows.reasons import Tally
 from ..scene.limits import ENDING_MEANING, MEANINGS, OF_LAW, codes_of
 from ..scene.scene import Scene
+
+if TYPE_CHECKING:
+    from ..rows.columns import Columns
 
 MAX_NOTES = 2  # below an answer
 MAX_LENGTH = 154  # of a note, two lines of a terminal
@@ -76,14 +77,16 @@ class OfRows:
 
     def __init__(self, kinds: Iterable[tuple[Scene, Sequence[str]]]) -> None:
         """`kinds`: a scene of each kind of rows, with the quantities that it shows."""
+        from ..rows.reasons import Tally
+
         self._kinds = [*kinds]
         self.tally = Tally()
         self.failure: JkrollError | None = None  # the first
 
-    def watch(self, blocks: Iterable[Columns]) -> Iterator[Columns]:
+    def watch(self, blocks: "Iterable[Columns]") -> "Iterator[Columns]":
         """Iterate over columns, and count what is to be said of them."""
         for columns in blocks:
-            self.tally = self.tally.plus(Tally.of(columns, first_symbols))
+            self.tally = self.tally.plus(self.tally.of(columns, first_symbols))
             if columns.failed and self.failure is None:
                 self.failure = columns.failure(min(columns.failed))
             yield columns

@@ -11,7 +11,6 @@ from ..quantities.laws import other_law
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain, middle
 from ..text import fitting, json_text, say, spelled
-from .writers import WRITERS
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -40,6 +39,8 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind:
 
 def write_columns(heads: Sequence[str], columns: Sequence[Any], kind: str, out: TextIO) -> None:
     """Write columns, as `writers` has them, in a format whose rows are lines."""
+    from .writers import WRITERS
+
     writer = WRITERS[kind]
     text = writer.header(heads) + (writer.rows(heads, columns) if columns else b"")
     out.write(fitting(text.decode(), out))

@@ -145,7 +145,7 @@ class Wanted:
 
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
-        results = outcomes(scene, self.names, self.named)
+        results = scene.outcomes(self.names, self.named)
         reasons = reasons_of(results)
         values = {name: outcome for name, outcome in results.items() if name not in reasons}
         beside = self.numbers_beside(scene, [*results])
@@ -303,15 +303,6 @@ def as_list(column: Any) -> list[Any]:
 # --- By floats --------------------------------------------------------------------------------------------------------
 
 
-def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict[str, Any]:
-    """Return the value of each quantity that concerns a scene, or some elements, or the error that says why not.
-
-    `named`: quantities that were asked for by name, and concern any scene.
-    """
-    results = scene.evaluate([name for name in names if name in named or scene.shows(name) is not False])
-    return {name: written_outcome(name, value) for name, value in results.items()}
-
-
 def reasons_of(results: Mapping[str, Any]) -> dict[str, JkrollError]:
     """Return why cells of a row are empty, of which some outcomes are known."""
     if not results:
@@ -356,7 +347,7 @@ class _Arrays:
         import numpy
 
         self.wanted, self.scene, self.size = wanted, scene, size
-        self.outcomes = outcomes(scene, wanted.names, wanted.named)
+        self.outcomes = scene.outcomes(wanted.names, wanted.named)
         self.shown = {name: name in wanted.named or scene.shows(name) for name in self.outcomes}
         self.known = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, JkrollError)]
         numbers = numpy.full((len(wanted.keys), size), numpy.nan)
@@ -407,7 +398,7 @@ class _Arrays:
         for places in alike(rows, [*gaps.values(), *is_nan]):
             first = int(places[0])
             lacking = {name for name, of_name in gaps.items() if of_name[first]}
-            reasons = reasons_of(outcomes(scene_of(first), self.wanted.names, self.wanted.named))
+            reasons = reasons_of(scene_of(first).outcomes(self.wanted.names, self.wanted.named))
             if reasons.keys() - {ROW} == lacking and reasons:
                 self.columns.reasons.update(dict.fromkeys(places.tolist(), reasons))
             else:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from functools import cached_property
 from itertools import accumulate, chain, product
 from math import prod
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, of_sphere
@@ -17,7 +17,9 @@ from ..quantities.values import Spread
 from ..scene.failures import OF_IDENTICAL_SPHERES, Failure
 from ..scene.scene import FOLLOWS, Scene
 from ..scene.wiring import in_order
-from .columns import BLOCK, Columns, Wanted
+
+if TYPE_CHECKING:
+    from .columns import Columns, Wanted
 
 WORTH_ARRAYS = 80_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
 
@@ -78,11 +80,13 @@ class Sweep:
         rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
         return [self.scene(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
 
-    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Wanted:
+    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> "Wanted":
         """Return the columns of the rows: the inputs that enter some row, and the quantities that concern some.
 
         Raises a Failure where none does.
         """
+        from .columns import Wanted
+
         shown = {*named, *chain.from_iterable(self.shown(scene, quantities, named) for scene in self.kinds)}
         if not shown:
             raise Failure(OF_IDENTICAL_SPHERES)
@@ -95,12 +99,14 @@ class Sweep:
             sides=sides,
         )
 
-    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
+    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> "Wanted":
         """Return the columns of quantities alone: those not asked for by name may concern identical spheres only."""
+        from .columns import Wanted
+
         shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
         return Wanted(quantities, named=shown, doubts=doubts)
 
-    def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:
+    def noted(self, wanted: "Wanted") -> Iterable[tuple[Scene, Sequence[str]]]:
         """Return a scene of each kind of rows, with the quantities that it shows."""
         return [(scene, self.shown(scene, wanted.names, wanted.named)) for scene in self.kinds]
 
@@ -123,8 +129,10 @@ class Sweep:
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 
-    def columns(self, wanted: Wanted, *, one_by_one: bool = False) -> Iterator[Columns]:
+    def columns(self, wanted: "Wanted", *, one_by_one: bool = False) -> Iterator["Columns"]:
         """Iterate over the columns of the rows, block by block; `one_by_one`: inputs have their uncertainties."""
+        from .columns import BLOCK, Columns
+
         size = len(self)
         if one_by_one or size * wanted.work(self.kinds[0]) <= WORTH_ARRAYS:
             yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])

@@ -28,6 +28,7 @@ from .failures import (
     NotInLaw,
     failure_of,
     no_finite_value,
+    written_outcome,
 )
 from .wiring import NO_PLAN, OF_A_SOLID, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
@@ -430,6 +431,14 @@ class Scene:
         else:
             self._run(found.steps)
         return {name: self._outcome(name, found) for name in names}
+
+    def outcomes(self, names: Iterable[str], named: Collection[str]) -> dict[str, Any]:
+        """Return the value of each quantity that concerns the scene, or some elements, or the error that says why not.
+
+        `named`: quantities that were asked for by name, and concern any scene.
+        """
+        results = self.evaluate([name for name in names if name in named or self.shows(name) is not False])
+        return {name: written_outcome(name, value) for name, value in results.items()}
 
     def numbers(self, *names: str) -> dict[str, Any]:
         """Return the values of quantities, without those that have none."""
