@@ -175,23 +175,14 @@ MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
 
 def terminal_width() -> int:
     """Return the width of the terminal: the variable COLUMNS, else the terminal's own, else 80; at most MAX_SIZE."""
-    return _size("COLUMNS", 0, 80)
-
-
-def terminal_height() -> int:
-    """Return the height of the terminal: the variable LINES, else the terminal's own, else 24; at most MAX_SIZE."""
-    return _size("LINES", 1, 24)
-
-
-def _size(variable: str, place: int, default: int) -> int:
-    stated = os.environ.get(variable, "")
+    stated = os.environ.get("COLUMNS", "")
     if stated.isascii() and stated.isdigit() and int(stated[:9]):
         return min(int(stated[:9]), MAX_SIZE)
     try:
         size = os.get_terminal_size(sys.__stdout__.fileno())  # type: ignore[union-attr]
     except (AttributeError, ValueError, OSError):
-        return default
-    return min(size[place] or default, MAX_SIZE)
+        return 80
+    return min(size.columns or 80, MAX_SIZE)
 
 
 MAX_WORD = 80  # a longer word is not a typing mistake, and comparing it takes long

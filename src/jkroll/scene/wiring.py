@@ -6,7 +6,7 @@ What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (
 was not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
 """
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -132,19 +132,8 @@ def _mixes_laws(name: str, model: str, known: frozenset[str]) -> bool:
     if owner is None or owner == model:
         return False
     own, theirs = routes(model, known), routes(owner, known)
-    seen: set[str] = set()
-    pending = [*parameters_of(formula_of(name))]
-    while pending:
-        parameter = pending.pop()
-        if parameter in seen or parameter in known:
-            continue
-        seen.add(parameter)
-        route = theirs.get(parameter, parameter)
-        if own.get(parameter, parameter) != route:
-            return True
-        if route is not None and (formula := formula_of(route)) is not None:
-            pending += parameters_of(formula)
-    return False
+    taken = _reached(parameters_of(formula_of(name)), lambda each: () if each in known else (theirs.get(each, each),))
+    return any(own.get(each, each) != theirs.get(each, each) for each in taken - known)
 
 
 @cache
@@ -180,16 +169,20 @@ def has_law(name: str) -> bool:
 
 @cache
 def _dependence(names: tuple[str, ...], models: tuple[str, ...]) -> frozenset[str]:
-    found: set[str] = set()
-    pending = list(names)
     routes_to = routes_anywhere(models)
+    return _reached(names, lambda name: (name, *routes_to.get(name, ())))
+
+
+def _reached(names: Iterable[str], formulas: Callable[[str], Iterable[str | None]]) -> frozenset[str]:
+    """Return names, and all that their formulas take, and the formulas of these; `formulas`: those of a name."""
+    found: set[str] = set()
+    pending = [*names]
     while pending:
         name = pending.pop()
         if name not in found:
             found.add(name)
-            for route in [name, *routes_to.get(name, ())]:
-                if formula_of(route) is not None:
-                    pending += [argument for _, argument in arguments_of(route)]
+            known = (formula for formula in formulas(name) if formula is not None and formula_of(formula) is not None)
+            pending += [argument for formula in known for _, argument in arguments_of(formula)]
     return frozenset(found)
 
 
