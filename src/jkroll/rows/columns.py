@@ -18,7 +18,6 @@ from ..scene.alternatives import DATA, beside, by_law, kinds_beside
 from ..scene.failures import (
     OF_IDENTICAL_SPHERES,
     Failure,
-    written_outcome,
 )
 from ..scene.limits import bits_of, doubts, possible_bits
 from ..scene.scene import Scene

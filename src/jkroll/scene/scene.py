@@ -411,10 +411,15 @@ class Scene:
 
     def __getitem__(self, name: str) -> Any:
         """Return the value of a quantity. Raises MissingInput, or NoResult where the physics has no answer."""
-        value = self.evaluate((name,))[name]
-        if isinstance(value, JkrollError):
-            raise value
-        return value
+        return self.results((name,))[name]
+
+    def results(self, names: Sequence[str]) -> dict[str, Any]:
+        """Return the values of quantities; raise the error of the first that has none."""
+        values = self.evaluate(names)
+        for value in values.values():
+            if isinstance(value, JkrollError):
+                raise value
+        return values
 
     def evaluate(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the value of each quantity, or the MissingInput or NoResult that says why there is none.

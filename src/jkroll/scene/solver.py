@@ -22,27 +22,9 @@ _PLAIN = float, int, str  # types of values that hold no others
 
 
 @overload
-def solve(
-    wanted: str,
-    /,
-    *,
-    material: str | Material | None = None,
-    material2: str | Material | None = None,
-    materials: Materials | None = None,
-    model: str | None = None,
-    **given: Any,
-) -> Any: ...
+def solve(wanted: str, /, **scene: Any) -> Any: ...
 @overload
-def solve(
-    wanted: Iterable[str],
-    /,
-    *,
-    material: str | Material | None = None,
-    material2: str | Material | None = None,
-    materials: Materials | None = None,
-    model: str | None = None,
-    **given: Any,
-) -> dict[str, Any]: ...
+def solve(wanted: Iterable[str], /, **scene: Any) -> dict[str, Any]: ...
 def solve(
     wanted: str | Iterable[str],
     /,
@@ -162,26 +144,17 @@ def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     shapes = {value.shape for value in scene.arrays.values()}
     is_long_list = shapes == {scene.shape} and len(scene.shape) == 1 and scene.shape[0] > ELEMENTS_AT_ONCE
     if not is_long_list or scene.has_rigid_elements:  # of which a block may have none
-        return _answers(scene, names)
+        return scene.results(names)
     import numpy
 
     parts = [slice(start, start + ELEMENTS_AT_ONCE) for start in range(0, scene.shape[0], ELEMENTS_AT_ONCE)]
     blocks = [
-        _answers(scene.replace(**{name: value[part] for name, value in scene.arrays.items()}), names) for part in parts
+        scene.replace(**{name: value[part] for name, value in scene.arrays.items()}).results(names) for part in parts
     ]
     return {
         name: value if isinstance(value, float) else numpy.concatenate([block[name] for block in blocks])
         for name, value in blocks[0].items()
     }
-
-
-def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """Return the values of quantities; raise the error of the first that has none."""
-    values = scene.evaluate(names)
-    for value in values.values():
-        if isinstance(value, JkrollError):
-            raise value
-    return values
 
 
 def refuse_arrays(described: Mapping[str, Any]) -> None:
@@ -196,7 +169,7 @@ def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     from .uncertainty import uncertainties
 
     found, _ = uncertainties(scene, names)
-    return {name: with_uncertainty(name, value, found.get(name)) for name, value in _answers(scene, names).items()}
+    return {name: with_uncertainty(name, value, found.get(name)) for name, value in scene.results(names).items()}
 
 
 def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError | None") -> float | Uncertain:
