@@ -81,8 +81,11 @@ class Call:
 
     @cached_property
     def materials(self) -> Materials:
-        """The known materials."""
-        return known_materials_of(self.file)
+        """The known materials; on stderr, which names those of the user's files take from others."""
+        known = materials_of_user(self.file)
+        for text in known.overrides:
+            say_wrapped(f"note: {text}", sys.stderr)
+        return known
 
     @cached_property
     def models(self) -> Sequence[str | None]:
@@ -117,7 +120,8 @@ class Call:
 
         Raises QuantityError for a value that the input cannot have.
         """
-        every = {name: spreads_of(text, name) for name, text in self.values.items() if not self._is_of_curve(name)}
+        texts = {name: text for name, text in self.values.items() if not (self.curve and name == "load")}
+        every = {name: spreads_of(text, name) for name, text in texts.items()}
         for name, spreads in every.items():
             for spread in spreads:
                 check_range(name, spread.low)
@@ -130,9 +134,6 @@ class Call:
         measured = (text.partition("=") for text in self.measured)
         texts = self.values | {quantity_named(word): value for word, _, value in measured}
         return {name: "" if "," in text or ":" in text else as_typed(text) for name, text in texts.items()}
-
-    def _is_of_curve(self, name: str) -> bool:
-        return self.curve and name == "load"
 
     @cached_property
     def loads(self) -> "Loads | None":
@@ -244,14 +245,6 @@ def is_table(word: str) -> bool:
     from ..batch.files import format_of_name
 
     return format_of_name(word) is not None
-
-
-def known_materials_of(option: str | None) -> Materials:
-    """Return the known materials with those of the user's files, and say which names these take from others."""
-    known = materials_of_user(option)
-    for text in known.overrides:
-        say_wrapped(f"note: {text}", sys.stderr)
-    return known
 
 
 def worded(error: JkrollError, command: str, options: Collection[str]) -> str:

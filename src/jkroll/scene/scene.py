@@ -139,7 +139,6 @@ EXCLUSIVE = (
     ("radius", "reduced_radius"),
     ("radius2", "reduced_radius"),
 )
-_MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 # What was stated in place of a solid's yield displacement, or makes sphere 2 one of another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
@@ -182,8 +181,7 @@ class Scene:
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
-        if not _MAY_CONTRADICT.isdisjoint(given):
-            _check_exclusive(given)
+        _check_exclusive(given)
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
         self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
@@ -555,8 +553,8 @@ def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) ->
 
     Nothing follows from the middle of an uncertainty, as the rest has other values.
     """
-    certain = {name: value for name, value in values.items() if name not in uncertain}
-    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _equals(certain.get(name), value)}
+    certain = {name: value for name, value in values.items() if name not in uncertain and isinstance(value, NUMBER)}
+    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if certain.get(name) == value}
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
@@ -564,8 +562,3 @@ def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) ->
     if not law.has("load_margin"):
         implied.pop("load", None)
     return implied
-
-
-def _equals(value: Any, number: float) -> bool:
-    """Return whether a value is a number, and this one."""
-    return isinstance(value, NUMBER) and value == number
