@@ -16,7 +16,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import is_in_table
 from ..text import ascii_text, composed
 from . import words
-from .words import INDICES, MATERIALS, PARTS, RATIOS, SHARED, Meaning, key, squeezed, symbol_of, unit_for, with_unit
+from .words import MATERIALS, Meaning, key, squeezed, symbol_of, unit_for, with_unit
 
 
 class Reading(NamedTuple):
@@ -48,25 +48,20 @@ class _Split(NamedTuple):
 
 
 _SPELT = str.maketrans("’‘“”″∕⁄₀₁₂Ø⌀", '\'\'"""//012DD')
-_BRACKETS = re.compile(r"([^\[\](){}<>]*)[\[({<](?:in[\s_.]+)?(.*)[\])}>][\s_.]*", re.IGNORECASE)
-_MARK = re.compile(r"\s*[,/:;|]\s*|\s+in\s+")
-_GAP = re.compile(r"(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?")
+_CUT = re.compile(
+    r"\s*[,/:;|\[({<]\s*(?:in[\s_.]+)?|\s+in\s+|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
+)
 _PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
 _EDGES = " _.,:;/|-"
-_EXPLICIT = frozenset(",:;/|[({<")
+_EXPLICIT = re.compile(r"[,/:;|\[({<]|\sin\s")  # between a word and its unit
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*$|[⁰¹²³]+$"
 _LONGEST = 120  # letters of a header that can be one
 # Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
 _SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
-_ERROR = "|".join(
-    [
-        r"(?:standard|std?)[\s_.]*dev(?:iation)?\.?",
-        *(word for word in PARTS if PARTS[word] == "both" and word.isalpha()),
-    ]
-)
+_ERROR = "|".join([r"(?:standard|std?)[\s_.]*dev(?:iation)?\.?", *words.ERRORS])
 _PART = (
     rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
-    rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{_ERROR}|{'|'.join(filter(str.isalpha, PARTS))})(?=$|[\s_.,/(\[])"
+    rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{_ERROR}|{'|'.join(words.PARTS)})(?=$|[\s_.,/(\[])"
 )
 
 
@@ -106,17 +101,14 @@ def _normal(text: str) -> str:
 
 
 def _splits(text: str) -> Iterator[_Split]:
-    """Iterate over words and what may be their units: none, one in brackets, and each place where one may begin."""
+    """Iterate over words and what may be their units: none, and what stands behind each place where one may begin."""
     yield _Split(text.strip(" _."), "")
-    if brackets := _BRACKETS.fullmatch(text):
-        yield _Split(brackets[1].rstrip(_EDGES), brackets[2].strip())
-    for pattern in (_MARK, _GAP):
-        for cut in reversed([*pattern.finditer(text)]):
-            word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}")
-            if word and unit and not re.search(r"[\[\](){}<>]", word):
-                is_explicit = pattern is _MARK or not _EXPLICIT.isdisjoint(text[len(word) : text.rindex(unit)])
-                is_mangled = pattern is _GAP and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
-                yield _Split(word, unit, is_explicit, is_mangled)
+    for cut in reversed([*_CUT.finditer(text)]):
+        word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")
+        if word and unit and not re.search(r"[\[\](){}<>]", word):
+            is_explicit = _EXPLICIT.search(text[len(word) : text.rindex(unit)]) is not None
+            is_mangled = not is_explicit and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
+            yield _Split(word, unit, is_explicit, is_mangled)
 
 
 def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
@@ -126,7 +118,7 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     is_symbol = meaning is None
     if is_symbol and (is_explicit or (not is_mangled and len(squeezed(unit)) > 1 and word[:1].isalpha())):
         meaning = words.symbols().get(symbol_of(word))
-    if meaning is None or not meaning.names or (unit in INDICES and not is_explicit):
+    if meaning is None or not meaning.names or (unit in words.INDICES and not is_explicit):
         return None
     units = ((each, unit_for(unit, each, is_explicit=is_explicit) if unit else "") for each in meaning.names)
     name, unit_text = next((pair for pair in units if pair[1] or not unit), ("", ""))
@@ -135,7 +127,7 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
     is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
     meant = [with_unit(each, unit_text or "UNIT") for each in alike] if is_open else ()
-    is_symbol = is_symbol and not unit and not meaning.problem and name not in RATIOS
+    is_symbol = is_symbol and not unit and not meaning.problem and name not in words.RATIOS
     return Reading(name, unit_text, "", is_symbol, meaning.problem, meant)
 
 
@@ -146,7 +138,7 @@ def _of_part(text: str, more: tuple[tuple[str, str], ...]) -> Reading | None:
     if (mark := re.search(_PART, plain)) is None:
         return None
     word = mark[0].strip(" _.").casefold()
-    part = PARTS.get(word, "both")
+    part = words.PARTS.get(word, "both")
     rest = (plain[: mark.start()] + (mark[1] or "") + plain[mark.end() :]).strip(" _.")
     if rest[:1] in ("", "[", "("):
         unit = share or rest[1:-1].strip()
@@ -172,10 +164,10 @@ def _refusal(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
         meaning = known[word]
         if not meaning.names:
             return None  # another quantity
-        name, is_shared = meaning.names[0], word in SHARED
+        name, is_shared = meaning.names[0], word in words.SHARED
         if split.unit and word == key(split.word):
-            tail = re.findall(r"[a-z]+", _GAP.sub(" ", split.unit).casefold())
-            is_label = name in MATERIALS or split.unit in INDICES or not words.LABELS.isdisjoint(tail)
+            tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
+            is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
@@ -203,7 +195,7 @@ def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
     letters = key(text)
     if letters in known:
         return letters, False
-    tokens = re.findall(r"[a-z]+[12]?", _GAP.sub(" ", ascii_text(text).replace("'", "")).casefold())
+    tokens = re.findall(r"[a-z]+[12]?", _CUT.sub(" ", ascii_text(text).replace("'", "")).casefold())
     if words.OTHERS.isdisjoint(tokens):
         runs = ("".join(tokens[first:last]) for first, last in combinations(range(len(tokens) + 1), 2))
         if longest := max((run for run in runs if run in known), key=len, default=""):

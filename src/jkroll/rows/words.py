@@ -61,12 +61,13 @@ LABELS = {*"""id ids no nr num number name names type types class classes case c
     description quality flag status unit units method model formula cost price date color colour grade out
     ratio""".split()}  # fmt: skip
 INDICES = ("in", "bar")  # in no brackets they may mean inside and mean
+ERRORS = "err error std stdev sd sem se unc uncertainty".split()  # words of an uncertainty to both sides
+# Words of its other parts: of one side, and of the ends of a range.
 PARTS = {
-    **dict.fromkeys("± +/- +- err error std stdev sd sem se unc uncertainty".split(), "both"),
     "minus": "minus",
     "plus": "plus",
-    **dict.fromkeys("min low lower".split(), "low"),
-    **dict.fromkeys("max high upper".split(), "high"),
+    **dict.fromkeys(("min", "low", "lower"), "low"),
+    **dict.fromkeys(("max", "high", "upper"), "high"),
 }
 
 _WORD = re.compile(r"[^\W\d_][\w\s.'-]*")
