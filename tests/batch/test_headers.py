@@ -554,6 +554,11 @@ def test_what_belongs_to_a_chosen_column_is_chosen_with_it() -> None:
         assert not any(column.sides for column in understood(names, [], meanings).inputs)
 
 
+def test_a_chosen_column_whose_unit_is_not_known_says_nothing_of_others() -> None:
+    names = ["R1 [um]", "F [old]", "x (y)"]
+    assert stated_meanings(["F [old]=pull_off_force"], names, "pull_off_force").keys() == {"F [old]"}
+
+
 @pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])
 @pytest.mark.parametrize("columns", PARTS)
 def test_columns_of_an_uncertainty_say_what_a_cell_does(run: Run, columns: tuple[str, ...], ending: str) -> None:

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..errors import BadRequest, BadTable
 from ..quantities.errors import QUANTITY_SYNONYMS, QuantityError
@@ -18,12 +18,10 @@ from .words import MATERIALS, fits, key, unit_for, with_unit
 
 _MAX_SAID = 60  # columns that pass through and are named
 _OF_DIRECTIONS = r"(?i)\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])"
-_MODULI = ("youngs_modulus", "youngs_modulus2")
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _ENDS = ("low", "high")
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # of the columns of a value, by part
-_VALUE, _BARE, _UNIT = "value", "bare number", "unit"  # kinds of cells
-_NO_UNIT = "has no unit, and neither has its first cell"
+_VALUE, _UNIT, _NO_UNIT = "value", "unit", "has no unit, and neither has its first cell"  # kinds of cells
 _NO_MEANINGS: Mapping[str, Reading] = MappingProxyType({})
 
 
@@ -95,11 +93,9 @@ def stated_meanings(texts: Iterable[str], names: Iterable[str] = (), measured: s
             raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; did you mean {meant}?")
         if head in meanings:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
-        meanings[head] = reading
-        if reading.name:
-            word, unit_text = named(head, reading.name)
-            meanings[head] = reading._replace(unit_text=reading.unit_text or unit_text)
-            words |= {word: reading.name} if not reading.part else {}
+        word, unit_text = named(head, reading.name) if reading.name else ("", "")
+        meanings[head] = reading._replace(unit_text=reading.unit_text or unit_text)
+        words |= {word: reading.name} if word and not reading.part else {}
     for head in map(str.strip, names) if words else ():
         reading = reading_of(head, tuple(words.items()))
         if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
@@ -165,24 +161,23 @@ def meaning_of(text: str, cells: Sequence[str], meanings: Mapping[str, Reading])
     return reading if reading.is_input or not cell[:1].isalpha() else Reading()
 
 
-def _with_unit(head: Reading) -> Reading:
-    """Return the head of an input, with a problem if neither it nor its first cell has the unit that it needs."""
-    name, cell = head.name, head.cell
-    kind = _kind(cell, name) if cell and not head.unit_text and NOMENCLATURE[name].unit not in ("", "1") else _VALUE
-    if kind not in (_BARE, _UNIT):
-        return head
-    part = f"_{head.part}" if head.part else ""
-    meant = f"{name}{part} [{unit_for(cell.strip('[]() '), name) or 'UNIT'}]"
-    return head._replace(problem=_NO_UNIT if kind == _BARE else _UNIT, meant=[meant])
-
-
 def _kind(cell: str, name: str) -> str:
     """Return the kind of a cell of an input: a value, a number that lacks a unit, a unit, or "" for no such."""
     try:
         value_of(cell, name)
     except QuantityError as error:
-        return _BARE if error.is_bare else _UNIT if unit_for(cell.strip("[]() "), name) else ""
+        return _NO_UNIT if error.is_bare else _UNIT if unit_for(cell.strip("[]() "), name) else ""
     return _VALUE
+
+
+def _with_unit(head: Reading) -> Reading:
+    """Return the head of an input, with a problem if neither it nor its first cell has the unit that it needs."""
+    needs_unit = head.cell and not head.unit_text and NOMENCLATURE[head.name].unit not in ("", "1")
+    if not needs_unit or (kind := _kind(head.cell, head.name)) not in (_NO_UNIT, _UNIT):
+        return head
+    part = f"_{head.part}" if head.part else ""
+    meant = f"{head.name}{part} [{unit_for(head.cell.strip('[]() '), head.name) or 'UNIT'}]"
+    return head._replace(problem=kind, meant=[meant])
 
 
 def _beside_others(heads: Sequence[Reading], stated: Collection[str], given: Collection[str]) -> Iterator[Reading]:
@@ -191,23 +186,21 @@ def _beside_others(heads: Sequence[Reading], stated: Collection[str], given: Col
     `stated`: the headers that options name, which mean what they say.
     """
     is_of_two = "radius2" in given or any(head.is_input and head.name == "radius2" for head in heads)
-    has_moduli = any(head.name in _MODULI for head in heads)
-    direction = next((head.text for head in heads if has_moduli and re.match(_OF_DIRECTIONS, head.text)), None)
+    moduli = [head for head in heads if head.name in ("youngs_modulus", "youngs_modulus2")]
+    direction = next((head.text for head in heads if moduli and re.match(_OF_DIRECTIONS, head.text)), None)
     for left, head in zip([Reading(), *heads], heads, strict=False):
-        if head.text.strip() in stated:
-            yield head
-        elif head.part and not head.name:
+        changed: dict[str, Any] = {}
+        if head.part and not head.name:
             is_value = left.is_input and not left.part and left.name not in MATERIALS
             is_of_left = is_value and (head.unit_text in ("", "%") or fits(head.unit_text, left.name))
-            yield head._replace(name=left.name if is_of_left else "")
-        elif direction is not None and head.name in _MODULI:
+            changed = {"name": left.name if is_of_left else ""}
+        elif direction is not None and head in moduli and head.text.strip() not in stated:
             problem = f"{quoted(direction)} beside it says that it is the modulus along a direction"
-            yield head._replace(problem=problem, meant=())
+            changed = {"problem": problem, "meant": ()}
         elif head.is_input and head.meant and not head.part and not is_of_two:
             problem = "R is the radius of a sphere or the reduced radius, half of it for equal spheres"
-            yield head._replace(problem=problem)
-        else:
-            yield head
+            changed = {"problem": problem}
+        yield head._replace(**changed)
 
 
 def _column(parts: Mapping[str, Reading], stated: Collection[str]) -> Column | None:
