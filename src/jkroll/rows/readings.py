@@ -48,12 +48,13 @@ class _Split(NamedTuple):
 
 
 _SPELT = str.maketrans("’‘“”″∕⁄₀₁₂Ø⌀", '\'\'"""//012DD')
+# Where a unit may begin: behind a mark, which is the first group, or behind a gap.
 _CUT = re.compile(
-    r"\s*[,/:;|\[({<]\s*(?:in[\s_.]+)?|\s+in\s+|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
+    r"([\s_.-]*[,/:;|\[({<]\s*(?:in[\s_.]+)?|\s+in\s+)"
+    r"|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
 )
 _PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
 _EDGES = " _.,:;/|-"
-_EXPLICIT = re.compile(r"[,/:;|\[({<]|\sin\s")  # between a word and its unit
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*$|[⁰¹²³]+$"
 _LONGEST = 120  # letters of a header that can be one
 # Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
@@ -74,13 +75,12 @@ def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
     >>> reading_of("± [nm]")[:3], reading_of("SD")[:3], reading_of("u(E) (%)")[:3]
     (('', 'nm', 'both'), ('', '', 'both'), ('youngs_modulus', '%', 'both'))
     """
-    text = _normal(text)
-    if not text or len(text) > _LONGEST:
+    if len(text) > _LONGEST:
         return Reading()
     known = words.meanings() | {word: Meaning([name]) for word, name in more}
     splits = [*_splits(text)]
     exact = next(filter(None, (_exact(split, known) for split in splits)), None)
-    return exact or _of_part(text, more) or _refusal(splits, known) or Reading()
+    return exact or _of_part(splits[0].word, more) or _refusal(splits, known) or Reading()
 
 
 def named(text: str, name: str) -> tuple[str, str]:
@@ -89,26 +89,21 @@ def named(text: str, name: str) -> tuple[str, str]:
     >>> named("Kraft [nN]", "load"), named("F_nN", "load"), named("Size", "radius")
     (('kraft', 'nN'), ('f', 'nN'), ('size', ''))
     """
-    whole, *others = _splits(_normal(text))
+    whole, *others = _splits(text)
     units = {unit_for(split.unit, name, is_explicit=split.is_explicit): split.word for split in others}
     unit_text = max(units, key=len, default="")
     return key(units[unit_text] if unit_text else whole.word), unit_text
 
 
-def _normal(text: str) -> str:
-    """Return a header with one form of each quote, slash, index and blank."""
-    return " ".join(composed(text).translate(_SPELT).split()).strip("\"' ")
-
-
 def _splits(text: str) -> Iterator[_Split]:
     """Iterate over words and what may be their units: none, and what stands behind each place where one may begin."""
+    text = " ".join(composed(text).translate(_SPELT).split()).strip("\"' ")
     yield _Split(text.strip(" _."), "")
     for cut in reversed([*_CUT.finditer(text)]):
         word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")
         if word and unit and not re.search(r"[\[\](){}<>]", word):
-            is_explicit = _EXPLICIT.search(text[len(word) : text.rindex(unit)]) is not None
-            is_mangled = not is_explicit and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
-            yield _Split(word, unit, is_explicit, is_mangled)
+            is_mangled = not cut[1] and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
+            yield _Split(word, unit, bool(cut[1]), is_mangled)
 
 
 def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
