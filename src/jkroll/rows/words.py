@@ -94,8 +94,9 @@ def meanings() -> dict[str, Meaning]:
     """Return what words mean, by their keys, with 1 or 2 for the sphere or without."""
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     names |= {word: name for name, others in SYNONYMS.items() for word in others}
-    known = {key(word): Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
-    return {key(name): Meaning() for name in NOMENCLATURE} | _of_spheres(known | _DOUBTFUL_WORDS)
+    inputs = {word: Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
+    known = dict.fromkeys(NOMENCLATURE, Meaning()) | _of_spheres(inputs | _DOUBTFUL_WORDS)
+    return {word.replace("_", ""): meaning for word, meaning in known.items()}
 
 
 @cache
@@ -103,7 +104,7 @@ def symbols() -> dict[str, Meaning]:
     """Return what symbols mean, with Greek letters spelt out, with 1 or 2 for the sphere or without."""
     names: dict[str, list[str]] = {}
     for name in INPUTS:
-        if name in RATIOS or any(dimension_of(NOMENCLATURE[name].unit)):
+        if name in RATIOS or NOMENCLATURE[name].unit != "1":
             names.setdefault(symbol_of(NOMENCLATURE[name].symbol).removesuffix("1"), []).append(name)
     for symbol, name in SYMBOLS_TOO.items():
         names.setdefault(symbol, []).append(name)
@@ -151,8 +152,9 @@ def units_by_letters() -> dict[str, list[str]]:
     """Return common units by their letters and digits, as they are and in small letters."""
     units = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"]}
     for unit in _COMMON:
-        for letters in dict.fromkeys((squeezed(unit), squeezed(unit).casefold())):
-            units.setdefault(letters, []).append(unit)
+        letters = unit.replace("/", "")
+        for spelt in {letters, letters.casefold()}:
+            units.setdefault(spelt, []).append(unit)
     return units | {"mn": [], "mj": []}  # milli or mega?
 
 
@@ -195,4 +197,4 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
 
 def with_unit(name: str, unit_text: str = "UNIT") -> str:
     """Return the header of an input, with its unit, or the place of it, if it needs one."""
-    return f"{name} [{unit_text}]" if name not in MATERIALS and any(dimension_of(NOMENCLATURE[name].unit)) else name
+    return f"{name} [{unit_text}]" if NOMENCLATURE[name].unit not in ("", "1") else name
