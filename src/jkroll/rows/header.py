@@ -50,7 +50,8 @@ class Header(NamedTuple):
         if self.preamble:
             lines = "a line" if self.preamble == 1 else f"{self.preamble} lines"
             sentence += f"; passed over: {lines} before the header"
-        others = [text for place, text in enumerate(self.texts) if place not in self.places.values() and text.strip()]
+        used = {*self.places.values()}
+        others = [text for place, text in enumerate(self.texts) if place not in used and text.strip()]
         if others:
             count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
             sentence += f"; passed through: {count}{first_of([*map(_easy, dict.fromkeys(others))], _MAX_SAID)}"
@@ -131,9 +132,8 @@ def understood(
         name, part = (head.name, head.part) if head.is_input else ("", head.text)
         other = parts.setdefault(name, {}).setdefault(part, head)
         if other is not head and head.text.strip():
-            both = f"the columns {quoted(other.text)} and {quoted(head.text)}"
-            both = f"two columns {quoted(head.text)}" if other.text == head.text else both
-            raise BadTable(f"header: {both}, of which one must go")
+            both = "two columns" if other.text == head.text else f"the columns {quoted(other.text)} and"
+            raise BadTable(f"header: {both} {quoted(head.text)}, of which one must go")
     parts.pop("", None)
     known = {name for name, of_name in parts.items() if not {"", "low"}.isdisjoint(of_name)}
     refused = [head for head in heads if head.problem and head.name not in known]
@@ -210,11 +210,10 @@ def _column(parts: Mapping[str, Reading], stated: Collection[str]) -> Column | N
     cells carry their own, or they are plain numbers of a ratio. Raises BadTable.
     """
     name = next(iter(parts.values())).name
-    shapes = [shape for shape in _SHAPES if parts.keys() >= {*shape}]
-    if {*_SHAPES[:2]} <= {*shapes}:
-        first, second = (quoted(parts[part].text) for part in ("both", "minus"))
+    used = next((shape for shape in _SHAPES if parts.keys() >= {*shape}), ())
+    if parts.keys() >= {"", "both", "minus", "plus"}:
+        first, second = quoted(parts["both"].text), quoted(parts["minus"].text)
         raise BadTable(f"header: {first} and {second} are both uncertainties of {name}; one must go")
-    used = shapes[0] if shapes else ()
     left = [head.text for part, head in parts.items() if part not in used]
     if left and (any(text.strip() in stated for text in left) or ("" not in parts and parts.keys() & {*_ENDS})):
         raise BadTable(
@@ -265,10 +264,7 @@ def _option(text: str, meaning: str) -> str:
 
 
 def check_inputs(header: Header, measured: str = "") -> None:
-    """Raise BadTable for a table of which no column is an input, or none the measured quantity.
-
-    Its rows say nothing of a contact.
-    """
+    """Raise BadTable for a table of which no column is an input, or none the measured quantity."""
     if measured in header.names or (header.names and not measured):
         return
     if all(map(is_number, header.texts)):
