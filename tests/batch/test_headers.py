@@ -157,6 +157,8 @@ REFUSED = {
         word: f"{word}' {_LACKING} '{word}={name} [UNIT]' with its unit"
         for word, name in {"radius": "radius", "density": "density", "Radius": "radius"}.items()
     },
+    "radius ()": "has no unit, and neither has its first cell '100'",
+    "radius:": "has no unit, and neither has its first cell '100'",
     "radius [kg]": "what stands behind radius is not its unit",
     "Energy (old)": "what stands behind energy is not its unit",
     "radiuss [nm]": "=radius [nm]'",

@@ -101,7 +101,7 @@ def _splits(text: str) -> Iterator[_Split]:
     yield _Split(text.strip(" _."), "")
     for cut in reversed([*_CUT.finditer(text)]):
         word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")
-        if word and unit and not re.search(r"[\[\](){}<>]", word):
+        if word and (unit or cut[1]) and not re.search(r"[\[\](){}<>]", word):  # in brackets there may be none
             is_mangled = not cut[1] and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
             yield _Split(word, unit, bool(cut[1]), is_mangled)
 
