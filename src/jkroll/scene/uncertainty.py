@@ -272,8 +272,8 @@ def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
         low, high = source.given.low, source.given.high
         is_by_ratio = low * high > 0
         ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
-        parts = [step / STEPS for step in range(1, STEPS)]
-        between = [where(is_by_ratio, low * ratio**part, low + part * (high - low)) for part in parts]
+        shares = [step / STEPS for step in range(1, STEPS)]
+        between = [where(is_by_ratio, low * ratio**share, low + share * (high - low)) for share in shares]
         for corner in product(*(_at_ends([other]) for other in (*sources[:axis], *sources[axis + 1 :]))):
             others = {name: end for place in corner for name, end in place.items()}
             for value in (low, *between, high):

@@ -396,8 +396,8 @@ class Pairs:
         sought, other = sorted(self.problem.unknowns, key=lambda name: name not in depends)
         places = grid(other, SIZES[other])
         problem = Problem((sought,), {first: self.problem.measured[first]}, self.problem.with_values({other: places}))
-        one = Roots(problem, len(places), SIZES[sought])
-        rows, roots = one.scan.crossings(one.levels)
+        at_places = Roots(problem, len(places), SIZES[sought])
+        rows, roots = at_places.scan.crossings(at_places.levels)
         heights = outcomes(self.problem, {sought: roots, other: places[rows]})
         return heights[[*self.problem.measured].index(second)]
 
