@@ -559,6 +559,7 @@ def test_what_belongs_to_a_chosen_column_is_chosen_with_it() -> None:
 def test_a_chosen_column_whose_unit_is_not_known_says_nothing_of_others() -> None:
     names = ["R1 [um]", "F [old]", "x (y)"]
     assert stated_meanings(["F [old]=pull_off_force"], names, "pull_off_force").keys() == {"F [old]"}
+    assert not stated_meanings([], names, "sticking_speed_paszun_dominik")  # whose symbol is no word: v_stick(1.07)
 
 
 @pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])

@@ -79,7 +79,8 @@ def stated_meanings(texts: Iterable[str], names: Iterable[str] = (), measured: s
     `names`: the headers of a table, among which the columns of uncertainties of what is said are said, too. `measured`:
     a quantity that columns have besides inputs. Raises BadRequest.
     """
-    words = dict.fromkeys([key(measured), key(NOMENCLATURE[measured].symbol)], measured) if measured else {}
+    symbol = NOMENCLATURE[measured].symbol if measured else ""
+    words = {word: measured for word in (key(measured), key(symbol)) if word}
     of_measured = tuple(words.items())
     meanings: dict[str, Reading] = {}
     for text in texts:
