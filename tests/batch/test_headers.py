@@ -20,137 +20,63 @@ from jkroll.rows.header import Header, stated_meanings, understood
 from jkroll.rows.readings import reading_of
 from relative import approx
 
-# The cell below is a plain number, as files have it.
-READ = {
-    "radius [nm]": ("radius", 1e-9),
-    "Radius [nm]": ("radius", 1e-9),
-    "RADIUS (um)": ("radius", 1e-6),
-    "R1 (nm)": ("radius", 1e-9),
-    "R1 (um)": ("radius", 1e-6),
-    "R_1 [nm]": ("radius", 1e-9),
-    "radius1 [nm]": ("radius", 1e-9),
-    "R1_nm": ("radius", 1e-9),
-    "radius_um": ("radius", 1e-6),
-    "radius in nm": ("radius", 1e-9),
-    "radius, nm": ("radius", 1e-9),
-    "radius/nm": ("radius", 1e-9),
-    "R1 / µm": ("radius", 1e-6),
-    "R2 (nm)": ("radius2", 1e-9),
-    "radius_2 [nm]": ("radius2", 1e-9),
-    "R_2/um": ("radius2", 1e-6),
-    "W [mJ/m2]": ("work_of_adhesion", 1e-3),
-    "W_adh (J m-2)": ("work_of_adhesion", 1.0),
-    "Δγ (mJ/m2)": ("work_of_adhesion", 1e-3),
-    "SFE [mJ/m2]": ("surface_energy", 1e-3),
-    "critical rolling displacement (Å)": ("yield_displacement", 1e-10),
-    "γ [mJ/m2]": ("surface_energy", 1e-3),
-    "γ1 (mJ/m²)": ("surface_energy", 1e-3),
-    "gamma1 [mJ/m2]": ("surface_energy", 1e-3),
-    "Gamma [mJ/m2]": ("surface_energy", 1e-3),
-    "gamma_mJ_m2": ("surface_energy", 1e-3),
-    "surface_energy_mJ_m2": ("surface_energy", 1e-3),
-    "surface energy (J/m^2)": ("surface_energy", 1.0),
-    "surface_energy_mJ_per_m2": ("surface_energy", 1e-3),
-    "γ2 [mJ/m2]": ("surface_energy2", 1e-3),
-    "gamma_2 [J/m2]": ("surface_energy2", 1.0),
-    "E [GPa]": ("youngs_modulus", 1e9),
-    "E (MPa)": ("youngs_modulus", 1e6),
-    "E_GPa": ("youngs_modulus", 1e9),
-    "E1_GPa": ("youngs_modulus", 1e9),
-    "E_1 [GPa]": ("youngs_modulus", 1e9),
-    "E2 [Pa]": ("youngs_modulus2", 1.0),
-    "Young's modulus (GPa)": ("youngs_modulus", 1e9),
-    "Young's Modulus [MPa]": ("youngs_modulus", 1e6),
-    "youngs modulus, GPa": ("youngs_modulus", 1e9),
-    "Young modulus in GPa": ("youngs_modulus", 1e9),
-    "young_GPa": ("youngs_modulus", 1e9),
-    "E [J]": ("energy", 1.0),
-    "E (eV)": ("energy", 1.602176634e-19),
-    "nu": ("poisson_ratio", 1.0),
-    "ν": ("poisson_ratio", 1.0),
-    "Nu1": ("poisson_ratio", 1.0),
-    "ν2": ("poisson_ratio2", 1.0),
-    "Poisson's ratio": ("poisson_ratio", 1.0),
-    "Poisson ratio": ("poisson_ratio", 1.0),
-    "poisson_ratio (-)": ("poisson_ratio", 1.0),
-    "v [m/s]": ("speed", 1.0),
-    "v_cm_s": ("speed", 1e-2),
-    "Speed (m/s)": ("speed", 1.0),
-    "rho [kg/m3]": ("density", 1.0),
-    "ρ (kg/m³)": ("density", 1.0),
-    "Rho (g/cm3)": ("density", 1e3),
-    "density_kg_m3": ("density", 1.0),
-    "density_g_cm3": ("density", 1e3),
-    "Density (kg/m^3)": ("density", 1.0),
-    "xi [nm]": ("yield_displacement", 1e-9),
-    "ξ (Å)": ("yield_displacement", 1e-10),
-    "w [mJ/m2]": ("work_of_adhesion", 1e-3),
-    "Work of adhesion (mJ/m2)": ("work_of_adhesion", 1e-3),
-    "P (nN)": ("load", 1e-9),
-    "P_nN": ("load", 1e-9),
-    "Load/nN": ("load", 1e-9),
-    "load (µN)": ("load", 1e-6),
-    "A (zJ)": ("hamaker", 1e-21),
-    "hamaker_zJ": ("hamaker", 1e-21),
-    "g [m/s2]": ("gravity", 1.0),
-    "z0 (nm)": ("atomic_spacing", 1e-9),
-    "δ [nm]": ("approach_at_load", 1e-9),
-    "R₂ [nm]": ("radius2", 1e-9),
-    "radius₂ [nm]": ("radius2", 1e-9),
-    "γ₂ (mJ/m²)": ("surface_energy2", 1e-3),
-    "E₁ (GPa)": ("youngs_modulus", 1e9),
-    "γ / (mJ/m²)": ("surface_energy", 1e-3),
-    "radius / (nm)": ("radius", 1e-9),
-    # R beside R2 or a plane
-    "R (nm)": ("radius", 1e-9),
-    "R_nm": ("radius", 1e-9),
-    "R / µm": ("radius", 1e-6),
-    # as programs and spreadsheets write them
-    "γ (mJ.m-2)": ("surface_energy", 1e-3),
-    "gamma, mJ.m-2": ("surface_energy", 1e-3),
-    "load <nN>": ("load", 1e-9),
-    ' "gamma [mJ/m2]"': ("surface_energy", 1e-3),
-    "gamma..mJ.m2.": ("surface_energy", 1e-3),
-    "gamma_mJ_m2_": ("surface_energy", 1e-3),
-    "elastic_modulus_gpa": ("youngs_modulus", 1e9),
-    "velocity (m/s)": ("speed", 1.0),
-    "young GPa": ("youngs_modulus", 1e9),
-    "E_GPA": ("youngs_modulus", 1e9),
-    "E [Gpa]": ("youngs_modulus", 1e9),
-    "Hamaker constant (zJ)": ("hamaker", 1e-21),
-    "density_gcm3": ("density", 1e3),
-    "rho_kgm3": ("density", 1.0),
-    "youngsModulus (GPa)": ("youngs_modulus", 1e9),
-    "E* [GPa]": ("contact_modulus", 1e9),
-    "E_r (GPa)": ("contact_modulus", 1e9),
-    "reduced modulus (GPa)": ("contact_modulus", 1e9),
-    "Effective Young's modulus [GPa]": ("contact_modulus", 1e9),
-    "reduced_radius [nm]": ("reduced_radius", 1e-9),
-    "RADIUS [UM]": ("radius", 1e-6),
-    "rad_nm": ("radius", 1e-9),
-    "v_imp (m/s)": ("speed", 1.0),
-}
+# Headers by the input that they mean and its unit in SI units, over a plain number as files have it. R is beside R2.
+_READ = """
+radius 1e-9: radius [nm] | Radius [nm] | R1 (nm) | R_1 [nm] | radius1 [nm] | R1_nm | radius in nm | radius, nm
+radius 1e-9: radius/nm | radius / (nm) | R (nm) | R_nm | rad_nm
+radius 1e-6: RADIUS (um) | R1 (um) | radius_um | R1 / µm | R / µm | RADIUS [UM]
+radius2 1e-9: R2 (nm) | radius_2 [nm] | R₂ [nm] | radius₂ [nm]
+radius2 1e-6: R_2/um
+work_of_adhesion 1e-3: W [mJ/m2] | Δγ (mJ/m2) | w [mJ/m2] | Work of adhesion (mJ/m2)
+work_of_adhesion 1: W_adh (J m-2)
+surface_energy 1e-3: SFE [mJ/m2] | γ [mJ/m2] | γ1 (mJ/m²) | gamma1 [mJ/m2] | Gamma [mJ/m2] | gamma_mJ_m2
+surface_energy 1e-3: surface_energy_mJ_m2 | surface_energy_mJ_per_m2 | γ / (mJ/m²) | γ (mJ.m-2) | gamma, mJ.m-2
+surface_energy 1e-3: gamma..mJ.m2. | gamma_mJ_m2_
+yield_displacement 1e-10: critical rolling displacement (Å) | ξ (Å)
+surface_energy 1: surface energy (J/m^2)
+surface_energy2 1e-3: γ2 [mJ/m2] | γ₂ (mJ/m²)
+surface_energy2 1: gamma_2 [J/m2]
+youngs_modulus 1e9: E [GPa] | E_GPa | E1_GPa | E_1 [GPa] | Young's modulus (GPa) | youngs modulus, GPa
+youngs_modulus 1e9: Young modulus in GPa | young_GPa | E₁ (GPa) | elastic_modulus_gpa | young GPa | E_GPA
+youngs_modulus 1e9: E [Gpa] | youngsModulus (GPa)
+youngs_modulus 1e6: E (MPa) | Young's Modulus [MPa]
+youngs_modulus2 1: E2 [Pa]
+energy 1: E [J]
+energy 1.602176634e-19: E (eV)
+poisson_ratio 1: nu | ν | Nu1 | Poisson's ratio | Poisson ratio | poisson_ratio (-)
+poisson_ratio2 1: ν2
+speed 1: v [m/s] | Speed (m/s) | velocity (m/s) | v_imp (m/s)
+speed 1e-2: v_cm_s
+density 1: rho [kg/m3] | ρ (kg/m³) | density_kg_m3 | Density (kg/m^3) | rho_kgm3
+density 1e3: Rho (g/cm3) | density_g_cm3 | density_gcm3
+yield_displacement 1e-9: xi [nm]
+load 1e-9: P (nN) | P_nN | Load/nN | load <nN>
+load 1e-6: load (µN)
+hamaker 1e-21: A (zJ) | hamaker_zJ | Hamaker constant (zJ)
+gravity 1: g [m/s2]
+atomic_spacing 1e-9: z0 (nm)
+approach_at_load 1e-9: δ [nm]
+contact_modulus 1e9: E* [GPa] | E_r (GPa) | reduced modulus (GPa) | Effective Young's modulus [GPa]
+reduced_radius 1e-9: reduced_radius [nm]
+"""
+
+
+def meanings(line: str) -> dict[str, tuple[str, float]]:
+    """Return the headers of a line, with the input that they mean and its unit."""
+    meaning, _, texts = line.partition(": ")
+    name, unit = meaning.split()
+    return {text: (name, float(unit)) for text in texts.split(" | ")}
+
+
+READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning in meanings(line).items()}
+READ[' "gamma [mJ/m2]"'] = ("surface_energy", 1e-3)
 _SIZE = "a radius is half of a diameter or a size, and r may be a distance"
+_SIZES = "r [nm] | r | d | D [nm] | diameter (nm) | diameter_um | Diameter | d_um | size | particle size [um] | r2_um"
 _LACKING = "has no unit, and neither has its first cell '100'. Write --column"
 _FACTOR = "a sign or a factor stands beside the word"
 REFUSED = {
-    **dict.fromkeys(
-        (
-            "r [nm]",
-            "r",
-            "d",
-            "D [nm]",
-            "diameter (nm)",
-            "diameter_um",
-            "Diameter",
-            "d_um",
-            "size",
-            "particle size [um]",
-            "r1 [nm]",
-            "r2_um",
-        ),
-        _SIZE,
-    ),
+    **dict.fromkeys(_SIZES.split(" | "), _SIZE),
+    "r1 [nm]": _SIZE,
     "R [nm]": "--column 'R [nm]=radius [nm]' or --column 'R [nm]=reduced_radius [nm]'",
     "R_um": "=reduced_radius [um]'",
     **{
@@ -196,50 +122,12 @@ REFUSED = {
     "radius/2 [nm]": _FACTOR,
 }
 PASSING = (
-    "E",
-    "v",
-    "rho",
-    "g",
-    "N",
-    "phi",
-    "R [kOhm]",
-    "E_bar",
-    "R_m",
-    "R_min",
-    "v_c",
-    "w",
-    "radius_in",
-    "load_case",
-    "tip radius (nm)",
-    "T [K]",
-    "gamma_err [mJ/m2]",
-    "F (nN)",
-    "P [MPa]",
-    "pull_off_force [N]",
-    "material_name",
-    "material_id",
-    "density_type",
-    "d [s]",
-    "equivalent diameter [um]",
-    "v_m",
-    "hysteresis_ratio",
-    "spread [m/s]",
-    "sigma_xx [Pa]",
-    "u [m/s]",
-    "u(x) [nm]",
-    "sigma [Pa]",
-    "kinetic_energy [J]",
-    "head [nN]",
-    "grain area [nm^2]",
-    "speed of sound (m/s)",
-    "contact angle (deg)",
-    "energy_per_atom_eV",
-    "R",
-    "n_c",
-    "Size (mm)",
-    "rad",
-    "rad [1/s]",
-)
+    "E | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | R_min | v_c | w | radius_in | load_case | "
+    "tip radius (nm) | T [K] | gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
+    "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
+    "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
+    "speed of sound (m/s) | contact angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s]"
+).split(" | ")
 
 
 def test_there_are_enough_spellings() -> None:
