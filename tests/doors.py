@@ -14,6 +14,7 @@ import numpy as np
 
 import jkroll.batch.job
 import jkroll.batch.run
+import jkroll.rows.columns
 import jkroll.rows.sweep
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
@@ -94,7 +95,7 @@ def computed(*, by_arrays: bool) -> Iterator[None]:
     """Have rows of lists computed by arrays, a few at a time, or by floats, however many they are."""
     with ExitStack() as stack:
         stack.enter_context(patch.object(jkroll.rows.sweep, "WORTH_ARRAYS", -1 if by_arrays else INFINITY))
-        stack.enter_context(patch.object(jkroll.rows.sweep, "BLOCK", 5))
+        stack.enter_context(patch.object(jkroll.rows.columns, "BLOCK", 5))
         yield
 
 
