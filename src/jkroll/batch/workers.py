@@ -31,11 +31,8 @@ class LostWorker(JkrollError):
     exit_code = 1
 
     def __init__(self, exit_code: int) -> None:
-        super().__init__(exit_code)
-        self.how = f"was ended by signal {-exit_code}" if exit_code < 0 else f"ended with exit code {exit_code}"
-
-    def __str__(self) -> str:
-        return f"a worker process {self.how}; the table it was working on was not written"
+        how = f"was ended by signal {-exit_code}" if exit_code < 0 else f"ended with exit code {exit_code}"
+        super().__init__(f"a worker process {how}; the table it was working on was not written")
 
 
 class Worker:
@@ -84,17 +81,14 @@ def _serve(questions: "connection.Connection[Any, Any]", answer: Answer) -> None
     try:
         with suppress(EOFError, BrokenPipeError, ConnectionResetError):
             while True:
-                questions.send(_outcome(answer, questions.recv()))
+                question = questions.recv()
+                try:
+                    outcome = answer(question)
+                except Exception as error:
+                    outcome = error
+                questions.send(outcome)
     except SystemExit:
         os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables
-
-
-def _outcome(answer: Answer, question: Any) -> Any:
-    """Return the answer to a question, or the error that it raises."""
-    try:
-        return answer(question)
-    except Exception as error:
-        return error
 
 
 def _end_with_parent() -> None:
@@ -108,23 +102,16 @@ def _end_with_parent() -> None:
 
 
 @contextmanager
-def _without_interrupts() -> Iterator[None]:
-    """Ignore interrupts, which a new process inherits."""
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-
-
-@contextmanager
 def started(count: int, answer: Answer) -> Iterator[list[Worker]]:
     """Start processes, and end them at the end. They ignore interrupts: the process that started them ends them."""
     workers: list[Worker] = []
     try:
-        with _without_interrupts():
+        heeding = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        try:
             while len(workers) < count:
                 workers.append(Worker(answer))
+        finally:
+            signal.signal(signal.SIGINT, heeding)
         yield workers
     finally:
         for worker in workers:

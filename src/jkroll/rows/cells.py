@@ -17,7 +17,7 @@ import numpy
 import orjson
 
 from ..errors import JkrollError
-from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
+from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, exponent_of
@@ -150,14 +150,20 @@ class Numbers(NamedTuple):
 
 
 class Kept(dict[Any, Any]):
-    """A memory of what keys mean. Unlike an lru_cache it can be pickled, as a table is sent to processes."""
+    """A memory of what keys mean, or of the errors about them, which take as long as a hundred rows to word.
+
+    Unlike an lru_cache it can be pickled, as a table is sent to processes.
+    """
 
     def __init__(self, meaning: Callable[[Any], Any]) -> None:
-        """`meaning`: returns what a key means."""
+        """`meaning`: returns what a key means, or raises a JkrollError."""
         self.meaning = meaning
 
     def __missing__(self, key: Hashable) -> Any:
-        meaning = self.meaning(key)
+        try:
+            meaning = self.meaning(key)
+        except JkrollError as error:
+            meaning = error.with_traceback(None)
         if len(self) >= MAX_KEPT:
             self.clear()
         self[key] = meaning
@@ -221,19 +227,17 @@ class Reader:
         odd: list[int] = []
         uncertain: dict[int, Uncertain] = {}
         for place in others:
-            try:
-                value = self._cache[cells[place]]
-            except (QuantityError, UnicodeDecodeError):
+            value: float | Uncertain | JkrollError = self._cache[cells[place]]
+            if isinstance(value, JkrollError):
                 odd.append(place)
-                continue
-            if isinstance(value, float):
+            elif isinstance(value, float):
                 values[place] = value
             else:
                 values[place], uncertain[place] = value.value, value
         return Numbers(values, odd, uncertain)
 
     def _value(self, cell: bytes) -> float | Uncertain:
-        return self.column.read(cell.decode())
+        return self.column.read(cell.decode(errors="replace"))
 
 
 @lru_cache(maxsize=MAX_KEPT)
@@ -290,10 +294,9 @@ class Lookup:
 
     def __init__(self, materials: Materials, otherwise: Material | None) -> None:
         """`otherwise`: the material of a row whose cell is empty."""
-        self.materials = materials
         self.known: list[Material | None] = [otherwise]
         self._cache = Kept(self._index)
-        self._of_names = Kept(self._found)
+        self._of_names = Kept(materials.__getitem__)
 
     def indices(self, cells: Sequence[bytes]) -> Indices:
         """Return the indices of the materials that cells name."""
@@ -305,13 +308,6 @@ class Lookup:
         if isinstance(solid, JkrollError):
             raise solid.with_traceback(None)
         return solid
-
-    def _found(self, text: str) -> Material | JkrollError:
-        """Return the material of a name, or why there is none: to word that takes as long as a hundred rows."""
-        try:
-            return self.materials[text]
-        except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
-            return error
 
     def _index(self, cell: bytes) -> int:
         text = cell.decode(errors="replace")
