@@ -9,7 +9,7 @@ from ..answers.questions import EVERYTHING, quantities_named
 from ..materials.library import Materials
 from ..rows.header import is_input, stated_meanings, understood
 from ..rows.readings import Reading
-from ..rows.table import Fill, Table, idle_of, say_gaps, table_of
+from ..rows.table import Fill, Table, idle_of, table_of
 from ..scene.failures import MissingInput
 from ..text import say_wrapped
 
@@ -84,11 +84,12 @@ class Job(NamedTuple):
             if not settings.quiet:
                 say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
             raise
-        if not settings.quiet:
-            say_wrapped(columns.reading(), sys.stderr)
-            say_gaps(table, columns, settings.quantities)
-            for line in said_of(table)[1:]:
-                say_wrapped(line, sys.stderr)
+        notes = [f"note: {message}" for message in table.labels.values() if message]  # labels may be meant as materials
+        if "radius" not in {*columns.names, *fill.fixed} and not settings.quantities:
+            notes.append("note: no column and no option gives a radius; what needs one is left out")
+        reading, *others = said_of(table)
+        for line in () if settings.quiet else (reading, *notes, *others):
+            say_wrapped(line, sys.stderr)
         return table
 
 

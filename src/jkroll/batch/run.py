@@ -83,9 +83,10 @@ def _convert(source: Source, convert: Converter, output: BinaryIO, processes: in
     head, tally = source.head, Tally()
     header = compressed(head.writer.header(convert.table.added, [head.header]), convert.compression)
     line, size = head.lines, len(header)
+    path = output.name if isinstance(output.name, str) and os.path.isfile(output.name) else ""
     with head.writer.sink(output, header) as write:
         try:
-            for block, worker in _converted(convert, source.blocks, processes, _path(output)):
+            for block, worker in _converted(convert, source.blocks, processes, path):
                 write(worker.answer_to(size) if worker else block.output)
                 size += block.size or len(block.output)
                 line += block.lines
@@ -97,11 +98,6 @@ def _convert(source: Source, convert: Converter, output: BinaryIO, processes: in
             say(f"jkroll: interrupted after {tally.rows} rows", sys.stderr)
             raise
     return tally
-
-
-def _path(output: BinaryIO) -> str:
-    """Return the path of a file that processes can write into; an empty text for a stream."""
-    return output.name if isinstance(output.name, str) and os.path.isfile(output.name) else ""
 
 
 def _converted(

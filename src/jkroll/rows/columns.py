@@ -22,7 +22,7 @@ from ..scene.failures import (
 from ..scene.limits import bits_of, doubts, possible_bits
 from ..scene.scene import Scene
 from ..text import listed
-from .reasons import ROW, UNCERTAINTY, Gaps, Reasons, lack, status_of, worded
+from .reasons import ROW, UNCERTAINTY, Reasons, lack, status_of
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Sources
@@ -167,12 +167,12 @@ class Wanted:
             reasons,
         )
 
-    def columns(self, scene: Any, size: int, scene_of: Callable[[int], Any]) -> tuple["Columns", Any]:
+    def columns(self, scene: Any, rows: Sequence[int], scene_of: Callable[[int], Any]) -> tuple["Columns", Any]:
         """Return the columns of a scene of arrays, and the rows that floats are to compute, as an array of booleans.
 
-        `scene_of` returns a row as a scene of numbers. Raises a JkrollError where floats are to compute all rows.
+        `scene_of` returns one of the rows as a scene of numbers. Raises a JkrollError where floats are to compute all.
         """
-        arrays = _Arrays(self, scene, size)
+        arrays = _Arrays(self, scene, rows)
         again = arrays.explain(scene_of) | arrays.columns.put_sides(arrays.beside)
         if self.uncertainties and scene.is_uncertain:
             again |= arrays.add_sides()
@@ -264,16 +264,6 @@ class Columns:
         phrases = {number: status_of(reasons) for number, reasons in distinct.items()}
         return {row: phrases[id(reasons)] for row, reasons in self.reasons.items()}
 
-    def gaps(self, named: Callable[[list[str]], str] | None = None) -> dict[str, Gaps]:
-        """Return the rows that have a status, by it; `named` as `reasons.worded` has it."""
-        rows: dict[str, list[int]] = {}
-        for row, status in sorted(self.status.items()):
-            rows.setdefault(status, []).append(row)
-        return {
-            status: Gaps(len(places), places[0] + 1, worded(self.reasons[places[0]], named))
-            for status, places in rows.items()
-        }
-
     @cached_property
     def failed(self) -> list[int]:
         """The rows without a contact, or without any value."""
@@ -342,21 +332,21 @@ def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Collectio
 class _Arrays:
     """The quantities of a scene of arrays, and what is empty in them."""
 
-    def __init__(self, wanted: Wanted, scene: Scene, size: int) -> None:
+    def __init__(self, wanted: Wanted, scene: Scene, rows: Sequence[int]) -> None:
         import numpy
 
-        self.wanted, self.scene, self.size = wanted, scene, size
+        self.wanted, self.scene, self.rows, self.size = wanted, scene, rows, len(rows)
         self.outcomes = scene.outcomes(wanted.names, wanted.named)
         self.shown = {name: name in wanted.named or scene.shows(name) for name in self.outcomes}
         self.known = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, JkrollError)]
-        numbers = numpy.full((len(wanted.keys), size), numpy.nan)
+        numbers = numpy.full((len(wanted.keys), self.size), numpy.nan)
         for name in self.known:
             numbers[wanted.places[name]] = where(self.shown[name], self.outcomes[name], numpy.nan)
         self.beside = wanted.numbers_beside(scene, [*self.outcomes])
         for key, value in self.beside.items():
             numbers[wanted.places[key]] = where(self.shown[key.partition("_by_")[0]], middle(value), numpy.nan)
         inputs = scene.echo(scene.inputs_used(wanted.names, wanted.names)) if wanted.inputs else {}
-        of_rows = {name: repeated(inputs.get(name), size) for name in wanted.inputs}
+        of_rows = {name: repeated(inputs.get(name), self.size) for name in wanted.inputs}
         self.empty = {name: numpy.isnan(numbers[wanted.places[name]]) for name in self.outcomes}
         self.columns = Columns(wanted, of_rows, numbers, self._doubts())
 
@@ -397,7 +387,7 @@ class _Arrays:
         for places in alike(rows, [*gaps.values(), *is_nan]):
             first = int(places[0])
             lacking = {name for name, of_name in gaps.items() if of_name[first]}
-            reasons = reasons_of(scene_of(first).outcomes(self.wanted.names, self.wanted.named))
+            reasons = reasons_of(scene_of(self.rows[first]).outcomes(self.wanted.names, self.wanted.named))
             if reasons.keys() - {ROW} == lacking and reasons:
                 self.columns.reasons.update(dict.fromkeys(places.tolist(), reasons))
             else:

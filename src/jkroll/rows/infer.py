@@ -1,6 +1,6 @@
 """The inverse problem in rows: columns of the unknowns of a table, and `jkroll.infer` for numbers and arrays."""
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import nan, prod
 from typing import Any, overload
 
@@ -57,13 +57,14 @@ class Unknowns(Wanted):
         bits = bits_of(doubts(solved.scene, [*scene.measured])) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
-    def columns(self, scene: Problem, size: int, scene_of: Callable[[int], Any]) -> tuple[Columns, Any]:  # noqa: ARG002
+    def columns(self, scene: Problem, rows: Sequence[int], scene_of: Any) -> tuple[Columns, Any]:  # noqa: ARG002
         """Return the columns of arrays of measured values, and the rows that floats are to compute."""
         solids = [solid.name for solid, _ in scene.scene.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
             raise OddRow("of which spheres an unknown is")  # solids of many rows have no name: each row by itself says
         sources = self.sources_in(scene) if self.uncertainties else None
         remark = left_out(self, scene.scene, sources, scene.uncertain) if sources is not None else None
+        size = len(rows)
         solved, inputs = solutions(scene, size), scene.echo()
         of_rows = {name: repeated(inputs.get(name), size) for name in self.inputs}
         numbers = numpy.full((len(self.keys), size), nan)

@@ -35,18 +35,6 @@ class Gaps(NamedTuple):
         return f"{self.words}: row {self.first}{others}"
 
 
-def joined(gaps: Mapping[str, Gaps], others: Mapping[str, Gaps], rows: int) -> dict[str, Gaps]:
-    """Return the gaps of some rows and of others behind them, by their status.
-
-    `rows`: the number of all rows before the others.
-    """
-    together = dict(gaps)
-    for status, of_status in others.items():
-        before = gaps.get(status, Gaps(0, rows + of_status.first, of_status.words))
-        together[status] = before._replace(rows=before.rows + of_status.rows)
-    return together
-
-
 def lack(reasons: Reasons) -> JkrollError | None:
     """Return why a row has no contact, or is no scene; None if it has one at the middles of its inputs."""
     for name, error in reasons.items():
@@ -109,14 +97,25 @@ class Tally(NamedTuple):
     def of(cls, columns: "Columns", named: Callable[[list[str]], str] | None = None) -> "Tally":
         """Return the counts of some rows; `named` as `reasons.worded` has it."""
         doubts = columns.doubts if isinstance(columns.doubts, list) else columns.doubts.tolist()
-        return cls(len(columns), len(columns.failed), columns.gaps(named), Counter(doubts))
+        rows: dict[str, list[int]] = {}
+        for row, status in sorted(columns.status.items()):
+            rows.setdefault(status, []).append(row)
+        gaps = {
+            status: Gaps(len(places), places[0] + 1, worded(columns.reasons[places[0]], named))
+            for status, places in rows.items()
+        }
+        return cls(len(columns), len(columns.failed), gaps, Counter(doubts))
 
     def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""
+        gaps = dict(self.gaps)
+        for status, more in other.gaps.items():
+            before = gaps.get(status, more._replace(rows=0, first=self.rows + more.first))
+            gaps[status] = before._replace(rows=before.rows + more.rows)
         return Tally(
             self.rows + other.rows,
             self.failed + other.failed,
-            joined(self.gaps, other.gaps, self.rows),
+            gaps,
             self.doubts + other.doubts,
             self.inferred + other.inferred,
             self.said + other.said,

@@ -86,8 +86,7 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
         for rows, given in groups(block):
             places = rows.tolist()
             try:
-                scene = block.scene(given, rows)
-                of_group, by_floats[rows] = wanted.columns(scene, len(rows), partial(_scene_of, block, places))
+                of_group, by_floats[rows] = wanted.columns(block.scene(given, rows), places, block.scene_of)
             except JkrollError:
                 continue  # each row then has the reason by itself
             if len(rows) == block.size:
@@ -107,11 +106,6 @@ def _row(wanted: Wanted, block: Block, row: int) -> Row:
         return wanted.row(block.scene_of(row))
     except JkrollError as error:
         return Row({}, [nan] * len(wanted.keys), 0, {ROW: error})
-
-
-def _scene_of(block: Block, places: Sequence[int], row: int) -> Any:
-    """Return the scene of a row among those at some places."""
-    return block.scene_of(places[row])
 
 
 def _empty(wanted: Wanted, size: int) -> Columns:

@@ -3,7 +3,6 @@
 No file is opened here: `batch` reads and writes.
 """
 
-import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from types import MappingProxyType
@@ -20,7 +19,7 @@ from ..scene.failures import MissingInput, NotInLaw
 from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
-from ..text import quoted, say, say_wrapped
+from ..text import quoted
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, OddRow, Wanted, remarks_of
 from .header import Header, check_inputs
@@ -205,14 +204,6 @@ def table_of(
             remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
             raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
     return table
-
-
-def say_gaps(table: Table, columns: Header, quantities: str) -> None:
-    """Say on stderr which labels may be names of materials, and that nothing gives a radius."""
-    for message in filter(None, table.labels.values()):
-        say_wrapped(f"note: {message}", sys.stderr)
-    if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
-        say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
 
 
 def _names_of_materials(
