@@ -139,9 +139,10 @@ def _about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
     """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law"."""
     told = [text for name in names if doubt.value >= JUMP or not _rests_on_well(name) for text in _advised(scene, name)]
     spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
-    inexact = f"neither {scene.law.title} nor Maugis' law is exact here"
-    lead = ", ".join(told[:MAX_TOLD]) + f" by Maugis' law, better here than {scene.law.title}" if told else inexact
-    return f"{lead} (Tabor parameter {doubt.value:.2g}, z0 = {spacing}): --model {BETWEEN}"
+    scale = f"(Tabor parameter {doubt.value:.2g}, z0 = {spacing})"
+    if not told:
+        return f"neither {scene.law.title} nor Maugis' law is exact here {scale}"
+    return f"{', '.join(told[:MAX_TOLD])} by Maugis' law, better here than {scene.law.title} {scale}: --model {BETWEEN}"
 
 
 def _rests_on_well(name: str) -> bool:

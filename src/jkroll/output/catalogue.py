@@ -254,9 +254,8 @@ def _is_related(other: str, name: str) -> bool:
 
 
 def _quantity_row(name: str) -> list[str]:
-    quantity = NOMENCLATURE[name]
-    commands = " ".join(commands_of(name))
-    return [name, quantity.symbol, quantity.unit, quantity.option, commands, quantity.equation, quantity.sentence]
+    record = quantity_as_object(name)
+    return [" ".join(record[head]) if head == "commands" else record[head] for head in _HEADS]
 
 
 def _quantity_table_row(name: str) -> list[str]:
