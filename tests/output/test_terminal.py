@@ -48,7 +48,7 @@ def test_scenes_that_do_not_differ_are_numbered(run: Run) -> None:
 def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("jkroll.cli.question.MAX_TABLE", 99)
     monkeypatch.setattr("jkroll.rows.sweep.Sweep.most_in_table", 99)
-    monkeypatch.setattr("jkroll.rows.sweep.BLOCK", 40)
+    monkeypatch.setattr("jkroll.rows.columns.BLOCK", 40)
     for way in (10**9, -1):  # by floats, and by arrays
         monkeypatch.setattr("jkroll.rows.sweep.WORTH_ARRAYS", way)
         assert "─" in run("pull-off quartz 1nm:1um:99 --quiet", terminal=True).out
