@@ -173,13 +173,9 @@ class Input:
 
         Raises BadTable at the end if the file was changed in the meantime.
         """
-        read = (
-            decompressed(self.file, compression, self.path)
-            if compression
-            else iter(partial(self.file.read1, CHUNK), b"")
-        )
+        raw = iter(partial(self.file.read1, CHUNK), b"")
         try:
-            yield from read
+            yield from decompressed(self.file, compression, self.path) if compression else raw
         except OSError as error:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
         self.check_unchanged()
@@ -211,7 +207,9 @@ def lines_of(given: Input, form: FileFormat, job: Job) -> Source:
     every = blocks(given.pieces(form.compression), dialect.cut)
     first = next(every, b"")
     head = dialect.head(first, job.reads, excel_safe=job.settings.excel_safe)
-    return Source(dialect, head, filter(None, chain([first[head.size :]], every)), given.size, given.position)
+    return Source(
+        dialect, head, filter(None, chain([first[head.size :]], every)), given.size, lambda _: given.position()
+    )
 
 
 def blocks(pieces: Iterable[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:

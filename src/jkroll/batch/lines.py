@@ -34,7 +34,7 @@ class Source(NamedTuple):
     head: Head
     blocks: Iterator[Any]
     size: int  # of the input, 0 if it is unknown
-    position: Callable[[], int]  # how much of it was read
+    position: Callable[[int], int]  # how much of it was read, when so many rows are written
 
 
 class Converted(NamedTuple):

@@ -100,16 +100,14 @@ def source_of(given: Input, form: FileFormat, job: Job) -> Source:  # noqa: ARG0
         head = Head(tuple(schema.names), rows, Batches(), header=schema)
     groups = [metadata.row_group(place) for place in range(metadata.num_row_groups)]
     width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + RESULTS
-    size, position = max(min(BLOCK, int(BYTES / width)), 1), [0]
+    size = max(min(BLOCK, int(BYTES / width)), 1)
 
     def batches() -> Iterator[Any]:
         with _readable(given.path):
-            for batch in file.iter_batches(size):
-                yield batch
-                position[0] += batch.num_rows
+            yield from file.iter_batches(size)
         given.check_unchanged()
 
-    return Source(Arrow(), head, batches(), metadata.num_rows, lambda: position[0])
+    return Source(Arrow(), head, batches(), metadata.num_rows, lambda rows: rows)
 
 
 @contextmanager

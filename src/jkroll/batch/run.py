@@ -91,7 +91,7 @@ def _convert(source: Source, convert: Converter, output: BinaryIO, processes: in
                 size += block.size or len(block.output)
                 line += block.lines
                 tally = tally.plus(block.tally)
-                bar.show(source.position(), tally.rows)
+                bar.show(source.position(tally.rows), tally.rows)
         except BadRow as error:
             raise BadRow(line + 1 + error.line, error.status) from None
         except KeyboardInterrupt:
