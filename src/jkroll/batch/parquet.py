@@ -33,7 +33,7 @@ WORDS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if qua
 class Batches:
     """The writer of rows as batches of Arrow, of which the header is an empty one."""
 
-    has_remarks, has_words = True, False
+    is_plain, has_words = False, False
 
     def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
         """Return the batch without rows. `before`: the schema of the columns that stand before these."""

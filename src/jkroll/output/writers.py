@@ -33,17 +33,15 @@ class Lines:
         *,
         end: str = "\n",
         has_header: bool = True,
-        has_remarks: bool = True,
-        has_quotes: bool = True,
+        is_plain: bool = False,
         has_commas: bool = False,
     ) -> None:
-        """`has_remarks`: whether doubts and status of rows are written; `has_quotes`: whether cells may have quotes.
+        """`is_plain`: whether quotes, doubts and status are left out.
 
         `has_commas`: whether decimal marks are commas.
         """
         self.separator, self.gap, self.end = separator.encode(), gap.encode(), end.encode()
-        self.has_header, self.has_remarks, self.has_commas = has_header, has_remarks, has_commas
-        self.has_quotes = has_quotes
+        self.has_header, self.is_plain, self.has_commas = has_header, is_plain, has_commas
 
     def header(self, heads: Sequence[str], before: Sequence[bytes] = ()) -> bytes:
         """Return the line of the headers. `before`: what stands before them, in the format."""
@@ -111,7 +109,7 @@ class Lines:
 
     def _text(self, text: str) -> bytes:
         """Return a text, in quotes where it needs them."""
-        return (in_quotes(text, self.separator.decode()) if self.has_quotes else text).encode()
+        return (text if self.is_plain else in_quotes(text, self.separator.decode())).encode()
 
 
 class Objects(Lines):
@@ -137,8 +135,8 @@ class Objects(Lines):
 WRITERS = {
     "csv": Lines(","),
     "tsv": Lines("\t"),
-    "plain": Lines("\t", "-", has_remarks=False, has_quotes=False),
-    "bare": Lines("\t", "-", has_header=False, has_remarks=False, has_quotes=False),
+    "plain": Lines("\t", "-", is_plain=True),
+    "bare": Lines("\t", "-", has_header=False, is_plain=True),
     "ndjson": Objects(),
 }
 
@@ -196,7 +194,7 @@ def written(
 
     `doubt`: whether doubts have a column, if they are judged.
     """
-    remarks = remarks_of(wanted, doubt=doubt) if writer.has_remarks else ()
+    remarks = () if writer.is_plain else remarks_of(wanted, doubt=doubt)
     heads = [*map(header, wanted.inputs), *wanted.heads(form.header), *remarks]
     yield writer.header(heads)
     for columns in blocks:
