@@ -471,8 +471,11 @@ def _in_scene(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
 
 def _in_lines(run: Run, ask: Ask, values: Mapping[str, float]) -> Iterator[str]:
     """Iterate over the lines of one pair that are not the values of its row, and those that it has not."""
-    lines = [line.split() for line in answered(run, *ask.words("--alternatives")).out.splitlines()]
-    found = {line[0]: float(line[1]) for line in lines if line and line[0] != "model"}
+    ran = answered(run, *ask.words("--alternatives"))
+    if ran.code:
+        return  # without a contact there is no line
+    lines = [line.split() for line in ran.out.splitlines()]
+    found = {line[0]: float(line[1]) for line in lines if line[0] != "model"}
     for key in {*found, *values}:
         if kind_of(key) and found.get(key) != values.get(key):
             yield f"{key} = {values.get(key)!r} and {found.get(key)!r}"
