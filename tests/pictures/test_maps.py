@@ -402,6 +402,19 @@ def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
     assert apart("contact_radius", given) == approx(1.05, abs=0.002)
 
 
+def test_where_a_law_is_farthest_off_has_a_value(run: Run) -> None:
+    """Over all curves, by the law that holds, from half the atomic spacing on, as a note on that pair has it."""
+    out = " ".join(run("map contact_radius quartz,iron --x radius=10nm:50nm").out.split())
+    given: dict[str, Any] = {"material": "quartz", "radius": 1e-8, "model": "maugis"}
+    ends = sorted(solve("contact_radius", **given, atomic_spacing=spacing) * 1e12 for spacing in (2e-10, 4e-10))
+    own = solve("contact_radius", material="quartz", radius=1e-8) * 1e12
+    found = re.search(r"off at R1 = 10 nm \(quartz\): a0 = (\d+)–(\d+) pm by Maugis' law, (\d+) pm here\.", out)
+    assert found is not None, out
+    assert [*map(float, found.groups())] == approx([*ends, own], rel=0.05)
+    assert "farthest" not in run("map contact_radius quartz --x radius=10nm:50nm --model jkr,maugis").out
+    assert "farthest" not in run("map r_min quartz --x radius=10nm:50nm").out
+
+
 def test_a_doubt_of_a_whole_curve_has_no_range(run: Run) -> None:
     out = " ".join(run("map contact_radius quartz,iron --x radius=10nm:1um").out.split())
     assert re.search(r" quartz, everywhere; iron, R1 = 10 nm to \S+ (nm|µm): JKR is off by more than 5 %\.", out)

@@ -1,6 +1,6 @@
 """Alternatives to the results of one scene: by another law of attraction, or by forces that were measured."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 from ..errors import JkrollError
@@ -48,7 +48,7 @@ def by_other_law(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     None stands for a quantity that has no value there. One that is not among them is the same.
     """
     other = by_law(scene)
-    differing = {*other.missing(names), *scene.missing(names), *moved_by_law(scene, names)}
+    differing = {*other.missing(names), *moved_by_law(scene, names)}
     return _values(scene, other.law.name, [name for name in names if name in differing])
 
 
@@ -137,7 +137,8 @@ def in_words(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequenc
 
 def _about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
     """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law"."""
-    told = [text for name in names if doubt.value >= JUMP or not _rests_on_well(name) for text in _advised(scene, name)]
+    texts = {name: advised(scene, name) for name in names}
+    told = [f"{NOMENCLATURE[name].symbol} {text}" for name, text in texts.items() if text]
     spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
     scale = f"(Tabor parameter {doubt.value:.2g}, z0 = {spacing})"
     if not told:
@@ -155,22 +156,23 @@ def _rests_on_well(name: str) -> bool:
     return has_energy and not rolling([name], BETWEEN)
 
 
-def _advised(scene: Scene, name: str) -> Iterator[str]:
-    """Iterate over the text on a quantity that the law which holds moves: its range, from half the atomic spacing on.
+def advised(scene: Scene, name: str) -> str:
+    """Return what a quantity is by Maugis' law, from half the atomic spacing on: "= 14–15 nN"; empty if it is the same.
 
     A pull-off force by Lennard-Jones' law is above Maugis' in every scene that was tried.
     """
     other = by_law(scene)
     own = scene.numbers(name).get(name)
     if own is None or name in other.missing([name]) or not uses_law(other, name):
-        return
+        return ""
+    if _rests_on_well(name) and scene["tabor_parameter"] < JUMP:
+        return ""
     fit = ["pull_off_force_lennard_jones"] if name == "pull_off_force" else []
     found = [*other.numbers(name, *fit).values(), *at_half_spacing(other).numbers(name).values()]
-    symbol = NOMENCLATURE[name].symbol
     if not found:
-        yield f"{symbol} has no value"
-    elif not farthest(ratio(value, own) for value in found) <= LAW_MATTERS:
-        yield f"{symbol} = {span(name, min(found), max(found))}"
+        return "has no value"
+    is_moved = not farthest(ratio(value, own) for value in found) <= LAW_MATTERS
+    return f"= {span(name, min(found), max(found))}" if is_moved else ""
 
 
 def _about_displacement(scene: Scene, names: Sequence[str]) -> str:

@@ -2,18 +2,20 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import isclose, nan
+from operator import itemgetter
 from typing import Any, NamedTuple
 
+from ..answers.alternatives import advised
 from ..answers.notes import about_given, about_idle, about_middles, symbol_of
 from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
-from ..quantities.formatting import amount, in_words
+from ..quantities.formatting import amount, in_words, span
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
 from ..scene.failures import RESTS_ON_SPACING, MissingInput, NotInLaw, reason_of
-from ..scene.limits import Limit, judged
+from ..scene.limits import OF_LAW, Limit, judged
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
 from .axes import Axis
@@ -35,6 +37,7 @@ from .maps import (
     limits_of,
     limits_on_map,
     material_marks,
+    over,
 )
 
 MAX_POINTS = 4_000_000  # of a map
@@ -166,6 +169,7 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
         *((f"No curve: {'; '.join(lost)}.",) if lost else ()),
         *_gaps(request.quantity, contexts, [curve.y for curve in curves]),
         *_doubts_along(x, curves, contexts),
+        *_farthest_off(request.quantity, x, curves, contexts),
     )
     notes = [f"no curve: {error}" for error in missing.values()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
@@ -200,6 +204,29 @@ def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]
         else:
             where = "; ".join(filter(None, (", ".join(filter(None, place)) for place in places)))
             yield f"{where}: {doubt}." if where else f"{capitalized(doubt)}."
+
+
+def _farthest_off(quantity: str, x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:
+    """Iterate over the sentence on the place at which the law of curves is farthest off, with the value by Maugis'."""
+    import numpy
+
+    places = []
+    for curve, context in zip(curves, contexts, strict=True):
+        of_law = [limit for limit in context.limits if limit.bits & OF_LAW]
+        for doubt in judged(of_law, over(context.given, x), [quantity]):
+            is_off = numpy.isfinite(curve.y) & (doubt.excess > 0)
+            excess = numpy.where(is_off, doubt.excess, 0.0)
+            most = int(excess.argmax())
+            places += [(float(excess[most]), float(curve.x[most]), curve, context)] if is_off.any() else []
+    if not places or len({context.given.law.name for context in contexts}) > 1:  # several laws can be compared
+        return
+    _, value, curve, context = max(places, key=itemgetter(0))
+    here = context.given.replace(**x.inputs(value))
+    if told := advised(here, quantity):
+        place = f"{symbol(x.name)} = {amount(x.name, float(f'{value:.2g}'))}"
+        place += f" ({curve.text})" if curve.text and curves[1:] else ""
+        own = span(quantity, here[quantity], here[quantity])
+        yield f"{here.law.title} is farthest off at {place}: {symbol(quantity)} {told} by Maugis' law, {own} here."
 
 
 class Context:
