@@ -10,7 +10,7 @@ from ..answers.notes import about_given, about_idle, about_middles, symbol_of
 from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
-from ..quantities.formatting import amount, in_words, span
+from ..quantities.formatting import Format, amount, in_words
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
@@ -225,7 +225,7 @@ def _farthest_off(quantity: str, x: Axis, curves: Sequence[Curve], contexts: "Se
     if told := advised(here, quantity):
         place = f"{symbol(x.name)} = {amount(x.name, float(f'{value:.2g}'))}"
         place += f" ({curve.text})" if curve.text and curves[1:] else ""
-        own = span(quantity, here[quantity], here[quantity])
+        own = amount(quantity, here[quantity], Format(digits=3))
         yield f"{here.law.title} is farthest off at {place}: {symbol(quantity)} {told} by Maugis' law, {own} here."
 
 
