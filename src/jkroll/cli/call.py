@@ -64,7 +64,7 @@ class Call:
     def __init__(self, command: "Command", words: Sequence[str] = (), options: Mapping[str, Any] | None = None) -> None:
         """`options`: values by the names of options, which for inputs are those of the nomenclature."""
         self.command = command.name
-        first = 1 if command.words.has_subject else 0
+        first = 1 if command.has_subject else 0
         self.subject = "".join(words[:first])  # the program, input, quantity, table or figure; empty without one
         self.words = tuple(words[first:])
         self.inputs: dict[str, str] = {}  # texts by the names of the nomenclature

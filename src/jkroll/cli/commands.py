@@ -253,23 +253,6 @@ def input_options(quantities: tuple[str, ...], *, any_input: bool = False) -> tu
 Action = Callable[[], int]  # what a command line asks for; it returns the exit code
 
 
-class Words(NamedTuple):
-    """The words that a command takes besides its options: how the help shows them, and how many there may be."""
-
-    metavar: str = ""
-    most: float = 0
-
-    @property
-    def kinds(self) -> tuple[str, ...]:
-        """The kinds of words, by rising place: MATERIAL, RADIUS and so on."""
-        return tuple(word.strip("[].") for word in self.metavar.split())
-
-    @property
-    def has_subject(self) -> bool:
-        """True if the first word is needed: it says what the command is about."""
-        return self.metavar != "" and not self.metavar.startswith("[")
-
-
 JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
 
 
@@ -281,11 +264,26 @@ class Command(NamedTuple):
 
     name: str
     sentence: str
-    words: Words
+    words: str  # that it takes besides its options, as the help shows them
     options: Callable[[], tuple[Option, ...]]
     runner: str
     example: str
     job: str = OTHERS
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of words, by rising place: MATERIAL, RADIUS and so on."""
+        return tuple(word.strip("[].") for word in self.words.split())
+
+    @property
+    def most_words(self) -> float:
+        """The largest number of words: any where some can be left out."""
+        return INFINITY if "[" in self.words else len(self.kinds)
+
+    @property
+    def has_subject(self) -> bool:
+        """True if the first word is needed: it says what the command is about."""
+        return self.words != "" and not self.words.startswith("[")
 
     def flags(self) -> dict[str, Option]:
         """Return the options by their spellings."""
@@ -305,7 +303,7 @@ def _options_of_export() -> tuple[Option, ...]:
     return (*inputs, MODEL_OF_EXPORT, MATERIALS, QUIET)
 
 
-_SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
+_SCENE = "[MATERIAL] [RADIUS]..."
 _LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, UNCAPTIONED, PANEL))
 
 
@@ -361,7 +359,7 @@ _COMMANDS = (
     Command(
         "export",
         "Input of LAMMPS, LIGGGHTS, DustSimulation or DustCollider.",
-        Words("PROGRAM [MATERIAL] [RADIUS]", INFINITY),
+        "PROGRAM [MATERIAL] [RADIUS]",
         _options_of_export,
         "export:run_export",
         "lammps quartz 100nm --model dmt",
@@ -370,7 +368,7 @@ _COMMANDS = (
     Command(
         "infer",
         "Inputs from measured values.",
-        Words("INPUT [MATERIAL] [RADIUS]...", INFINITY),
+        "INPUT [MATERIAL] [RADIUS]...",
         lambda: (MEASURED, *_any_input(), *_OUTPUT),
         "infer:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN",
@@ -379,7 +377,7 @@ _COMMANDS = (
     Command(
         "batch",
         "Results for each row of a table.",
-        Words("IN", 1),
+        "IN",
         lambda: TABLE,
         "runners:run_batch",
         "grains.csv -o forces.csv",
@@ -388,7 +386,7 @@ _COMMANDS = (
     Command(
         "map",
         "Draw a quantity over two inputs as a map, or over one as curves.",
-        Words("QUANTITY [MATERIAL] [RADIUS]...", INFINITY),
+        "QUANTITY [MATERIAL] [RADIUS]...",
         lambda: (*AXES, *_any_input(), *PICTURE),
         "map:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
@@ -396,7 +394,7 @@ _COMMANDS = (
     Command(
         "figure",
         "Draw a figure of the paper from its equations.",
-        Words("FIGURE", 1),
+        "FIGURE",
         lambda: (AS_PRINTED, *PICTURE),
         "map:run_figure",
         "3a --mark quartz@100nm",
@@ -404,7 +402,7 @@ _COMMANDS = (
     Command(
         "materials",
         "List the known materials, find them by words, or show one in full.",
-        Words("[MATERIAL]...", INFINITY),
+        "[MATERIAL]...",
         lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
         "runners:run_materials",
         "quartz",
@@ -412,7 +410,7 @@ _COMMANDS = (
     Command(
         "quantities",
         "List quantities, find them by words, or show one in full.",
-        Words("[NAME]...", INFINITY),
+        "[NAME]...",
         lambda: (JSON, CSV),
         "runners:run_quantities",
         "tabor",
@@ -420,7 +418,7 @@ _COMMANDS = (
     Command(
         "guide",
         "List the pages of the manual, show one, or search it by words.",
-        Words("[TOPIC]...", INFINITY),
+        "[TOPIC]...",
         tuple,
         "runners:run_guide",
         "models",
@@ -428,7 +426,7 @@ _COMMANDS = (
     Command(
         "verify",
         "Say where the audit of the paper went.",
-        Words(),
+        "",
         tuple,
         "runners:run_verify",
         "",
@@ -436,7 +434,7 @@ _COMMANDS = (
     Command(
         "bench",
         "Measure speed and error of each method.",
-        Words(),
+        "",
         lambda: BENCH,
         "runners:run_bench",
         "--quick --csv",

@@ -60,7 +60,7 @@ def _of_command(name: str, width: int) -> list[str]:
     """Return the lines of the help of a command: usage, meaning, groups of options, an example."""
     command = COMMANDS[name]
     options = (*command.options(), HELP)
-    lines = [*wrapped(f"Usage: jkroll {name} {command.words.metavar} [OPTIONS]".replace("  ", " "), width)]
+    lines = [*wrapped(f"Usage: jkroll {name} {command.words} [OPTIONS]".replace("  ", " "), width)]
     lines += [*_indented(command.sentence, width, 2), ""]
     for group in dict.fromkeys(map(_group, options)):
         lines += _listed(group, _rows([option for option in options if _group(option) == group]), width)

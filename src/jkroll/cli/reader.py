@@ -101,12 +101,12 @@ def _action(command: Command, words: Sequence[str]) -> Action:
     before_dashes = words[: words.index("--")] if "--" in words else words
     if any(flag in before_dashes for flag in HELP.flags):
         return partial(_print_help, command.name)
-    by_name = [option for kind, option in NAMED.items() if kind in command.words.kinds]
+    by_name = [option for kind, option in NAMED.items() if kind in command.kinds]
     arguments, options = _read(words, {option.flag: option for option in by_name} | command.flags(), command)
     arguments += [options.pop(option.name) for option in by_name if option.name in options]
-    if len(arguments) > command.words.most:
-        extra = quoted(arguments[int(command.words.most)])
-        raise BadRequest(f"{extra} is one word too many: jkroll {command.name} {command.words.metavar}".rstrip())
+    if len(arguments) > command.most_words:
+        extra = quoted(arguments[int(command.most_words)])
+        raise BadRequest(f"{extra} is one word too many: jkroll {command.name} {command.words}".rstrip())
     from .call import Call
 
     return partial(command.runner_function(), Call(command, arguments, options))
@@ -135,7 +135,7 @@ def _read(
     words: Iterable[str], flags: Mapping[str, Option], command: Command | None = None
 ) -> tuple[list[str], dict[str, Any]]:
     """Return the words without the options, and the values of the options by name."""
-    kinds = command.words.kinds if command else ()
+    kinds = command.kinds if command else ()
     arguments: list[str] = []
     given: dict[str, Any] = {}
     rest = deque(words)

@@ -17,7 +17,7 @@ from ..output.manual import topics
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import ANY, NOMENCLATURE, OPTION_WORDS
 from . import process
-from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Option, Words
+from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option
 from .help import TITLE
 
 
@@ -67,7 +67,7 @@ class _Command(TyperCommand):
         """Return the words and options."""
         if not self.params:
             command = COMMANDS[str(self.name)]
-            words = [_argument(command.words)] if command.words.most else []
+            words = [_argument(command)] if command.words else []
             self.params = [*words, *map(_option, (*command.options(), HELP))]
         return self.params
 
@@ -99,13 +99,13 @@ def _option(option: Option) -> TyperOption:
     )
 
 
-def _argument(words: Words) -> TyperArgument:
+def _argument(command: Command) -> TyperArgument:
     """Return the words of a command as typer has them."""
     return TyperArgument(
         param_decls=["words"],
-        nargs=1 if words.most == 1 else -1,
-        metavar=words.metavar,
-        autocompletion=_safe(partial(_words, words.kinds)),
+        nargs=1 if command.most_words == 1 else -1,
+        metavar=command.words,
+        autocompletion=_safe(partial(_words, command.kinds)),
     )
 
 

@@ -27,21 +27,13 @@ class Step(NamedTuple):
     arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
 
 
-class Missing(NamedTuple):
-    """The inputs that a quantity needs, and quantities that may be given in place of them."""
-
-    names: tuple[str, ...]
-    instead: tuple[str, ...]
-    lacking: tuple[str, ...] = ()  # quantities that the law of attraction does not have
-
-
 class Plan(NamedTuple):
     """The steps that lead to the wanted quantities, and the inputs they start from, in the nomenclature's order."""
 
     steps: tuple[Step, ...]
     inputs: tuple[str, ...]
     found: Mapping[str, str]  # wanted name → the name under which its value is known
-    missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
+    missing: "Mapping[str, Path]"  # the wanted names to which no formulas lead
     taken: frozenset[str] = frozenset()  # the parameters of all formulas
 
     def knows(self, names: Iterable[str]) -> bool:
@@ -59,12 +51,12 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
     steps: dict[str, Step] = {}
     inputs: set[str] = set()
     found: dict[str, str] = {}
-    missing: dict[str, Missing] = {}
+    missing: dict[str, Path] = {}
     for name in wanted:
-        path = _Path(known, own_material2, by_law, model, dict(steps))
+        path = Path(known, own_material2, by_law, model, dict(steps))
         source = path.visit(name)
         if path.missing or path.lacking:
-            missing[name] = Missing(*map(in_order, (path.missing, path.instead, path.lacking)))
+            missing[name] = path
         else:
             found[name] = source
             steps = path.steps
@@ -73,7 +65,7 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
     return Plan(tuple(steps.values()), in_order(inputs), found, missing, taken)
 
 
-class _Path:
+class Path:
     """The way to one quantity: the steps so far, and what is missing for it."""
 
     def __init__(
@@ -81,9 +73,9 @@ class _Path:
     ) -> None:
         self.known, self.own_material2, self.by_law, self.model, self.steps = known, own_material2, by_law, model, steps
         self.inputs: set[str] = set()
-        self.missing: list[str] = []
-        self.instead: list[str] = []
-        self.lacking: list[str] = []
+        self.missing: list[str] = []  # inputs
+        self.instead: list[str] = []  # quantities that may be given in place of them
+        self.lacking: list[str] = []  # quantities that the law does not have
 
     def visit(self, wanted: str) -> str:
         """Add the steps that lead to a quantity, and return the name under which its value is known."""
