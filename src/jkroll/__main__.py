@@ -20,6 +20,7 @@ def run() -> None:
     The same is put away where the process is told to end, or its terminal is closed, which then end it as usual.
     """
     ended_by = 0
+    gc.set_threshold(SELDOM)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied: no thread for each core
     try:
         import signal
@@ -42,7 +43,6 @@ def run() -> None:
         for each in signals:
             signal.signal(each, stop)
         sys.unraisablehook = _end_if_interrupted
-        gc.set_threshold(SELDOM)
         if os.environ.get("_JKROLL_COMPLETE") or sys.argv[1:] in (["--install-completion"], ["--show-completion"]):
             from .cli.shells import main
         else:

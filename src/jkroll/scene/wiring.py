@@ -27,44 +27,6 @@ class Step(NamedTuple):
     arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
 
 
-class Plan(NamedTuple):
-    """The steps that lead to the wanted quantities, and the inputs they start from, in the nomenclature's order."""
-
-    steps: tuple[Step, ...]
-    inputs: tuple[str, ...]
-    found: Mapping[str, str]  # wanted name → the name under which its value is known
-    missing: "Mapping[str, Path]"  # the wanted names to which no formulas lead
-    taken: frozenset[str] = frozenset()  # the parameters of all formulas
-
-    def knows(self, names: Iterable[str]) -> bool:
-        """Return whether the plan was made for these names, among others."""
-        return all(name in self.found or name in self.missing for name in names)
-
-
-NO_PLAN = Plan((), (), {}, {})
-
-
-@cache
-def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
-    """Order the formulas of a law so that each runs after those whose results it takes."""
-    by_law = routes(model, known)
-    steps: dict[str, Step] = {}
-    inputs: set[str] = set()
-    found: dict[str, str] = {}
-    missing: dict[str, Path] = {}
-    for name in wanted:
-        path = Path(known, own_material2, by_law, model, dict(steps))
-        source = path.visit(name)
-        if path.missing or path.lacking:
-            missing[name] = path
-        else:
-            found[name] = source
-            steps = path.steps
-            inputs |= path.inputs
-    taken = frozenset(parameter for step in steps.values() for parameter, _ in step.arguments)
-    return Plan(tuple(steps.values()), in_order(inputs), found, missing, taken)
-
-
 class Path:
     """The way to one quantity: the steps so far, and what is missing for it."""
 
@@ -115,6 +77,44 @@ class Path:
         of_1 = of_sphere(1, name)
         has_own = formula_of(name) is not None or (self.own_material2 and of_1 in OF_A_SOLID)
         return name if has_own else of_1
+
+
+class Plan(NamedTuple):
+    """The steps that lead to the wanted quantities, and the inputs they start from, in the nomenclature's order."""
+
+    steps: tuple[Step, ...]
+    inputs: tuple[str, ...]
+    found: Mapping[str, str]  # wanted name → the name under which its value is known
+    missing: Mapping[str, Path]  # the wanted names to which no formulas lead
+    taken: frozenset[str] = frozenset()  # the parameters of all formulas
+
+    def knows(self, names: Iterable[str]) -> bool:
+        """Return whether the plan was made for these names, among others."""
+        return all(name in self.found or name in self.missing for name in names)
+
+
+NO_PLAN = Plan((), (), {}, {})
+
+
+@cache
+def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
+    """Order the formulas of a law so that each runs after those whose results it takes."""
+    by_law = routes(model, known)
+    steps: dict[str, Step] = {}
+    inputs: set[str] = set()
+    found: dict[str, str] = {}
+    missing: dict[str, Path] = {}
+    for name in wanted:
+        path = Path(known, own_material2, by_law, model, dict(steps))
+        source = path.visit(name)
+        if path.missing or path.lacking:
+            missing[name] = path
+        else:
+            found[name] = source
+            steps = path.steps
+            inputs |= path.inputs
+    taken = frozenset(parameter for step in steps.values() for parameter, _ in step.arguments)
+    return Plan(tuple(steps.values()), in_order(inputs), found, missing, taken)
 
 
 @cache
