@@ -179,7 +179,7 @@ def test_rows_do_not_depend_on_the_blocks(run: Run, monkeypatch: pytest.MonkeyPa
     ]
     by("arrays", monkeypatch)
     assert run(*sweep, "-o", "whole.csv") == (0, "", "")
-    monkeypatch.setattr(rows_of_lists, "BLOCK", 7)
+    monkeypatch.setattr("jkroll.rows.columns.BLOCK", 7)
     assert run(*sweep, "-o", f"out.{end}") == (0, "", "")
     if end == "csv":
         assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
