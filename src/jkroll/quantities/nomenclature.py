@@ -507,12 +507,12 @@ def canonical(word: str) -> str:
 
 
 def as_input(word: str) -> str:
-    """Return a word for an input as one for any quantity: approach is that of an option, and else a result.
+    """Return the name for which a word of an input stands: approach is that of an option, and else a result.
 
     >>> as_input("approach"), as_input("radius")
     ('approach_at_load', 'radius')
     """
-    return OPTION_WORDS.get(word, word)
+    return canonical(OPTION_WORDS.get(word, word))
 
 
 XI = "yield_displacement"  # decides on every rolling quantity

@@ -9,7 +9,7 @@ from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..physics.elementary import NUMBER
 from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.nomenclature import NOMENCLATURE, as_input, canonical, named
+from ..quantities.nomenclature import NOMENCLATURE, as_input, named
 from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
 from .failures import NO_END, Contradiction, reason_of, without_value
 from .scene import Scene
@@ -179,12 +179,7 @@ def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError |
     return value if found is None else found.uncertainty
 
 
-def name_of_input(word: str) -> str:
-    """Return the quantity for which a word stands as an input."""
-    return canonical(as_input(word))
-
-
-def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = name_of_input) -> tuple[dict[str, Any], Any]:
+def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> tuple[dict[str, Any], Any]:
     """Return SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any.
 
     `name_of` returns the quantity that a word stands for.
