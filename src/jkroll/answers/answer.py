@@ -153,7 +153,7 @@ class Answer:
 
     @cached_property
     def beside(self) -> Mapping[str, Mapping[str, Any]]:
-        """What may stand in place of the results, by kind: the name of the other law, or DATA."""
+        """Values that may stand in place of the results, by kind: the name of the other law, or DATA."""
         from .alternatives import by_data, by_other_law  # which a line in a pipe does not show
 
         scene, known = self.scene, self._known
@@ -162,7 +162,7 @@ class Answer:
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
-        """What may stand in place of the results: by the other law where it moves one, and by measured forces."""
+        """Those beside the results that matter: by the other law where it moves one, and by measured forces."""
         law_matters = any(doubt.is_exceeded for doubt in self.validity if doubt.limit.factor is factor_of_law)
         is_shown = law_matters or self.scene.law.name == BETWEEN
         return {kind: values for kind, values in self.beside.items() if is_shown or kind not in LAWS}

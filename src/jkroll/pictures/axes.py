@@ -5,6 +5,8 @@ from math import ceil, floor, log10
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+import numpy
+
 from ..quantities.nomenclature import NOMENCLATURE, Quantity, header
 
 # The axes of figures that are no quantities of a scene.
@@ -42,8 +44,6 @@ class Axis(NamedTuple):
 
     def values(self) -> Any:
         """Return the values as an array, equally spaced along the axis unless they were chosen."""
-        import numpy
-
         if self.chosen:
             return numpy.array(self.chosen)
         spaced = numpy.geomspace if self.is_log else numpy.linspace

@@ -5,6 +5,8 @@ from itertools import groupby, pairwise
 from math import inf
 from typing import Any
 
+import numpy
+
 from ..answers.answer import Answer
 from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, OF_CURVE, PULL_OFF, Loads, states
 from ..answers.notes import MOMENTS
@@ -60,8 +62,6 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
 
 def _path(scene: Scene, most: float) -> tuple[list[str], Any, Any]:
     """Return the names of the states of a force curve up to a load, their approaches, and their loads."""
-    import numpy
-
     path = states(scene, Loads(-inf, most), POINTS)
     parts = [
         solved(scene, _FORCE, {given: numpy.array([state.value for state in group])})
@@ -102,8 +102,6 @@ def _pressure(scenes: Sequence[Scene], _: Loads | None) -> Panel:
 
 def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     """Return the moment without load against ξ, up to the ξ at which JKR's leading edge would interpenetrate."""
-    import numpy
-
     limit = scenes[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
     if len(scenes) == 1:
@@ -196,8 +194,6 @@ def curves_of_contact(
 
 def once(curves: Iterable[Curve]) -> list[Curve]:
     """Return curves, of those that coincide the first with the texts of all."""
-    import numpy
-
     distinct: list[Curve] = []
     for curve in curves:
         for place, other in enumerate(distinct):
@@ -211,8 +207,6 @@ def once(curves: Iterable[Curve]) -> list[Curve]:
 
 def across(first: float, last: float) -> Any:
     """Return positions between two ends, closer to each other near the ends, where the pressure is steep."""
-    import numpy
-
     parts = (1 - numpy.cos(numpy.linspace(0, numpy.pi, POINTS)[1:-1])) / 2
     return first + (last - first) * parts
 

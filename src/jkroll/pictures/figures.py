@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from typing import Any, NamedTuple
 
+import numpy
+
 from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
@@ -123,8 +125,6 @@ def paper_map(
 
 def _beyond_rolling(here: Scene) -> Any:
     """Return by how much the spin of Eq (47), (2/7)W0, falls short of W_yield, as the logarithm of a factor."""
-    import numpy
-
     return -numpy.log(2 / 7 * here["energy_over_yield"])
 
 
@@ -138,8 +138,6 @@ SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is vis
 
 def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
-    import numpy
-
     scene = Scene(SIZE, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
     names = (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment")
@@ -234,8 +232,6 @@ _UNIT = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}  # in which forces a
 
 def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
     """Return the pull-off force over πwR against μ by JKR, DMT, Maugis and Lennard-Jones, with grains as marks."""
-    import numpy
-
     tabor, near = _TABOR.values(), _LENNARD_JONES.values()
     of_law = {"transition_parameter": transition_parameter(tabor_parameter=tabor)}
     maugis = pull_off_force_maugis(edge_ratio_at_pull_off=edge_ratio_at_pull_off(**of_law), **of_law, **_UNIT)

@@ -6,6 +6,7 @@ The places of everything else must be final: what is free is measured in pixels.
 from collections.abc import Sequence
 from typing import Any
 
+import numpy
 from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-ignore]
 
 from ..quantities.markup import typeset
@@ -22,8 +23,6 @@ _NEAR = 8.0  # a text that is farther has a line to its point
 
 def label_points(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
     """Draw marked points with their texts, where these cover least; return boxes that keep other texts off."""
-    import numpy
-
     scale, lines = axes.figure.dpi / 72, _points_of_lines(axes)
     frame = axes.get_window_extent().padded(-_EDGE * scale)
     points = [(mark.text, (mark.x, mark.y)) for mark in marks if mark.x is not None and mark.y is not None]
@@ -85,8 +84,6 @@ def label_contours(
     It stands on a patch of paper, so that no hatch runs through it and its minus sign cannot be taken for the contour.
     Where it must be, for the frame, the line runs through it beside its middle. A contour without room has no label.
     """
-    import numpy
-
     frame, centre, lines = axes.get_window_extent(), axes.transAxes.transform(middle), _points_of_lines(axes)
     paths = [axes.transData.transform(path.vertices) for path in contours.get_paths()]
     for number, (label, path) in enumerate(zip(texts, paths, strict=True)):
@@ -109,8 +106,6 @@ def label_contours(
 
 def _points_of_lines(axes: Any) -> Any:
     """Return points along all lines on axes, in pixels. Those of contours are close to each other as they are."""
-    import numpy
-
     paths = [line.get_transform().transform_path(line.get_path()) for line in axes.lines]
     parts = [path.interpolated(200 // max(1, len(path.vertices)) + 1).vertices for path in paths]
     contours = (drawing for drawing in axes.collections if not getattr(drawing, "filled", False))

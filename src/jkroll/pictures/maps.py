@@ -8,6 +8,8 @@ from functools import partial
 from math import log, log10
 from typing import Any, NamedTuple
 
+import numpy
+
 from ..materials.library import Materials
 from ..quantities.formatting import AS_USUAL, in_units
 from ..quantities.laws import Law
@@ -113,16 +115,12 @@ def label_of(quantity: str) -> str:
 
 def extent(values: Any) -> tuple[float, float]:
     """Return the least and the largest of the finite values."""
-    import numpy
-
     known = values[numpy.isfinite(values)]
     return (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
 
 
 def has_values(values: Any) -> bool:
     """Return True if any of the values is finite."""
-    import numpy
-
     return bool(numpy.isfinite(values).any())
 
 
@@ -152,8 +150,6 @@ def over(scene: Scene, x: Axis, y: Axis | None = None) -> Scene:
 
 def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis | None = None) -> Any:
     """Return a quantity along one axis, or over two; nan where it has no value."""
-    import numpy
-
     shape = (x.size,) if y is None else (y.size, x.size)
     return numpy.broadcast_to(values_of(over(scene, x, y), [quantity])[quantity], shape)
 
@@ -214,8 +210,6 @@ def beyond(doubt: Doubt, law: Law, known: Any) -> Iterator[tuple[float, str, Any
 
     Of a law it is the last threshold, then the first, unless all elements are beyond the last.
     """
-    import numpy
-
     thresholds, steps = [*doubt.limit.codes], doubt.limit.steps
     excess = numpy.broadcast_to(doubt.excess, known.shape)
     for place in dict.fromkeys((len(thresholds) - 1, 0)) if thresholds else ():
@@ -245,8 +239,6 @@ def limits_on_map(
 
     What counts is where the map has values; a region that holds all of them is everywhere.
     """
-    import numpy
-
     x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
     here = over(scene, x, y)
     known = numpy.isfinite(evaluate(scene, quantity, x, y))
@@ -270,16 +262,12 @@ def limits_on_map(
 
 def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
     """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
-    import numpy
-
     (doubt,) = judged([limit], here, [quantity])
     return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
 
 
 def _side(here: Scene, is_beyond: Any, known: Any) -> str:
     """Return on which side of the line of a law a map is beyond it: by μ, if that decides, or by its axes."""
-    import numpy
-
     others = known & ~is_beyond
     tabor = numpy.broadcast_to(here["tabor_parameter"], known.shape)
     if tabor[is_beyond].max() <= tabor[others].min():
@@ -338,8 +326,6 @@ class Picture(NamedTuple):
 
 def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
     """Return an axis that holds all finite values; logarithmic if it may be and they are of different orders."""
-    import numpy
-
     known = numpy.concatenate([numpy.ravel(array) for array in values])
     low, high = extent(known)
     if may_be_log and is_wide(known):
@@ -353,8 +339,6 @@ def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, m
 
 def clipped(curve: Curve, low: float, high: float) -> Curve:
     """Return the parts of a curve between two values of y, up to where it crosses them, each with a nan behind it."""
-    import numpy
-
     x, y = curve.x, curve.y
     for end in (low, high):
         before = numpy.flatnonzero((y[:-1] < end) != (y[1:] < end))

@@ -11,6 +11,7 @@ from math import ceil
 from typing import Any
 
 import matplotlib as mpl  # type: ignore[import-not-found,unused-ignore]
+import numpy
 from matplotlib import ticker  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
@@ -190,8 +191,6 @@ Contours = tuple[Any, Sequence[str], tuple[float, float]]  # with their labels, 
 
 def _draw_map(axes: Any, drawn: Map, style: Style, letters: int) -> tuple[list[Any], list[Contours]]:
     """Draw all of a map but the texts inside; return the keys of a legend, and contours to label."""
-    import numpy
-
     x, y = (axis._replace(size=FINE) for axis in (drawn.x, drawn.y))
     scale = numpy.ma.log10 if drawn.is_log else numpy.ma.asarray
 
@@ -228,8 +227,6 @@ def _draw_map(axes: Any, drawn: Map, style: Style, letters: int) -> tuple[list[A
 
 def _draw_region(axes: Any, region: Region, where: tuple[Any, Any, Any, Any], style: Style, letters: int) -> Any:
     """Draw a region with its border, or the border alone, where the map has values; return its key."""
-    import numpy
-
     text = "\n".join(lines(f"{region.text} {region.side}".strip(), letters))
     if region.look is None:
         return Patch(label=text, facecolor="none", edgecolor="none")

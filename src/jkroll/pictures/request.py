@@ -5,6 +5,8 @@ from math import isclose, nan
 from operator import itemgetter
 from typing import Any, NamedTuple
 
+import numpy
+
 from ..answers.alternatives import advised
 from ..answers.notes import about_given, about_idle, about_middles, symbol_of
 from ..answers.results import equation_of
@@ -185,8 +187,6 @@ def _flat(quantity: str, text: str, values: Any) -> Iterator[str]:
 
 def _gaps(quantity: str, contexts: "Iterable[Context]", values: Iterable[Any]) -> Iterator[str]:
     """Iterate over the sentence on values that are missing because the atomic spacing decides on them."""
-    import numpy
-
     may_rest = any(context.scene.may_rest_on_spacing(quantity) for context in contexts)
     if may_rest and any(not numpy.isfinite(numbers).all() for numbers in values):
         yield f"No value where it {RESTS_ON_SPACING.words}."
@@ -208,8 +208,6 @@ def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]
 
 def _farthest_off(quantity: str, x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:
     """Iterate over the sentence on the place at which the law of curves is farthest off, with the value by Maugis'."""
-    import numpy
-
     places = []
     for curve, context in zip(curves, contexts, strict=True):
         of_law = [limit for limit in context.limits if limit.bits & OF_LAW]
@@ -267,8 +265,6 @@ class Context:
 
     def doubts(self, x: Axis, y: Any) -> Iterable[tuple[str, str]]:
         """Iterate over clauses on limits that are exceeded, each with the part of a curve where that is so."""
-        import numpy
-
         if not self.is_judged:
             yield "limits are not judged", ""
         has_value = numpy.isfinite(y)

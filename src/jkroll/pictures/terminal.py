@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import isfinite, log10, nan
 from typing import TextIO
 
+import numpy
 from rich.color import Color
 from rich.console import Console
 from rich.style import Style
@@ -46,8 +47,6 @@ def write_map(drawn: Map, out: TextIO) -> None:
 
 def _map_table(drawn: Map, x: Axis, y: Axis, out: TextIO) -> tuple[Table, str, set[str]]:
     """Return the table of a map at values of x and y, the unit of its numbers, and the signs in it."""
-    import numpy
-
     drawn = drawn._replace(values=numpy.array(extent(drawn.values)))  # which every cell asks for
     here, values = over(drawn.scene, x, y), evaluate(drawn.scene, drawn.quantity, x, y)
     known = numpy.isfinite(values)
