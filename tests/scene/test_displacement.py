@@ -131,6 +131,11 @@ def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
     assert lead in run("yield-force quartz 0.95um").err
     assert lead in run("yield-force quartz 0.95um --explain").out
     assert run("yield-force quartz,iron 0.95um --csv").err.count("forces on SiO2 of 1 µm mean 1.8–2.6 nm") == 1
+    listed = run("yield-force polystyrene 5um,10um --csv").err
+    assert "polystyrene has 42 nm at 5 µm" in listed
+    assert "SiO2" not in listed
+    inferred = run("infer gamma silica-humid 1um --measured Q=1.2nN").err  # of spheres of 20 to 25 mJ/m²
+    assert "no ξ of silica-humid was measured at this size and γ" in inferred
     found = json.loads(run("yield-force quartz 0.95um --json").out)
     (assumed,) = [one for one in found["validity"] if one["name"] == "yield_displacement"]
     assert assumed["text"].startswith(lead.removeprefix("note: "))

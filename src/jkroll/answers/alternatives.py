@@ -39,7 +39,8 @@ MAX_TOLD = 2  # quantities in a note
 _SMALLEST = 1e-7  # radius of an identical pair below which nothing is said of measurements
 _LARGE = 3e-6  # and from which measurements on other solids are told
 _ALIKE = 0.2  # relative difference of radii that needs no scaling
-_ELSEWHERE = "polystyrene has 42 nm at 5 µm, ice 0.19 mm at 1 mm"  # Sümer & Sitti; Musiolik & Wurm 2019
+_OF_POLYSTYRENE = "polystyrene has 42 nm at 5 µm"  # Sümer & Sitti
+_ELSEWHERE = f"{_OF_POLYSTYRENE}, ice 0.19 mm at 1 mm"  # Musiolik & Wurm 2019
 
 
 def by_other_law(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -199,7 +200,8 @@ def about_unmeasured(scene: Scene) -> str:
         return ""
     of_solid = f" of {scene.material.name}" if scene.material is not None and scene.material2 is None else ""
     near = "" if radius < _LARGE else f"; {_ELSEWHERE}"
-    return f"ξ is assumed (--xi): no ξ{of_solid} was measured at this size{near}"
+    kind = "size and γ" if solid_of_kind(scene) else "size"
+    return f"ξ is assumed (--xi): no ξ{of_solid} was measured at this {kind}{near}"
 
 
 def _forces(scene: Scene) -> str:
@@ -223,7 +225,9 @@ def _beyond_hysteresis(scene: Scene) -> str:
 
 def about_displacement_of_rows(scene: Scene) -> str:
     """Return what was measured where ξ is assumed for rows of a kind, of which the scene is one."""
-    if scene.material is not None and not solid_of_kind(scene):
+    solid = solid_of_kind(scene)
+    if scene.material is not None and not solid:
         return f"ξ is assumed (--xi): no ξ of {scene.material.name} was measured"
-    ends = span(XI, *displacements_where_measured(scene))
-    return f"ξ is assumed (--xi): forces on {SIO2} of 1 µm mean {ends}, and it grows with the sphere"
+    of_silica = f"forces on {SIO2} of 1 µm mean {span(XI, *displacements_where_measured(scene))}"
+    measured = of_silica if solid in ("", SIO2) else _OF_POLYSTYRENE
+    return f"ξ is assumed (--xi): {measured}, and it grows with the sphere"
