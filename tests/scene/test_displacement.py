@@ -12,7 +12,7 @@ from jkroll.answers.alternatives import about_unmeasured, by_data, displacement_
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import ends_of, value_of
 from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, rolled_solid
-from jkroll.scene.limits import ASSUMED_DISPLACEMENT, doubts_of_answer
+from jkroll.scene.limits import ASSUMED_DISPLACEMENT, doubts
 from jkroll.scene.scene import Scene
 from relative import approx
 from tools.measurements import MEASUREMENTS
@@ -104,9 +104,7 @@ def test_where_nothing_of_the_solid_was_measured(material: str, radius: float, g
 
 
 def words(scene: Scene, *names: str) -> str:
-    found = [
-        doubt for doubt in doubts_of_answer(scene, names) if doubt.limit is ASSUMED_DISPLACEMENT and doubt.is_exceeded
-    ]
+    found = [doubt for doubt in doubts(scene, names, [ASSUMED_DISPLACEMENT]) if doubt.is_exceeded]
     return in_words(found[0], scene, names, names) if found else about_unmeasured(scene)
 
 
@@ -121,9 +119,7 @@ def test_words() -> None:
     )
     assert "polystyrene has 42 nm at 5 µm" in words(of("quartz", 1e-5), "r_min")
     assert words(of("quartz", 5e-8), "yield_force") == ""
-    assert not any(
-        doubt.limit is ASSUMED_DISPLACEMENT for doubt in doubts_of_answer(of("quartz", 1e-6), ["pull_off_force"])
-    )
+    assert doubts(of("quartz", 1e-6), ["pull_off_force"], [ASSUMED_DISPLACEMENT]) == []
 
 
 def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:

@@ -20,7 +20,7 @@ from ..scene.failures import (
     rests_on_spacing,
     without_value,
 )
-from ..scene.limits import Doubt, doubts_of_answer
+from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, doubts
 from ..scene.scene import Scene
 from .notes import (
     about_given,
@@ -170,7 +170,7 @@ class Answer:
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:
         """The limits of the model, judged for these results or with the reason why not."""
-        return tuple(doubts_of_answer(self.scene, self._known))
+        return tuple(doubts(self.scene, self._known, (*LIMITS, ASSUMED_DISPLACEMENT)))
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""

@@ -276,14 +276,9 @@ UNCHECKED = "unchecked"
 OF_LAW = LIMITS[0].bits  # the codes of a law that is not exact
 
 
-def doubts_of_answer(scene: Scene, names: Collection[str]) -> list[Doubt]:
-    """Return the limits of an answer, as `doubts` does, and what its assumed displacement is worth."""
-    return judged(touched(scene, names, (*LIMITS, ASSUMED_DISPLACEMENT)), scene, names)
-
-
-def doubts(scene: Scene, names: Collection[str]) -> list[Doubt]:
+def doubts(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
     """Return the limits of the answers to these names, judged as far as possible, or with the reason why not."""
-    return judged(touched(scene, names), scene, names)
+    return judged(touched(scene, names, limits), scene, names)
 
 
 def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> list[Doubt]:
