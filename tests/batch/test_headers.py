@@ -99,12 +99,12 @@ REFUSED = {
     "surface_energy in GPa": "what stands behind surface_energy is not its unit",
     "load_micro_N": "=load [UNIT]'",
     "work_of_adhesion_mJ": "what stands behind work_of_adhesion is not its unit",
-    "modulus (GPa)": "it may be another modulus",
+    "modulus (GPa)": "it may be Young's modulus, or E* of the contact",
     "normal force [nN]": "it may be a load, or a force that was measured",
     "F_n [nN]": "--column 'F_n [nN]=load [nN]'",
     "hysteresis (mJ/m2)": "it may be another hysteresis",
     "gamma [nm]": "what stands behind surface_energy is not its unit",  # no N/m
-    "E_eff [GPa]": "it may be another modulus",
+    "E_eff [GPa]": "it may be Young's modulus, or E* of the contact",
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "second radius (nm)": "'second radius (nm)=radius [nm]' or --column 'second radius (nm)=radius2 [nm]'",
     "applied tip load [nN]": "=load [nN]'",
@@ -872,3 +872,9 @@ def test_a_mark_before_the_header_may_follow_one_of_encoding(run: Run) -> None:
     Path("x.txt").write_bytes(b"\xef\xbb\xbf# R1_nm gamma_mJ_m2\n100 25\n")
     assert run("batch x.txt --delimiter blank -o out.tsv --quantities pull_off_force --no-doubt").code == 0
     assert Path("out.tsv").read_text(encoding="utf-8").splitlines()[1].startswith("100\t25\t1.178")
+
+
+def test_a_column_of_laws_is_refused_with_the_option_of_the_first(run: Run) -> None:
+    Path("x.csv").write_text("material,radius_nm,law\nquartz,100,Maugis\n", encoding="utf-8")
+    said = "the law is an option: --model maugis. Write --column 'law=' to pass it through"
+    assert said in run("batch x.csv --quantities P_c").err

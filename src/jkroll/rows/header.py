@@ -158,7 +158,7 @@ def meaning_of(text: str, cells: Sequence[str], meanings: Mapping[str, Reading])
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
         return Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
     if key(text) in ("model", "law") and cell.casefold() in LAWS:
-        return Reading("model", problem="the law is an option: --model dmt")
+        return Reading(problem=f"the law is an option: --model {cell.casefold()}")
     return reading if reading.is_input or not cell[:1].isalpha() else Reading()
 
 
@@ -253,8 +253,9 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
     remedies += " with its unit" if any(head.problem == _NO_UNIT for head in heads) else ""
     if len(heads) == 1:
         [head] = heads
-        remedies = remedies if head.meant else f"a column {with_unit(head.name)} in its place"
-        remedies += f", or {_option(head.text, '')} to pass it through"
+        if not head.meant:
+            remedies = f"a column {with_unit(head.name)} in its place" if head.name else ""
+        remedies = ", or ".join(filter(None, (remedies, f"{_option(head.text, '')} to pass it through")))
     return BadTable(f"header: {'; '.join(problems)}. Write {remedies}")
 
 

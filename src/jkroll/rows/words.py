@@ -33,7 +33,7 @@ class Meaning(NamedTuple):
 
 _SIZE = Meaning(["radius"], "a radius is half of a diameter or a size, and r may be a distance", has_remedy=False)
 _FORCE = Meaning(["load"], "it may be a load, or a force that was measured")
-_MODULUS = Meaning(["youngs_modulus"], "it may be another modulus")
+_MODULUS = Meaning(["youngs_modulus", "contact_modulus"], "it may be Young's modulus, or E* of the contact")
 _DOUBTFUL_WORDS = {
     **dict.fromkeys("dia diam diameter diameters durchmesser size".split(), _SIZE),
     **dict.fromkeys("normalforce appliedforce preload".split(), _FORCE),
