@@ -84,19 +84,19 @@ def _convert(source: Source, convert: Converter, output: BinaryIO, processes: in
     header = compressed(head.writer.header(convert.table.added, [head.header]), convert.compression)
     line, size = head.lines, len(header)
     path = output.name if isinstance(output.name, str) and os.path.isfile(output.name) else ""
-    with head.writer.sink(output, header) as write:
-        try:
+    try:
+        with head.writer.sink(output, header) as write:
             for block, worker in _converted(convert, source.blocks, processes, path):
                 write(worker.answer_to(size) if worker else block.output)
                 size += block.size or len(block.output)
                 line += block.lines
                 tally = tally.plus(block.tally)
                 bar.show(source.position(tally.rows), tally.rows)
-        except BadRow as error:
-            raise BadRow(line + 1 + error.line, error.status) from None
-        except KeyboardInterrupt:
-            say(f"jkroll: interrupted after {tally.rows} rows", sys.stderr)
-            raise
+    except BadRow as error:
+        raise BadRow(line + 1 + error.line, error.status) from None
+    except KeyboardInterrupt:
+        say(f"jkroll: interrupted after {tally.rows} rows", sys.stderr)
+        raise
     return tally
 
 
