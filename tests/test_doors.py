@@ -318,7 +318,7 @@ def test_doors_agree_on_alternatives(run: Run) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("numbers", PARTS, ids=str)
+@pytest.mark.parametrize("numbers", PARTS[:2], ids=str)  # which have some 1500 scenes
 def test_doors_agree_on_alternatives_of_fresh_questions(run: Run, numbers: range) -> None:
     check_alternatives(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 

@@ -108,6 +108,7 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
         path = Path(known, own_material2, by_law, model, dict(steps))
         source = path.visit(name)
         if path.missing or path.lacking:
+            path.steps = {}  # a plan is kept, and these lead nowhere
             missing[name] = path
         else:
             found[name] = source
