@@ -30,7 +30,7 @@ from .failures import (
     no_finite_value,
     written_outcome,
 )
-from .wiring import NO_PLAN, OF_A_SOLID, Path, Plan, Step, depends_on, formula_of, in_order, plan_for
+from .wiring import NO_PLAN, OF_A_SOLID, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -390,11 +390,11 @@ class Scene:
                 echoed |= self.numbers("energy")
         return echoed
 
-    def _missing_input(self, name: str, path: Path) -> MissingInput:
+    def _missing_input(self, name: str, missing: Missing) -> MissingInput:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
-        if path.lacking:
-            return NotInLaw(name, in_order(path.lacking), self.law.title)
-        names = in_order(path.missing)
+        if missing.lacking:
+            return NotInLaw(name, missing.lacking, self.law.title)
+        names = missing.names
         materials = {1: self.material, 2: self.material2 or self.material}
         properties = [each for each in names if of_sphere(1, each) in PROPERTIES]
         without = [(materials[NOMENCLATURE[each].sphere], of_sphere(1, each)) for each in properties]
@@ -403,7 +403,7 @@ class Scene:
             lacking["that of two different solids is not known"] = None
         elif XI in names:
             names = tuple(dict.fromkeys("radius" if one == XI else one for one in names))
-        return MissingInput(name, names, in_order(path.instead), ", ".join(lacking))
+        return MissingInput(name, names, missing.instead, ", ".join(lacking))
 
     # --- Values -------------------------------------------------------------------------------------------------------
 

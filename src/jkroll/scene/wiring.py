@@ -27,7 +27,7 @@ class Step(NamedTuple):
     arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
 
 
-class Path:
+class _Path:
     """The way to one quantity: the steps so far, and what is missing for it."""
 
     def __init__(
@@ -35,9 +35,9 @@ class Path:
     ) -> None:
         self.known, self.own_material2, self.by_law, self.model, self.steps = known, own_material2, by_law, model, steps
         self.inputs: set[str] = set()
-        self.missing: list[str] = []  # inputs
-        self.instead: list[str] = []  # quantities that may be given in place of them
-        self.lacking: list[str] = []  # quantities that the law does not have
+        self.missing: list[str] = []
+        self.instead: list[str] = []
+        self.lacking: list[str] = []
 
     def visit(self, wanted: str) -> str:
         """Add the steps that lead to a quantity, and return the name under which its value is known."""
@@ -79,13 +79,21 @@ class Path:
         return name if has_own else of_1
 
 
+class Missing(NamedTuple):
+    """The inputs that a quantity needs, in the nomenclature's order."""
+
+    names: tuple[str, ...]
+    instead: tuple[str, ...]  # quantities that may be given in place of them
+    lacking: tuple[str, ...]  # quantities that the law of attraction does not have
+
+
 class Plan(NamedTuple):
     """The steps that lead to the wanted quantities, and the inputs they start from, in the nomenclature's order."""
 
     steps: tuple[Step, ...]
     inputs: tuple[str, ...]
     found: Mapping[str, str]  # wanted name → the name under which its value is known
-    missing: Mapping[str, Path]  # the wanted names to which no formulas lead
+    missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
     taken: frozenset[str] = frozenset()  # the parameters of all formulas
 
     def knows(self, names: Iterable[str]) -> bool:
@@ -103,13 +111,12 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
     steps: dict[str, Step] = {}
     inputs: set[str] = set()
     found: dict[str, str] = {}
-    missing: dict[str, Path] = {}
+    missing: dict[str, Missing] = {}
     for name in wanted:
-        path = Path(known, own_material2, by_law, model, dict(steps))
+        path = _Path(known, own_material2, by_law, model, dict(steps))
         source = path.visit(name)
         if path.missing or path.lacking:
-            path.steps = {}  # a plan is kept, and these lead nowhere
-            missing[name] = path
+            missing[name] = Missing(*map(in_order, (path.missing, path.instead, path.lacking)))
         else:
             found[name] = source
             steps = path.steps
