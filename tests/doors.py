@@ -29,7 +29,7 @@ from jkroll.rows.rows import Block, evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.alternatives import at_least_measured, at_most_measured, by_law
 from jkroll.scene.failures import Failure
-from jkroll.scene.limits import LIMITS, NOT_JUDGED
+from jkroll.scene.limits import LIMITS, NOT_JUDGED, Limit
 from jkroll.scene.scene import LEAST, Scene
 from jkroll.scene.uncertainty import sources_of
 from questions import Ask, Sheet
@@ -267,19 +267,25 @@ def _ends(scene: Scene, name: str) -> Iterator[Scene]:
         yield scene.replace(**{each: end for source, end in ends for each in source.names})
 
 
-def bits_agree(scene: Scene, one: int, other: int) -> bool:
+def bits_agree(scene: Scene, names: Sequence[str], one: int, other: int) -> bool:
     """Return whether doubts are the same, but for limits whose number is at a threshold within its accuracy."""
     unlike = one ^ other
-    if unlike & NOT_JUDGED:
+    return not unlike & NOT_JUDGED and all(
+        _is_at_threshold(limit, scene, names) for limit in LIMITS if unlike & limit.bits
+    )
+
+
+def _is_at_threshold(limit: Limit, scene: Scene, names: Sequence[str]) -> bool:
+    """Return whether what a limit judges, a number or the factor between two laws, is at a threshold."""
+    if limit.factor is not None:
+        factor = limit.factor(scene, names)
+        laws = scene, by_law(scene)
+        error = STATED * ULP * sum(1 + _condition(law, *item) for law in laws for item in law.numbers(*names).items())
+        return any(abs(factor - threshold) <= error * threshold for threshold in limit.codes)
+    value = scene.evaluate((limit.name,))[limit.name]
+    if isinstance(value, JkrollError):
         return False
-    for limit in LIMITS:
-        if unlike & limit.bits:
-            value = scene.evaluate((limit.name,))[limit.name]
-            if isinstance(value, JkrollError):
-                return False
-            if not any(agree(scene, limit.name, value, threshold) for threshold in limit.codes):
-                return False
-    return True
+    return any(agree(scene, limit.name, value, threshold) for threshold in limit.codes)
 
 
 def is_at_its_end(scene: Scene) -> bool:
@@ -316,7 +322,8 @@ def _in_rows(one: Rows, other: Rows, row: int, keys: Sequence[str], scene: Scene
             yield f"{key} = {values.get(key)!r} and {others.get(key)!r}"
     bits, other_bits = one.doubts[row], other.doubts[row]
     is_judged = {*one.keys} == {*other.keys} and bits != other_bits
-    if is_judged and not (scene is not None and bits_agree(scene, bits, other_bits)):
+    names = [key for key in one.keys if key in NOMENCLATURE]
+    if is_judged and not (scene is not None and bits_agree(scene, names, bits, other_bits)):
         yield f"doubts {bits:b} and {other_bits:b}"
     if {*one.keys} == {*other.keys} and one.status[row] != other.status[row]:
         yield f"{one.status[row]!r} and {other.status[row]!r}"
