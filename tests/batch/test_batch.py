@@ -555,6 +555,7 @@ def test_input_passes_through_byte_for_byte(run: Run, kind: str) -> None:
     assert kept.replace(b"\r\n", b"\n") == normal.replace(b"\r\n", b"\n")
 
 
+@pytest.mark.slow
 def test_any_number_of_processes_writes_the_same_bytes(run: Run) -> None:
     Path("small.py").write_text(IN_SMALL_BLOCKS.replace("1 << 14", "1 << 11"))
     name = table(random_table(200, 3).replace("speed [m/s]", "text"))

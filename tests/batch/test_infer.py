@@ -146,7 +146,7 @@ PROBLEMS = {
 OPTIONS = {"material2": "--material2 {}", "radius2 [nm]": "--radius2 {}", "load [nN]": "--load={}nN"}
 
 
-@pytest.mark.parametrize("count", [8, pytest.param(150, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [4, pytest.param(150, marks=pytest.mark.slow)])
 def test_random_tables_have_what_infer_finds_for_each_row(run: Run, count: int) -> None:
     """Materials of either sphere, planes, loads, laws and error bars: values, their sides and doubts are the same."""
     random = Random(count)

@@ -415,7 +415,8 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert all(any(model in text for text in shown) for model in models)
 
 
-@pytest.mark.parametrize("width", [85, pytest.param(180, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("width", [85, 180])
 def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width: int) -> None:
     """No legend is half as high as its panel, no line of an axis' title ends with a comma, texts keep off the frame."""
     picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, None)
