@@ -226,7 +226,7 @@ BROKEN = {
     "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": (
         "'a.density' has an unknown key 'methd'; did you mean method?"
     ),
-    "[materials.a]\ndensity = { method = 'x' }": "a.density.value is not a text in quotes",
+    "[materials.a]\ndensity = { method = 'x' }": "a.density has no value",
     "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": (
         "'a' cites 'x', which [references] does not have"
     ),

@@ -10,13 +10,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache, cached_property
 from stat import S_ISREG
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from ..errors import BadRequest, JkrollError
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, named
-from ..quantities.values import Interval, Uncertain, value_of
+from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle, value_of
 from ..text import closest, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
@@ -95,30 +95,30 @@ def is_material_name(word: str) -> bool:
     )
 
 
-def checked_table(value: object, where: str) -> Mapping[str, Any]:
-    """Return a value that is a table; Malformed if it is not."""
-    if not isinstance(value, dict):
-        raise Malformed(f"{shown(where)} is not a table")
+_Kind = TypeVar("_Kind", dict[str, Any], list[Any], str)
+_KINDS: Mapping[type, str] = {dict: "a table", list: "a list", str: "a text in quotes"}
+
+
+def checked(value: object, kind: type[_Kind], where: str) -> _Kind:
+    """Return a value that is a table, a list or a text; Malformed if it is none. `where`: its place in the file."""
+    if not isinstance(value, kind):
+        raise Malformed(f"{shown(where)} is not {_KINDS[kind]}")
     return value
 
 
-def checked_texts(value: object, where: str) -> dict[str, str]:
+def text_of(value: object, where: str) -> str:
+    """Return a text, safe to print."""
+    return shown(checked(value, str, where))
+
+
+def texts_of(values: object, where: str) -> tuple[str, ...]:
+    """Return the texts of a list."""
+    return tuple(text_of(text, where) for text in checked(values, list, where))
+
+
+def table_of_texts(values: object, where: str) -> dict[str, str]:
     """Return a table of texts."""
-    return {key: checked_text(text, f"{where}.{key}") for key, text in checked_table(value, where).items()}
-
-
-def checked_list(value: object, where: str) -> tuple[str, ...]:
-    """Return a list of texts."""
-    if not isinstance(value, list):
-        raise Malformed(f"{shown(where)} is not a list")
-    return tuple(checked_text(text, where) for text in value)
-
-
-def checked_text(value: object, where: str) -> str:
-    """Return a value that is a text, safe to print; Malformed if it is not a text."""
-    if not isinstance(value, str):
-        raise Malformed(f"{shown(where)} is not a text in quotes")
-    return shown(value)
+    return {key: text_of(text, f"{where}.{key}") for key, text in checked(values, dict, where).items()}
 
 
 # --- Materials --------------------------------------------------------------------------------------------------------
@@ -208,7 +208,7 @@ class Entry:
         """`title`: of the file; `table`: what it says of the material; `references`: all that it has."""
         self.path, self.name, self.table, self.references = path, name, table, references
         self.title = shown(str(table.get("source", title)))
-        self.aliases = checked_list(table.get("aliases", []), f"{name}.aliases")
+        self.aliases = texts_of(table.get("aliases", []), f"{name}.aliases")
         self.words = {word.casefold(): word for word in (*self.aliases, name)}  # that stand for it
         self.remarks: tuple[str, ...] = ()  # on those that it takes from materials of other files
 
@@ -242,10 +242,10 @@ def entries_in(path: str) -> list[Entry]:
         if unknown := set(data) - {"title", "materials", "references"}:
             name = "NAME" if closest(key := min(unknown), ["materials"]) else shown(key)
             raise Malformed(f"has an unknown key {quoted(key)}; expected [materials.{name}] tables")
-        title = checked_text(data.get("title", shown(path)), "title")
-        tables, references = (checked_table(data.get(name, {}), name) for name in ("materials", "references"))
+        title = text_of(data.get("title", shown(path)), "title")
+        tables, references = (checked(data.get(name, {}), dict, name) for name in ("materials", "references"))
         entries = [
-            Entry(path, title, name, checked_table(table, f"materials.{name}"), references)
+            Entry(path, title, name, checked(table, dict, f"materials.{name}"), references)
             for name, table in tables.items()
         ]
         _check_names(entries)
@@ -281,62 +281,50 @@ def read(entry: Entry) -> Material:
     """Return the material of an entry; Malformed if something is wrong with it."""
     name, table = entry.name, entry.table
     _refuse_unknown_keys(name, table, (*PROPERTIES, XI, "aliases", "notes", "references", "state", "source"))
-    properties: dict[str, float] = {}
-    uncertainties: dict[str, Uncertain] = {}
+    values: dict[str, float | Uncertain] = {}
     origins: dict[str, dict[str, str]] = {}
-    for key in (key for key in PROPERTIES if key in table):
+    for key in (key for key in (*PROPERTIES, XI) if key in table):
         value, where = table[key], f"{name}.{key}"
-        if isinstance(value, dict):
-            origins[key] = _origin(where, value)
-            value, where = value.get("value"), f"{where}.value"
-        found = _property(key, value, name, where)
-        properties[key] = found if isinstance(found, float) else found.value
-        if not isinstance(found, float):
-            uncertainties[key] = found
+        if key == XI or isinstance(value, dict):
+            origins[key] = _origin(checked(value, dict, where), ("value", *(["radius"] if key == XI else [])), where)
+            value, where = value["value"], f"{where}.value"
+        values[key] = _value(key, value, name, where)
     displacement = None
-    if XI in table:
-        displacement, origins[XI] = _displacement(checked_table(table[XI], f"{name}.{XI}"), name)
-    notes = checked_texts(table.get("notes", {}), f"{name}.notes")
+    if (measured := values.pop(XI, None)) is not None:
+        radius = _value("radius", table[XI]["radius"], f"{name}.{XI}", f"{name}.{XI}.radius")
+        if not isinstance(radius, float):
+            raise Malformed(f"{shown(name)}.{XI}: the radius of the spheres is a single one")
+        displacement = Displacement(Interval(middle(measured), *ends_of(measured)), radius)
+    notes = table_of_texts(table.get("notes", {}), f"{name}.notes")
     for key in notes:
         if key not in (*PROPERTIES, *table):
             raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
-    general = checked_list(table.get("references", []), f"{name}.references")
+    general = texts_of(table.get("references", []), f"{name}.references")
     cited = dict.fromkeys([*general, *(origin["reference"] for origin in origins.values() if "reference" in origin)])
-    checked_text(table.get("source", ""), f"{name}.source")
+    text_of(table.get("source", ""), f"{name}.source")
     return Material(
         name,
-        MappingProxyType(properties),
+        MappingProxyType({key: middle(value) for key, value in values.items()}),
         entry.aliases,
         MappingProxyType(notes),
         entry.remarks,
         tuple(_reference(key, name, entry.references) for key in cited),
         entry.title,
         entry.path,
-        checked_text(table.get("state", ""), f"{name}.state"),
-        MappingProxyType(uncertainties),
+        text_of(table.get("state", ""), f"{name}.state"),
+        MappingProxyType({key: value for key, value in values.items() if is_uncertain(value)}),
         MappingProxyType(origins),
         displacement,
     )
 
 
-def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, dict[str, str]]:
-    """Return the yield displacement of a material, and its origin."""
-    where = f"{name}.{XI}"
-    for key in ("value", "radius"):
+def _origin(table: Mapping[str, Any], needed: Sequence[str], where: str) -> dict[str, str]:
+    """Return what the table of a property says of its origin, beside what such a table needs."""
+    _refuse_unknown_keys(where, table, (*needed, *ORIGIN))
+    for key in needed:
         if key not in table:
             raise Malformed(f"{shown(where)} has no {key}")
-    radius = _property("radius", table["radius"], where, f"{where}.radius")
-    if not isinstance(radius, float):
-        raise Malformed(f"{shown(where)}: the radius of the spheres is a single one")
-    found = _property(XI, table["value"], name, f"{where}.value")
-    ends = (found, found, found) if isinstance(found, float) else (found.value, found.low, found.high)
-    return Displacement(Interval(*ends), radius), _origin(where, table, "radius")
-
-
-def _origin(where: str, table: Mapping[str, Any], *others: str) -> dict[str, str]:
-    """Return what the table of a property says of its origin."""
-    _refuse_unknown_keys(where, table, ("value", *others, *ORIGIN))
-    return checked_texts({key: table[key] for key in ORIGIN if table.get(key, "") != ""}, where)
+    return table_of_texts({key: table[key] for key in ORIGIN if table.get(key, "") != ""}, where)
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
@@ -351,18 +339,15 @@ def _reference(key: str, name: str, references: Mapping[str, Any]) -> Mapping[st
     """Return a reference that a material cites."""
     if key not in references:
         raise Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
-    return {"key": key, **checked_texts(references[key], f"references.{key}")}
+    return {"key": key, **table_of_texts(references[key], f"references.{key}")}
 
 
-def _property(key: str, value: object, name: str, where: str) -> float | Uncertain:
-    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number.
-
-    `where`: its place in the file.
-    """
+def _value(key: str, value: object, name: str, where: str) -> float | Uncertain:
+    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number."""
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     try:
         text = repr(value) if is_number and NOMENCLATURE[key].unit == "1" else value
-        return value_of(checked_text(text, where), key)
+        return value_of(text_of(text, where), key)
     except QuantityError as error:
         raise Malformed(f"{shown(name)}: {error}") from None
     except ValueError:  # thousands of hexadecimal digits, which Python does not convert

@@ -32,59 +32,42 @@ NO_SLIP = 1e9  # a coefficient of friction with which nothing slips, where a law
 QUANTITIES = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
 THRESHOLDS = ("sliding_force", "twisting_stiffness", "twisting_moment")  # of JKR
 
-_REMARKS = (
-    "# Legend, SI units. {law}: 2E* [Pa], damping 0, Poisson's ratio 0, gamma per surface [J/m^2].",
-    "# tangential mindlin_rescale: 8G* [Pa], damping 0, coefficient of friction [1]{friction}.",
-    "# Without _rescale, the spring of sliding gives energy to spheres that collide.",
-    "# rolling sds: stiffness [N/m], damping 0, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls.",
-    "# E = 2E*, nu = 0: only E* enters the normal force. The tangential constant is 8G*, Mindlin's for these solids.",
-    (
-        "# neighbor: the skin [m] is a fifth of the smallest radius, and at least 0.4 delta0. With less, LAMMPS "
-        "22Jul2025 without"
-    ),
-    "# its updates lets JKR contacts go before the pull-off force. These lines were run with 22Jul2025 update 4.",
-    (
-        "# The time step is a twentieth of the period of sliding with rotation, stable up to 40 contacts a sphere, at "
-        "the P above."
-    ),
-    "# A harder impact is stiffer: for its time step give its largest force as --load.",
-    "# Damping is left out. No damping coeff_restitution here: with adhesion it gives nan (LAMMPS issue 4180).",
-)
+# Comments of an input of LAMMPS: of every law, and of each.
+_REMARKS = """\
+# Legend, SI units. {law}: 2E* [Pa], damping 0, Poisson's ratio 0, gamma per surface [J/m^2].
+# tangential mindlin_rescale: 8G* [Pa], damping 0, coefficient of friction [1]{friction}.
+# Without _rescale, the spring of sliding gives energy to spheres that collide.
+# rolling sds: stiffness [N/m], damping 0, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls.
+# E = 2E*, nu = 0: only E* enters the normal force. The tangential constant is 8G*, Mindlin's for these solids.
+# neighbor: the skin [m] is a fifth of the smallest radius, and at least 0.4 delta0. With less, LAMMPS 22Jul2025 without
+# its updates lets JKR contacts go before the pull-off force. These lines were run with 22Jul2025 update 4.
+# The time step is a twentieth of the period of sliding with rotation, stable up to 40 contacts a sphere, at this P.
+# A harder impact is stiffer: for its time step give its largest force as --load.
+# Damping is left out. No damping coeff_restitution here: with adhesion it gives nan (LAMMPS issue 4180).
+"""
 _REMARKS_ON = {
-    "jkr": (
-        "# twisting sds: stiffness [N m], damping 0, coefficient M_twist/(P + 2P_c) [m]. timestep in s.",
-        (
-            "# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to where fixed "
-            "grips let go. So a"
-        ),
-        "# collision loses 0.3814 P_c delta0 in LAMMPS, for 0.7722 here: its grains stick only below 0.7028 v_stick.",
-        (
-            "# LAMMPS has one stiffness of rolling and of twisting for all loads, and thresholds linear in P: jkroll's "
-            "at the P above."
-        ),
-        (
-            "# It slides at pi a^2 tau and twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}; a contact "
-            "may peel before."
-        ),
-        (
-            "# The friction is adhesion's at the P above, and LAMMPS multiplies it with every load: where contacts are "
-            "pushed"
-        ),
-        "# harder, give their --load, or write your solid's coefficient of friction.",
-    ),
-    "dmt": (
-        "# P_c is 4 pi gamma R here. timestep in s.",
-        (
-            "# The force is (4/3) E* sqrt(R delta^3) - 4 pi gamma R while the spheres touch; jkroll's JKR has another "
-            "contact radius."
-        ),
-        (
-            "# The rolling moment is 4 pi gamma R xi at any load; LAMMPS has a yield force linear in P, which is right "
-            "at the P above."
-        ),
-        "# The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.",
-    ),
+    "jkr": """\
+# twisting sds: stiffness [N m], damping 0, coefficient M_twist/(P + 2P_c) [m]. timestep in s.
+# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to where fixed grips let go. So a
+# collision loses 0.3814 P_c delta0 in LAMMPS, for 0.7722 here: its grains stick only below 0.7028 v_stick.
+# LAMMPS has one stiffness of rolling and twisting for all loads, and thresholds linear in P: jkroll's at the P above.
+# It slides at pi a^2 tau, twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}; a contact may peel before.
+# The friction is adhesion's at the P above, and LAMMPS multiplies it with every load: where contacts are pushed
+# harder, give their --load, or write your solid's coefficient of friction.
+""",
+    "dmt": """\
+# P_c is 4 pi gamma R here. timestep in s.
+# The force is (4/3) E* sqrt(R delta^3) - 4 pi gamma R while the spheres touch; jkroll's JKR has another contact radius.
+# The rolling moment is 4 pi gamma R xi at any load; LAMMPS has a yield force linear in P, right at the P above.
+# The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.
+""",
 }
+_REMARKS_LIGGGHTS = """\
+# m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N.
+# coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting.
+# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this.
+# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are others.
+"""
 
 
 def lammps_input(scene: Scene) -> Iterator[str]:
@@ -136,8 +119,8 @@ def lammps_input(scene: Scene) -> Iterator[str]:
     yield f"timestep {min(steps):.12g}"
     yield from _rayleigh([scene if scene.is_identical else pair_of(scene, sphere) for sphere in spheres])
     friction = " F_slide/(P + 2P_c)" if scene.law.is_default else ""
-    yield from (remark.format(law=model, friction=friction) for remark in _REMARKS)
-    yield from (remark.format(**whole, place=place) for remark in _REMARKS_ON[model])
+    yield from _REMARKS.format(law=model, friction=friction).splitlines()
+    yield from _REMARKS_ON[model].format(**whole, place=place).splitlines()
 
 
 def _rayleigh(grains: Iterable[Scene]) -> Iterator[str]:
@@ -186,11 +169,9 @@ def _coefficients(pair: Scene) -> str:
 _DAMPING = ("1e-06", "1.25e-11")
 _ABOUT_DUST_SIMULATION = (
     "the lines are version, name, R1 [cm], density [g/cm³], γ per surface [mJ/m²], Poisson's ratio, Young's modulus "
-    "[dyn/cm²], ξ [cm], damping "
-    "factor, viscous time [s], and the modifiers of rolling, sliding and twisting; "
+    "[dyn/cm²], ξ [cm], damping factor, viscous time [s], and the modifiers of rolling, sliding and twisting; "
     f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat, whose "
-    "grains have 0.6 µm; "
-    "rolling, sliding and twisting modifiers are 1"
+    "grains have 0.6 µm; rolling, sliding and twisting modifiers are 1"
 )
 
 
@@ -244,8 +225,7 @@ def _about_dust_simulation(scene: Scene) -> Iterator[str]:
     bounces = f"{here}; grains below {largest} stick at every speed with this viscous time"
     yield (
         f"viscous damping: {sticks if ratio > ALL_STICK else bounces}, where T* = (T_vis/ν²)√(E*a0/m) is above "
-        f"{ALL_STICK:.4f}; "
-        "the viscous time is fitted to measured sticking at a size: fit yours"
+        f"{ALL_STICK:.4f}; the viscous time is fitted to measured sticking at a size: fit yours"
     )
 
 
@@ -258,10 +238,7 @@ def dust_collider_material(scene: Scene) -> Iterator[str]:
     name = scene.material.name if scene.material else "jkroll"
     yield f'<material id = "1"> "{name}"{_words(iter(numbers))} 0'
     yield "# gamma [J/m^2], Young's modulus [Pa], Poisson's ratio, density [kg/m^3], xi [m], viscous time [s]."
-    yield (
-        "# The viscous time is yours to write: 0 is no damping. It is fitted to measured sticking of grains of one "
-        "size."
-    )
+    yield "# The viscous time is yours to write: 0 is no damping. It is fitted to measured sticking at a size."
 
 
 def liggghts_input(scene: Scene) -> Iterator[str]:
@@ -292,22 +269,7 @@ def liggghts_input(scene: Scene) -> Iterator[str]:
         )
     grains = (1,) if at_wall else spheres
     yield from _rayleigh([scene if scene.is_identical else pair_of(scene, grain) for grain in grains])
-    yield (
-        "# m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces "
-        "in N."
-    )
-    yield (
-        "# coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or "
-        "twisting."
-    )
-    yield (
-        "# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall "
-        "this."
-    )
-    yield (
-        "# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are "
-        "others."
-    )
+    yield from _REMARKS_LIGGGHTS.splitlines()
 
 
 def _words(numbers: Iterator[float]) -> str:
