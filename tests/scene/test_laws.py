@@ -300,7 +300,7 @@ SHARED = ("kinetic_energy", "contact_radius_at_load", "pull_off_force_dmt")
 
 def test_every_route_leads_to_a_formula_of_the_nomenclature() -> None:
     for law in LAWS.values():
-        for table in tables_of(law):
+        for _, table in tables_of(law):
             for name, route in table.items():
                 assert name in NOMENCLATURE, f"{law.title} has a route for {name}, which is no quantity"
                 assert route is None or NOMENCLATURE[route].variant_of or route in SHARED, (
@@ -323,7 +323,7 @@ def test_arrays_agree_with_numbers(model: str) -> None:
     names = [
         name
         for name in QUESTIONS["report"].quantities
-        if LAWS[model].routes.get(name, name) is not None and name != "load"
+        if LAWS[model].usual(name) is not None and name != "load"
     ]
     radii = numpy.geomspace(1e-9, 1e-3, 9)
     columns = solve(names, model=model, material="quartz", radius=radii)
@@ -535,7 +535,7 @@ def test_the_energy_of_a_state_is_the_work_of_its_load() -> None:
         assert (high - low) / 2e-14 == approx(load, rel=1e-5)
 
 
-@pytest.mark.parametrize("law", [name for name, law in LAWS.items() if law.has("contact_radius_at_load")])
+@pytest.mark.parametrize("law", [name for name, law in LAWS.items() if law.usual("contact_radius_at_load")])
 def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
     """Whatever the last digit of that is, for numbers, for arrays, and by whatever plan."""
     source = random.Random(11)

@@ -1,6 +1,6 @@
 """Laws of attraction between JKR and DMT: by which formula each has a quantity.
 
-A law is a table of routes, from the name of a quantity to the formula that gives it: "pull_off_force" is
+A law is tables of routes, from the name of a quantity to the formula that gives it: "pull_off_force" is
 "pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so that what is made of
 such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands
 for a quantity that the law does not have; a name without a route is found by the formula of the same name. A formula
@@ -23,14 +23,13 @@ Routes = Mapping[str, str | None]
 
 
 class Law(NamedTuple):
-    """A law of attraction, with its routes, and those that take their place where some input is given."""
+    """A law of attraction, with its tables of routes by the input that has to be given for them, or `ALWAYS`."""
 
     name: str
     title: str
     source: str  # as results name it, where the paper has no equation
     reference: Mapping[str, str]  # the same as BibTeX has it
-    routes: Routes
-    routes_if_given: Mapping[str, Routes] = MappingProxyType({})  # by the input that is given
+    tables: Mapping[str, Routes]
     omits: frozenset[str] = frozenset()  # quantities that are not shown under it
     by_spacing: frozenset[str] = frozenset()  # quantities that the atomic spacing decides while λ is below 1
 
@@ -39,9 +38,9 @@ class Law(NamedTuple):
         """True for the paper's law."""
         return self.name == DEFAULT_LAW
 
-    def has(self, name: str) -> bool:
-        """Return whether the law has a quantity."""
-        return self.routes.get(name, name) is not None
+    def usual(self, name: str) -> str | None:
+        """Return the formula of a quantity, whatever is given; None if the law does not have it."""
+        return self.tables[ALWAYS].get(name, name)
 
 
 class UnknownLaw(JkrollError):
@@ -55,9 +54,9 @@ class UnknownLaw(JkrollError):
         return f"model: {quoted(self.name, 40)} is not one of {', '.join(LAWS)}"
 
 
-# Those of every law, before its own. Maugis' edge ratio is known by its own name under any law.
-_OF_EVERY_LAW: Routes = {"edge_ratio": "edge_ratio_at_load"}
-_OF_EVERY_LAW_IF_GIVEN: Mapping[str, Routes] = {
+ALWAYS = ""  # in place of an input
+_OF_EVERY_LAW: Mapping[str, Routes] = {
+    ALWAYS: {"edge_ratio": "edge_ratio_at_load"},  # Maugis' edge ratio is known by its own name under any law
     "speed": {"energy": "kinetic_energy"},
     "modulus_over_energy": {"contact_modulus": "contact_modulus_of_ratio"},
     "adhesion_hysteresis": {"yield_displacement": "yield_displacement_at_hysteresis"},
@@ -73,7 +72,6 @@ _OF_EVERY_LAW_IF_GIVEN: Mapping[str, Routes] = {
         "approach_maugis_at_load": "approach_maugis",  # under JKR, the load would be that of JKR
     },
 }
-_AT_FACTOR: Routes = {"load": "load_at_factor", "load_margin": "load_margin_of_factor"}
 
 _JKR = Law(
     name="jkr",
@@ -90,10 +88,10 @@ _JKR = Law(
         "year": "1971",
         "doi": "10.1098/rspa.1971.0141",
     },
-    routes={"zone_radius": "contact_radius_at_load"},
-    routes_if_given={
+    tables={
+        ALWAYS: {"zone_radius": "contact_radius_at_load"},
         "viscous_time": {"sticking_speed": "sticking_speed_viscous"},
-        "load_factor": _AT_FACTOR,
+        "load_factor": {"load": "load_at_factor", "load_margin": "load_margin_of_factor"},
         "load_margin": {"load": "load_at_factor"},
         "approach_at_load": {
             "load": "load_at_factor",
@@ -144,26 +142,26 @@ _MAUGIS = Law(
         "year": "1992",
         "doi": "10.1016/0021-9797(92)90285-T",
     },
-    routes={
-        **_OUTSIDE_JKR,
-        "pull_off_force": "pull_off_force_maugis",
-        "contact_radius": "unloaded_radius_maugis",
-        "approach": "unloaded_approach_maugis",
-        "contact_radius_at_load": "contact_radius_maugis",
-        "approach_at_load": "approach_maugis",
-        "contact_radius_at_pull_off": "contact_radius_at_pull_off_maugis",
-        "approach_at_pull_off": "approach_at_pull_off_maugis",
-        "contact_radius_at_fold": "contact_radius_at_fold_maugis",
-        "approach_at_fold": "fold_approach_maugis",
-        "stiffness": "stiffness_maugis",
-        "adhesive_force": "adhesive_force_maugis",
-        "well_energy": "well_energy_maugis",
-        "pull_off_work": "pull_off_work_maugis",
-        "pull_off_work_at_dead_load": "pull_off_work_at_dead_load_maugis",
-        "sticking_energy": "sticking_energy_maugis",
-        "fold_energy": "fold_energy_maugis",
-    },
-    routes_if_given={
+    tables={
+        ALWAYS: {
+            **_OUTSIDE_JKR,
+            "pull_off_force": "pull_off_force_maugis",
+            "contact_radius": "unloaded_radius_maugis",
+            "approach": "unloaded_approach_maugis",
+            "contact_radius_at_load": "contact_radius_maugis",
+            "approach_at_load": "approach_maugis",
+            "contact_radius_at_pull_off": "contact_radius_at_pull_off_maugis",
+            "approach_at_pull_off": "approach_at_pull_off_maugis",
+            "contact_radius_at_fold": "contact_radius_at_fold_maugis",
+            "approach_at_fold": "fold_approach_maugis",
+            "stiffness": "stiffness_maugis",
+            "adhesive_force": "adhesive_force_maugis",
+            "well_energy": "well_energy_maugis",
+            "pull_off_work": "pull_off_work_maugis",
+            "pull_off_work_at_dead_load": "pull_off_work_at_dead_load_maugis",
+            "sticking_energy": "sticking_energy_maugis",
+            "fold_energy": "fold_energy_maugis",
+        },
         "viscous_time": {"sticking_speed": None},  # the damping was worked out on the JKR curve
         "load": {"approach_at_load": "approach_maugis_at_load"},
         "edge_ratio": {"load": "load_maugis"},
@@ -189,38 +187,33 @@ _DMT = Law(
         "year": "1975",
         "doi": "10.1016/0021-9797(75)90018-1",
     },
-    routes={
-        **_OUTSIDE_JKR,
-        "pull_off_force": "pull_off_force_dmt",
-        "contact_radius": "unloaded_radius_dmt",
-        "approach": "unloaded_approach_dmt",
-        "contact_radius_at_load": "contact_radius_dmt",
-        "approach_at_load": "approach_dmt",
-        "contact_radius_at_pull_off": None,  # the contact shrinks to a point, at δ = 0
-        "approach_at_pull_off": None,
-        "contact_radius_at_fold": None,
-        "approach_at_fold": None,
-        "stiffness": "stiffness_dmt",
-        "adhesive_force": "adhesive_force_dmt",
-        "zone_radius": None,
-        "well_energy": None,
-        "pull_off_work": None,
-        "pull_off_work_at_dead_load": None,
-        "sticking_energy": None,
-        "fold_energy": None,
-    },
-    routes_if_given={
+    tables={
+        ALWAYS: {
+            **_OUTSIDE_JKR,
+            "pull_off_force": "pull_off_force_dmt",
+            "contact_radius": "unloaded_radius_dmt",
+            "approach": "unloaded_approach_dmt",
+            "contact_radius_at_load": "contact_radius_dmt",
+            "approach_at_load": "approach_dmt",
+            "contact_radius_at_pull_off": None,  # the contact shrinks to a point, at δ = 0
+            "approach_at_pull_off": None,
+            "contact_radius_at_fold": None,
+            "approach_at_fold": None,
+            "stiffness": "stiffness_dmt",
+            "adhesive_force": "adhesive_force_dmt",
+            "zone_radius": None,
+            "well_energy": None,
+            "pull_off_work": None,
+            "pull_off_work_at_dead_load": None,
+            "sticking_energy": None,
+            "fold_energy": None,
+        },
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
     omits=frozenset({"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt"}),
 )
 
-_ALL = (
-    _JKR,
-    _MAUGIS,
-    _DMT,
-)
-LAWS: Mapping[str, Law] = MappingProxyType({law.name: law for law in _ALL})
+LAWS: Mapping[str, Law] = MappingProxyType({law.name: law for law in (_JKR, _MAUGIS, _DMT)})
 DEFAULT_LAW = _JKR.name
 BETWEEN = _MAUGIS.name  # the law that holds between JKR and DMT
 
@@ -237,21 +230,19 @@ def law_named(name: str) -> Law:
     return LAWS[name.casefold()]
 
 
+def tables_of(law: Law) -> list[tuple[str, Routes]]:
+    """Return all tables of routes of a law, each with what has to be given; later ones take the place of earlier."""
+    return [*_OF_EVERY_LAW.items(), *law.tables.items()]
+
+
 @cache
 def routes(model: str, known: frozenset[str]) -> Routes:
     """Return the routes of a law for what is known."""
-    law = LAWS[model]
-    by_name = {**_OF_EVERY_LAW, **law.routes}
-    for tables in (_OF_EVERY_LAW_IF_GIVEN, law.routes_if_given):
-        for name, table in tables.items():
-            if name in known:
-                by_name |= table
-    return by_name
-
-
-def tables_of(law: Law) -> list[Routes]:
-    """Return all routes of a law, whatever is given."""
-    return [_OF_EVERY_LAW, law.routes, *_OF_EVERY_LAW_IF_GIVEN.values(), *law.routes_if_given.values()]
+    formulas: dict[str, str | None] = {}
+    for given, table in tables_of(LAWS[model]):
+        if given == ALWAYS or given in known:
+            formulas |= table
+    return formulas
 
 
 @cache
@@ -266,7 +257,7 @@ def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[
     """Return by the name of a quantity every formula by which laws have it, whatever is given."""
     formulas: dict[str, list[str]] = {}
     for model in models:
-        for table in tables_of(LAWS[model]):
+        for _, table in tables_of(LAWS[model]):
             for name, route in table.items():
                 if route is not None:
                     formulas.setdefault(name, []).append(route)
@@ -276,11 +267,11 @@ def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[
 @cache
 def law_of(formula: str) -> str | None:
     """Return the only law that has some quantity by a formula; None if there is none, or several."""
-    laws = [law.name for law in LAWS.values() if any(formula in table.values() for table in tables_of(law))]
+    laws = [law.name for law in LAWS.values() if any(formula in table.values() for _, table in tables_of(law))]
     return laws[0] if len(laws) == 1 else None
 
 
 @cache
 def differs(name: str) -> bool:
     """Return whether a law other than the default has a quantity by a formula of its own, or not at all."""
-    return any(law.routes.get(name, name) != _JKR.routes.get(name, name) for law in LAWS.values())
+    return any(law.usual(name) != _JKR.usual(name) for law in LAWS.values())

@@ -559,6 +559,6 @@ def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) ->
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
         implied.pop("youngs_modulus", None)  # sphere 2, which deforms, would take the ratio over
-    if not law.has("load_margin"):
+    if law.usual("load_margin") is None:
         implied.pop("load", None)
     return implied
