@@ -320,11 +320,7 @@ def test_a_law_has_what_its_answers_need(law: Law) -> None:
 
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
 def test_arrays_agree_with_numbers(model: str) -> None:
-    names = [
-        name
-        for name in QUESTIONS["report"].quantities
-        if LAWS[model].usual(name) is not None and name != "load"
-    ]
+    names = [name for name in QUESTIONS["report"].quantities if LAWS[model].usual(name) is not None and name != "load"]
     radii = numpy.geomspace(1e-9, 1e-3, 9)
     columns = solve(names, model=model, material="quartz", radius=radii)
     for place, radius in enumerate(radii.tolist()):

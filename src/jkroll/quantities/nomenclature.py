@@ -75,23 +75,20 @@ OF_MAUGIS: Mapping[str, Quantity] = {
     "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
     "edge_ratio": Quantity("v", "1", "contact radius over the span of the ring of attraction", range=POSITIVE),
     "edge_ratio_at_load": Quantity("v", "1", "edge ratio at the load", variant_of="edge_ratio"),
-    "edge_ratio_at_approach": Quantity(
-        "v", "1", "edge ratio at the approach", may_be_zero=True, variant_of="edge_ratio"
-    ),
+    "edge_ratio_at_approach": Quantity("v", "1", "edge ratio at the approach", may_be_zero=True,
+        variant_of="edge_ratio"),
     "unloaded_edge_ratio": Quantity("v0", "1", "edge ratio without load"),
     "edge_ratio_at_pull_off": Quantity("v_c", "1", "edge ratio at pull-off"),
     "edge_ratio_at_fold": Quantity("v_fold", "1", "edge ratio where fixed grips let go", may_be_zero=True),
     "zone_span": Quantity("T", "m", "span of the ring of attraction"),
-    "zone_span_at_approach": Quantity(
-        "T", "m", "span of the ring of attraction at the approach", variant_of="zone_span"
-    ),
+    "zone_span_at_approach": Quantity("T", "m", "span of the ring of attraction at the approach",
+        variant_of="zone_span"),
     "zone_radius": Quantity("c", "m", "radius of the zone of attraction"),
     "contact_displacement": Quantity("ξ_contact", "m", "displacement of the contact circle"),
-    "fold_approach_maugis": Quantity(
-        "δ_fold", "m", "least approach that fixed grips hold", variant_of="approach_at_fold"
-    ),
+    "fold_approach_maugis": Quantity("δ_fold", "m", "least approach that fixed grips hold",
+        variant_of="approach_at_fold"),
     "state_energy_maugis": Quantity("Φ", "J", "energy of the state"),
-}
+}  # fmt: skip
 
 
 # --- Quantities of models of many grains ------------------------------------------------------------------------------
@@ -117,9 +114,7 @@ OF_DEM: Mapping[str, Quantity] = {
     "peeling_radius": Quantity("a_peel", "m", "contact radius at which it peels off"),
     "peeling_over_sliding": Quantity("T/F_slide", "1", "peeling force over the force to slide the contact as it peels",
         may_be_zero=True),
-    "sliding_or_peeling_force": Quantity(
-        "T_first", "N", "force that slides or peels it first", may_be_zero=True
-    ),
+    "sliding_or_peeling_force": Quantity("T_first", "N", "force that slides or peels it first", may_be_zero=True),
     "rolling_over_sliding": Quantity("Q/T_first", "1", "yield force over the force that slides or peels"),
     "twisting_stiffness": Quantity("k_t", "N m", "torsional stiffness at the load", may_be_zero=True),
     "twisting_moment": Quantity("M_twist", "N m", "moment that starts twisting"),
@@ -129,10 +124,8 @@ OF_DEM: Mapping[str, Quantity] = {
     # of pair_style granular in LAMMPS
     "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
     "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
-    "rolling_resistance_coefficient": Quantity(
-        "μ_r", "1", "rolling moment over the load and R", note="for codes that multiply the load by it, at this load "
-            "alone"
-    ),
+    "rolling_resistance_coefficient": Quantity("μ_r", "1", "rolling moment over the load and R",
+        note="for codes that multiply the load by it, at this load alone"),
     "sliding_friction_coefficient": Quantity("μ_slide", "1", "coefficient of sliding friction in LAMMPS"),
     "twisting_friction_coefficient": Quantity("μ_twist", "m", "coefficient of twisting friction in LAMMPS, a length"),
     # aggregates
@@ -142,47 +135,27 @@ OF_DEM: Mapping[str, Quantity] = {
         example="2500"),
     "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range=LOOSE, option="--filling-factor",
         example="0.1"),
-    "restructuring_energy": Quantity(
-        "E_restr", "J", "energy to restructure, Dominik & Tielens", note=_E_ROLL,
-        definition="5E_roll(π/2)", of_identical=True, reference="Dominik & Tielens 1997",
-    ),
-    "restructuring_speed": Quantity(
-        "v_restr", "m/s", "speed to restructure, Dominik & Tielens",
-        definition="√(4E_restr/(Nm1))", of_identical=True, reference=_SPEED,
-    ),
-    "restructuring_energy_ormel": Quantity(
-        "E_restr(1)", "J", "energy to restructure, Ormel et al.", note=_E_ROLL,
-        definition="E_roll(π/2)", of_identical=True, reference="Ormel et al. 2007",
-    ),
-    "restructuring_speed_ormel": Quantity(
-        "v_restr(1)", "m/s", "speed to restructure, Ormel et al.",
-        definition="√(4E_restr(1)/(Nm1))", of_identical=True, reference=_SPEED,
-    ),
-    "disruption_energy": Quantity(
-        "E_disr", "J", "energy to break up, Wada et al. 2007",
-        definition="10·2n_c U_grips", of_identical=True, reference=_WADA,
-    ),
-    "disruption_speed": Quantity(
-        "v_disr", "m/s", "speed to break up, Wada et al. 2007",
-        definition="√(4E_disr/(Nm1))", of_identical=True, reference=_SPEED,
-    ),
-    "disruption_energy_dust_simulation": Quantity(
-        "E_disr(1.8)", "J", "energy to break up, with E_break",
-        definition="10·2n_c·1.8F_cδ_c", of_identical=True, reference=_WADA,
-    ),
-    "disruption_speed_dust_simulation": Quantity(
-        "v_disr(1.8)", "m/s", "speed to break up, with E_break",
-        definition="√(4E_disr(1.8)/(Nm1))", of_identical=True, reference=_SPEED,
-    ),
-    "compressive_strength": Quantity(
-        "P_comp", "Pa", "compressive strength of an aggregate",
-        note="E_roll is that of 180 degrees, 6π²γR1ξ, twice as much",
-        definition="E_roll(π)/R1³ (1/φ − 1/0.74)⁻³", of_identical=True, reference="Phantom, porosity.f90",
-    ),
-    "tensile_strength": Quantity(
-        "P_tens", "Pa", "tensile strength of an aggregate",
-        definition="0.6φ^1.8 γ/R1", of_identical=True, reference="Tatsuuma et al. 2019",
-    ),
+    "restructuring_energy": Quantity("E_restr", "J", "energy to restructure, Dominik & Tielens", note=_E_ROLL,
+        definition="5E_roll(π/2)", of_identical=True, reference="Dominik & Tielens 1997"),
+    "restructuring_speed": Quantity("v_restr", "m/s", "speed to restructure, Dominik & Tielens",
+        definition="√(4E_restr/(Nm1))", of_identical=True, reference=_SPEED),
+    "restructuring_energy_ormel": Quantity("E_restr(1)", "J", "energy to restructure, Ormel et al.", note=_E_ROLL,
+        definition="E_roll(π/2)", of_identical=True, reference="Ormel et al. 2007"),
+    "restructuring_speed_ormel": Quantity("v_restr(1)", "m/s", "speed to restructure, Ormel et al.",
+        definition="√(4E_restr(1)/(Nm1))", of_identical=True, reference=_SPEED),
+    "disruption_energy": Quantity("E_disr", "J", "energy to break up, Wada et al. 2007", definition="10·2n_c U_grips",
+        of_identical=True, reference=_WADA),
+    "disruption_speed": Quantity("v_disr", "m/s", "speed to break up, Wada et al. 2007", definition="√(4E_disr/(Nm1))",
+        of_identical=True, reference=_SPEED),
+    "disruption_energy_dust_simulation": Quantity("E_disr(1.8)", "J", "energy to break up, with E_break",
+        definition="10·2n_c·1.8F_cδ_c", of_identical=True, reference=_WADA),
+    "disruption_speed_dust_simulation": Quantity("v_disr(1.8)", "m/s", "speed to break up, with E_break",
+        definition="√(4E_disr(1.8)/(Nm1))", of_identical=True, reference=_SPEED),
+    "compressive_strength": Quantity("P_comp", "Pa", "compressive strength of an aggregate",
+        note="E_roll is that of 180 degrees, 6π²γR1ξ, twice as much", definition="E_roll(π)/R1³ (1/φ − 1/0.74)⁻³",
+        of_identical=True, reference="Phantom, porosity.f90"),
+    "tensile_strength": Quantity("P_tens", "Pa", "tensile strength of an aggregate", definition="0.6φ^1.8 γ/R1",
+        of_identical=True, reference="Tatsuuma et al. 2019"),
 }  # fmt: skip
 
 
@@ -197,18 +170,16 @@ STATE_OR_LOAD = STATE | {"load"}
 
 _PER_SPHERE = {
     "radius": Quantity("R1", "m", "radius of sphere 1", range=POSITIVE, example="100nm"),
-    "surface_energy": Quantity(
-        "γ1", "J/m^2", "surface energy per surface", range=POSITIVE, option="--gamma", example="25mJ/m2"
-    ),
-    "youngs_modulus": Quantity(
-        "E1", "Pa", "Young's modulus", range=UP_TO_INFINITE, infinity="rigid", option="--young", example="10GPa"
-    ),
+    "surface_energy": Quantity("γ1", "J/m^2", "surface energy per surface", range=POSITIVE, option="--gamma",
+        example="25mJ/m2"),
+    "youngs_modulus": Quantity("E1", "Pa", "Young's modulus", range=UP_TO_INFINITE, infinity="rigid", option="--young",
+        example="10GPa"),
     "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range=POISSON, option="--poisson", example="0.3"),
     "density": Quantity("ρ1", "kg/m^3", "mass density", range=POSITIVE, option="--density", example="1g/cm3"),
     "hamaker": Quantity("A1", "J", "Hamaker constant", range=POSITIVE, option="--hamaker", example="6.5e-20J"),
     "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range=UP_TO_INFINITE),
     "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range=UP_TO_INFINITE),
-}
+}  # fmt: skip
 
 
 def _of_both(name: str, quantity: Quantity) -> dict[str, Quantity]:
@@ -233,235 +204,175 @@ _TRAILING = (
     "for a contact that rolls with the full lag ξ all the way, 4P_cξ in JKR; n_roll has the mean moment, half of it"
 )
 
-_QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
-    {
-        # what the user gives
-        "material": Quantity("", "", "material of sphere 1", sphere=1, twin="material2"),
-        "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
-        "state": Quantity("state", "", "state on the force curve"),
-        "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2,
-            twin="material"),
-        **_BOTH_SPHERES,
-        "yield_displacement": Quantity("ξ", "m", "critical rolling displacement", range=POSITIVE, option="--xi",
-            example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
-        "load": Quantity("P", "N", "load; a pull is negative", "5", range=FINITE, option="--load", example="-5nN",
-            may_be_zero=True, shown_with=STATE),
-        "gravity": Quantity("g", "m/s^2", "gravity", range=POSITIVE, option="--gravity", example="1.62m/s2"),
-        "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range=POSITIVE, option="--energy",
-            example="1e-18J"),
-        "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio",
-            example="1"),
-        "speed": Quantity("v", "m/s", "impact speed of sphere 1", range=POSITIVE, option="--speed", example="10cm/s"),
-        # the pair
-        "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE,
-            option="--work-of-adhesion", example="50mJ/m2"),
-        "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
-        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE, option="--reduced-radius",
-            example="50nm"),
-        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE, option="--contact-modulus",
-            example="30GPa"),
-        "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
-        "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range=POSITIVE),
-        "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
-        "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
-        # the contact
-        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range=SIZE),
-        "pull_off_force_dmt": Quantity(
-            "P_DMT", "N", "limit for small, hard spheres", "1"
-        ),
-        "pull_off_force_rough": Quantity(
-            "P_rough", "N", "pull-off force with one asperity between",
-            note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is an asperity's "
-                "own radius, no rms height",
-            shown_with=["asperity_radius"],
-        ),
-        "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range=POSITIVE),
-        "approach": Quantity("δ0", "m", "approach without load", "3", range=POSITIVE),
-        "pull_off_force_lennard_jones": Quantity(
-            "P_LJ", "N", "by Lennard-Jones' 3-9 law", "",
-            note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR",
-        ),
-        "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5", range=ABOVE_MINUS_1, may_be_zero=True),
-        "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range=POSITIVE),
-        "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5", may_be_zero=True),
-        "approach_at_load": Quantity(
-            "δ", "m", "approach (indentation)", "6", range=FINITE, option="--approach", example="0.05nm",
-            may_be_zero=True,
-        ),
-        "contact_area": Quantity("A_c", "m^2", "area of the contact at the load", "5", may_be_zero=True),
-        "contact_radius_at_pull_off": Quantity("a_pull", "m", "contact radius at pull-off", "5"),
-        "approach_at_pull_off": Quantity("δ_pull", "m", "approach at pull-off", "6"),
-        "contact_area_at_pull_off": Quantity("A_pull", "m^2", "area of the contact at pull-off", "5"),
-        "contact_radius_at_fold": Quantity("a_fold", "m", "contact radius where fixed grips let go", "6",
-            may_be_zero=True),
-        "approach_at_fold": Quantity("δ_fold", "m", "approach where fixed grips let go", "6"),
-        "contact_area_at_fold": Quantity("A_fold", "m^2", "its area where fixed grips let go", "6", may_be_zero=True),
-        "load_ratio": Quantity("P/P_c", "1", "load over the pull-off force", "4", range=FINITE, may_be_zero=True,
-            shown_with=STATE_OR_LOAD),
-        "contact_radius_ratio": Quantity("a/a0", "1", "contact radius over that without load", "4", may_be_zero=True,
-            shown_with=STATE_OR_LOAD),
-        "approach_ratio": Quantity("δ/δ0", "1", "approach over that without load", "4", range=FINITE, may_be_zero=True,
-            shown_with=STATE_OR_LOAD),
-        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True, variant_of="load"),
-        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True, variant_of="load_margin"),
-        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True,
-            variant_of="load_margin"),
-        "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
-        "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
-        "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load", may_be_zero=True),
-        "hertz_pressure": Quantity("p_H", "Pa", "pressing part of the pressure (Hertz)", "8", may_be_zero=True),
-        "boussinesq_pressure": Quantity("p_B", "Pa", "pulling part (flat punch)", "9"),
-        "well_energy": Quantity(
-            "U", "J", "depth of the energy well", "6", definition="6/5 P_cδ0 = 1.4537 F_cδ_c"
-        ),
-        "pull_off_work": Quantity(
-            "U_grips", "J", "work to separate, fixed grips", "6", definition="1.27338 P_cδ0 = 1.5426 F_cδ_c"
-        ),
-        "pull_off_work_at_dead_load": Quantity(
-            "U_load", "J", "work to separate, dead load", "6", definition="0.88252 P_cδ0 = 1.0691 F_cδ_c"
-        ),
-        "sticking_energy": Quantity(
-            "U_stick", "J", "energy that sticks, Thornton & Ning", "48",
-            definition="0.77224 P_cδ0 = 0.9355 F_cδ_c", reference="Thornton & Ning 1998, Eq 52",
-        ),
-        # rolling
-        "yield_moment": Quantity("M", "N m", "moment that starts rolling", "25"),
-        "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
-        "half_circles_moment": Quantity("M_half", "N m", "moment of the two half-circles", "19"),
-        "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment at a fixed approach", "25"),
-        "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
-        "yield_force": Quantity("Q", "N", "force that starts rolling", "26"),
-        "yield_force_fixed_load": Quantity(
-            "Q_P", "N", "the same under a load of fixed direction", "26",
-            note="for a load that keeps its direction; that of Q turns with the line of centres",
-            shown_with=STATE_OR_LOAD,
-        ),
-        "yield_force_ratio": Quantity("Q/P_c", "1", "force over pull-off force", "27"),
-        "yield_angle": Quantity("δ_α", "rad", "angle where rolling starts", "28"),
-        "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
-        "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
-        # chains
-        "r_min": Quantity("R_min", "m", "tightest bend of a chain", "28"),
-        "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain", "29", shown_with=["monomers"]),
-        "n_grav": Quantity("N_grav", "1", "longest level chain, spheres", "30"),
-        "bond_number": Quantity("Bo", "1", "pull-off force over weight of sphere 1"),
-        "adhesion_hysteresis": Quantity(
-            "Δw", "J/m^2", "work of adhesion as it opens less that as it closes", range=POSITIVE,
-            option="--adhesion-hysteresis", example="5mJ/m2"
-        ),
-        "hysteresis_fraction": Quantity(
-            "Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion", range=PART,
-            option="--hysteresis-fraction", example="40%"
-        ),
-        "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
-        "hysteresis_moment": Quantity("M_hyst", "N m", "moment by adhesion hysteresis"),
-        "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
-        # vibrations
-        "vertical_frequency": Quantity("f_z", "Hz", "vibration along the centres", "35", may_be_zero=True),
-        "rolling_frequency": Quantity("f_roll", "Hz", "rolling vibration", "40"),
-        "rolling_frequency_as_printed": Quantity(
-            "f_roll(41)", "Hz", "rolling frequency as printed", "41",
-            note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²", of_identical=True,
-        ),
-        "rolling_frequency_no_slip": Quantity(
-            "f_free", "Hz", "rolling vibration without slip", "40",
-            note="unequal spheres that do not slip also move their centres, which Eq (40) leaves out",
-        ),
-        "sliding_frequency": Quantity("f_slide", "Hz", "sliding vibration, with rotation", may_be_zero=True),
-        "time_step": Quantity("Δt", "s", "time step for a simulation"),
-        "rayleigh_time": Quantity("t_R", "s", "Rayleigh wave around half of sphere 1", may_be_zero=True),
-        # validity
-        "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
-        "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
-        "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
-        "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
-        "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2",
-            may_be_zero=True),
-        "hertz_pressure_over_modulus": Quantity("p_H/E*", "1", "Hertz part of the pressure over the contact modulus",
-        "8", may_be_zero=True),
-        "profile_error": Quantity("e_h", "1", "error of the sphere's shape at the contact's edge", may_be_zero=True),
-        "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
-        "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
-        "yield_energy": Quantity("W_yield", "J", "energy to begin rolling", "25"),
-        "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
-        "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
-        # ratios
-        "pull_off_force_ratio": Quantity("P_c/πwR", "1", "pull-off force over πwR"),
-        "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range=POSITIVE),
-        # collisions
-        "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
-        "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
-        "n_roll": Quantity("n_roll", "1", "turns with a sliding contact", "48"),
-        "n_roll_energy_balance": Quantity(
-            "n_bal", "1", "turns without slip", "48",
-            note="7/2 of Eq (48), for rolling without slip from the start",
-        ),
-        "n_roll_after_impact": Quantity(
-            "n_imp", "1", "turns, arriving without spin", "48",
-            note="5/2 of Eq (48), for an arrival without spin that then rolls without slip", shown_with=["speed"],
-        ),
-        "restitution": Quantity(
-            "e", "1", "coefficient of restitution, at most", may_be_zero=True,
-            note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only "
-                "losses",
-        ),
-        "lost_energy": Quantity("W_lost", "J", "energy lost head-on, at least"),
-        "viscosity_number": Quantity("T*", "1", "viscous time over time of collision", shown_with=["viscous_time"]),
-        # energies and speeds by convention
-        "fold_energy": Quantity(
-            "F_cδ_c", "J", "unit of energy, Wada et al. 2007",
-            definition="0.82548 P_cδ0", reference="code Lumajord/DustSimulation, after Wada et al. 2007",
-        ),
-        "break_energy_dust_simulation": Quantity(
-            "E_break", "J", "energy to break it, DustSimulation",
-            note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 "
-                "(Icarus 143, 138) use a measured 1.3e-15 J",
-            definition="1.8 F_cδ_c = 1.4859 P_cδ0", reference="code Lumajord/DustSimulation",
-        ),
-        "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range=POSITIVE, option="--angle",
-            example="90deg"),
-        "roll_energy": Quantity(
-            "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ",
-            reference="work of the moment of Eq "
-                "26",
-            shown_with=["rolling_angle"],
-        ),
-        "roll_energy_quarter_turn": Quantity(
-            "E_roll(π/2)", "J", "energy to roll by 90 degrees", note=_TRAILING,
-            definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation", hidden_with=["rolling_angle"],
-        ),
-        "roll_energy_half_turn": Quantity(
-            "E_roll(π)", "J", "energy to roll by 180 degrees", note=_TRAILING,
-            definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
-            hidden_with=["rolling_angle"],
-        ),
-        "sticking_energy_paszun_dominik": Quantity(
-            "E_stick(1.07)", "J", "energy that sticks, Paszun & Dominik",
-            definition="0.3290 P_cδ0 = 0.3985 F_cδ_c",
-            reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
-        ),
-        "sticking_energy_pencil_code": Quantity(
-            "E_stick(19.2)", "J", "energy that sticks, Pencil Code",
-            definition="2·9.6 γ^(5/3) R^(4/3) / E*^(2/3) = 0.7977 F_cδ_c",
-            reference="code pencil-code/pencil-code",
-        ),
-        "sticking_speed": Quantity(
-            "v_stick", "m/s", "speed that sticks, Thornton & Ning",
-            definition="√(2U_stick/m) = √(14.18/m) (w⁵R⁴/E*²)^(1/6)", reference="Thornton & Ning 1998, Eq 54",
-        ),
-        "sticking_speed_paszun_dominik": Quantity(
-            "v_stick(1.07)", "m/s", "speed that sticks, Paszun & Dominik",
-            definition="1.07 (γ/R)^(5/6) / (E*^(1/3) ρ^(1/2))",
-            reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
-        ),
-        "sticking_speed_pencil_code": Quantity(
-            "v_stick(19.2)", "m/s", "speed that sticks, Pencil Code",
-            definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
-        ),
-        **OF_DEM,
-        **OF_MAUGIS,
-    }
-)  # fmt: skip
+_QUANTITIES: Mapping[str, Quantity] = {
+    # what the user gives
+    "material": Quantity("", "", "material of sphere 1", sphere=1, twin="material2"),
+    "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
+    "state": Quantity("state", "", "state on the force curve"),
+    "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2,
+        twin="material"),
+    **_BOTH_SPHERES,
+    "yield_displacement": Quantity("ξ", "m", "critical rolling displacement", range=POSITIVE, option="--xi",
+        example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
+    "load": Quantity("P", "N", "load; a pull is negative", "5", range=FINITE, option="--load", example="-5nN",
+        may_be_zero=True, shown_with=STATE),
+    "gravity": Quantity("g", "m/s^2", "gravity", range=POSITIVE, option="--gravity", example="1.62m/s2"),
+    "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range=POSITIVE, option="--energy",
+        example="1e-18J"),
+    "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1"),
+    "speed": Quantity("v", "m/s", "impact speed of sphere 1", range=POSITIVE, option="--speed", example="10cm/s"),
+    # the pair
+    "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE,
+        option="--work-of-adhesion", example="50mJ/m2"),
+    "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
+    "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE, option="--reduced-radius",
+        example="50nm"),
+    "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE, option="--contact-modulus",
+        example="30GPa"),
+    "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
+    "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range=POSITIVE),
+    "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
+    "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
+    # the contact
+    "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range=SIZE),
+    "pull_off_force_dmt": Quantity("P_DMT", "N", "limit for small, hard spheres", "1"),
+    "pull_off_force_rough": Quantity("P_rough", "N", "pull-off force with one asperity between",
+        note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is an asperity's own "
+            "radius, no rms height", shown_with=["asperity_radius"]),
+    "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range=POSITIVE),
+    "approach": Quantity("δ0", "m", "approach without load", "3", range=POSITIVE),
+    "pull_off_force_lennard_jones": Quantity("P_LJ", "N", "by Lennard-Jones' 3-9 law", "",
+        note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR"),
+    "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5", range=ABOVE_MINUS_1, may_be_zero=True),
+    "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range=POSITIVE),
+    "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5", may_be_zero=True),
+    "approach_at_load": Quantity("δ", "m", "approach (indentation)", "6", range=FINITE, option="--approach",
+        example="0.05nm", may_be_zero=True),
+    "contact_area": Quantity("A_c", "m^2", "area of the contact at the load", "5", may_be_zero=True),
+    "contact_radius_at_pull_off": Quantity("a_pull", "m", "contact radius at pull-off", "5"),
+    "approach_at_pull_off": Quantity("δ_pull", "m", "approach at pull-off", "6"),
+    "contact_area_at_pull_off": Quantity("A_pull", "m^2", "area of the contact at pull-off", "5"),
+    "contact_radius_at_fold": Quantity("a_fold", "m", "contact radius where fixed grips let go", "6", may_be_zero=True),
+    "approach_at_fold": Quantity("δ_fold", "m", "approach where fixed grips let go", "6"),
+    "contact_area_at_fold": Quantity("A_fold", "m^2", "its area where fixed grips let go", "6", may_be_zero=True),
+    "load_ratio": Quantity("P/P_c", "1", "load over the pull-off force", "4", range=FINITE, may_be_zero=True,
+        shown_with=STATE_OR_LOAD),
+    "contact_radius_ratio": Quantity("a/a0", "1", "contact radius over that without load", "4", may_be_zero=True,
+        shown_with=STATE_OR_LOAD),
+    "approach_ratio": Quantity("δ/δ0", "1", "approach over that without load", "4", range=FINITE, may_be_zero=True,
+        shown_with=STATE_OR_LOAD),
+    "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True, variant_of="load"),
+    "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True, variant_of="load_margin"),
+    "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True,
+        variant_of="load_margin"),
+    "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
+    "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
+    "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load", may_be_zero=True),
+    "hertz_pressure": Quantity("p_H", "Pa", "pressing part of the pressure (Hertz)", "8", may_be_zero=True),
+    "boussinesq_pressure": Quantity("p_B", "Pa", "pulling part (flat punch)", "9"),
+    "well_energy": Quantity("U", "J", "depth of the energy well", "6", definition="6/5 P_cδ0 = 1.4537 F_cδ_c"),
+    "pull_off_work": Quantity("U_grips", "J", "work to separate, fixed grips", "6",
+        definition="1.27338 P_cδ0 = 1.5426 F_cδ_c"),
+    "pull_off_work_at_dead_load": Quantity("U_load", "J", "work to separate, dead load", "6",
+        definition="0.88252 P_cδ0 = 1.0691 F_cδ_c"),
+    "sticking_energy": Quantity("U_stick", "J", "energy that sticks, Thornton & Ning", "48",
+        definition="0.77224 P_cδ0 = 0.9355 F_cδ_c", reference="Thornton & Ning 1998, Eq 52"),
+    # rolling
+    "yield_moment": Quantity("M", "N m", "moment that starts rolling", "25"),
+    "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
+    "half_circles_moment": Quantity("M_half", "N m", "moment of the two half-circles", "19"),
+    "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment at a fixed approach", "25"),
+    "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
+    "yield_force": Quantity("Q", "N", "force that starts rolling", "26"),
+    "yield_force_fixed_load": Quantity("Q_P", "N", "the same under a load of fixed direction", "26",
+        note="for a load that keeps its direction; that of Q turns with the line of centres", shown_with=STATE_OR_LOAD),
+    "yield_force_ratio": Quantity("Q/P_c", "1", "force over pull-off force", "27"),
+    "yield_angle": Quantity("δ_α", "rad", "angle where rolling starts", "28"),
+    "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
+    "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
+    # chains
+    "r_min": Quantity("R_min", "m", "tightest bend of a chain", "28"),
+    "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain", "29", shown_with=["monomers"]),
+    "n_grav": Quantity("N_grav", "1", "longest level chain, spheres", "30"),
+    "bond_number": Quantity("Bo", "1", "pull-off force over weight of sphere 1"),
+    "adhesion_hysteresis": Quantity("Δw", "J/m^2", "work of adhesion as it opens less that as it closes",
+        range=POSITIVE, option="--adhesion-hysteresis", example="5mJ/m2"),
+    "hysteresis_fraction": Quantity("Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion", range=PART,
+        option="--hysteresis-fraction", example="40%"),
+    "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
+    "hysteresis_moment": Quantity("M_hyst", "N m", "moment by adhesion hysteresis"),
+    "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
+    # vibrations
+    "vertical_frequency": Quantity("f_z", "Hz", "vibration along the centres", "35", may_be_zero=True),
+    "rolling_frequency": Quantity("f_roll", "Hz", "rolling vibration", "40"),
+    "rolling_frequency_as_printed": Quantity("f_roll(41)", "Hz", "rolling frequency as printed", "41",
+        note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²", of_identical=True),
+    "rolling_frequency_no_slip": Quantity("f_free", "Hz", "rolling vibration without slip", "40",
+        note="unequal spheres that do not slip also move their centres, which Eq (40) leaves out"),
+    "sliding_frequency": Quantity("f_slide", "Hz", "sliding vibration, with rotation", may_be_zero=True),
+    "time_step": Quantity("Δt", "s", "time step for a simulation"),
+    "rayleigh_time": Quantity("t_R", "s", "Rayleigh wave around half of sphere 1", may_be_zero=True),
+    # validity
+    "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
+    "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
+    "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
+    "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
+    "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2",
+        may_be_zero=True),
+    "hertz_pressure_over_modulus": Quantity("p_H/E*", "1", "Hertz part of the pressure over the contact modulus", "8",
+        may_be_zero=True),
+    "profile_error": Quantity("e_h", "1", "error of the sphere's shape at the contact's edge", may_be_zero=True),
+    "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
+    "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
+    "yield_energy": Quantity("W_yield", "J", "energy to begin rolling", "25"),
+    "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
+    "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
+    # ratios
+    "pull_off_force_ratio": Quantity("P_c/πwR", "1", "pull-off force over πwR"),
+    "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range=POSITIVE),
+    # collisions
+    "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
+    "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
+    "n_roll": Quantity("n_roll", "1", "turns with a sliding contact", "48"),
+    "n_roll_energy_balance": Quantity("n_bal", "1", "turns without slip", "48",
+        note="7/2 of Eq (48), for rolling without slip from the start"),
+    "n_roll_after_impact": Quantity("n_imp", "1", "turns, arriving without spin", "48",
+        note="5/2 of Eq (48), for an arrival without spin that then rolls without slip", shown_with=["speed"]),
+    "restitution": Quantity("e", "1", "coefficient of restitution, at most", may_be_zero=True,
+        note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only losses"),
+    "lost_energy": Quantity("W_lost", "J", "energy lost head-on, at least"),
+    "viscosity_number": Quantity("T*", "1", "viscous time over time of collision", shown_with=["viscous_time"]),
+    # energies and speeds by convention
+    "fold_energy": Quantity("F_cδ_c", "J", "unit of energy, Wada et al. 2007", definition="0.82548 P_cδ0",
+        reference="code Lumajord/DustSimulation, after Wada et al. 2007"),
+    "break_energy_dust_simulation": Quantity("E_break", "J", "energy to break it, DustSimulation",
+        note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus "
+            "143, 138) use a measured 1.3e-15 J", definition="1.8 F_cδ_c = 1.4859 P_cδ0",
+        reference="code Lumajord/DustSimulation"),
+    "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range=POSITIVE, option="--angle",
+        example="90deg"),
+    "roll_energy": Quantity("E_roll", "J", "energy to roll by the angle", note=_TRAILING,
+        definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26", shown_with=["rolling_angle"]),
+    "roll_energy_quarter_turn": Quantity("E_roll(π/2)", "J", "energy to roll by 90 degrees", note=_TRAILING,
+        definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation", hidden_with=["rolling_angle"]),
+    "roll_energy_half_turn": Quantity("E_roll(π)", "J", "energy to roll by 180 degrees", note=_TRAILING,
+        definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
+        hidden_with=["rolling_angle"]),
+    "sticking_energy_paszun_dominik": Quantity("E_stick(1.07)", "J", "energy that sticks, Paszun & Dominik",
+        definition="0.3290 P_cδ0 = 0.3985 F_cδ_c",
+        reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation"),
+    "sticking_energy_pencil_code": Quantity("E_stick(19.2)", "J", "energy that sticks, Pencil Code",
+        definition="2·9.6 γ^(5/3) R^(4/3) / E*^(2/3) = 0.7977 F_cδ_c", reference="code pencil-code/pencil-code"),
+    "sticking_speed": Quantity("v_stick", "m/s", "speed that sticks, Thornton & Ning",
+        definition="√(2U_stick/m) = √(14.18/m) (w⁵R⁴/E*²)^(1/6)", reference="Thornton & Ning 1998, Eq 54"),
+    "sticking_speed_paszun_dominik": Quantity("v_stick(1.07)", "m/s", "speed that sticks, Paszun & Dominik",
+        definition="1.07 (γ/R)^(5/6) / (E*^(1/3) ρ^(1/2))",
+        reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation"),
+    "sticking_speed_pencil_code": Quantity("v_stick(19.2)", "m/s", "speed that sticks, Pencil Code",
+        definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code"),
+    **OF_DEM,
+    **OF_MAUGIS,
+}  # fmt: skip
 
 # A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the
 # paper.
