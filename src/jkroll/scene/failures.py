@@ -125,6 +125,20 @@ BEYOND_FOLD = Kind(
     "approach_at_load",
     has_contact=False,
 )
+TWO_RIGID_BODIES = Kind("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
+RESTS_ON_SPACING = Kind(
+    "needs atomic_spacing",
+    "rests on {0.symbol}; give {0.option} {0.example}".format(NOMENCLATURE["atomic_spacing"]),
+)
+OF_IDENTICAL_SPHERES = Kind(
+    "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
+)
+NOT_HELD = Kind(  # between pull-off and the fold, where spheres do not hold together by themselves
+    "held by grips alone", "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+)
+NOT_PRESSED = Kind("no load that presses", "needs a load that presses the spheres; give --load 5nN")
+NO_CHAIN = Kind("sphere 2 is a plane", "sphere 2 is a plane; a chain needs two spheres")
+APART = Kind("no contact circle", "the spheres are bound without touching; there is no contact circle")
 TOO_MUCH_HYSTERESIS = Kind(
     "hysteresis above work of adhesion",
     "{0} is above the work of adhesion, {1}, of which it is a part",
@@ -138,29 +152,6 @@ STICKS_ALWAYS = Kind(
 NO_POISSON_RATIO = Kind(
     "Poisson's ratio not positive",
     "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign",
-    "viscosity_number",
-)
-TWO_RIGID_BODIES = Kind("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
-RESTS_ON_SPACING = Kind(
-    "needs atomic_spacing",
-    "rests on {0.symbol}; give {0.option} {0.example}".format(NOMENCLATURE["atomic_spacing"]),
-)
-NO_CHAIN = Kind("sphere 2 is a plane", "sphere 2 is a plane; a chain needs two spheres", "r_min")
-OF_IDENTICAL_SPHERES = Kind(
-    "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
-)
-NOT_HELD = Kind(  # between pull-off and the fold, where spheres do not hold together by themselves
-    "held by grips alone", "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
-)
-NOT_PRESSED = Kind(
-    "no load that presses",
-    "needs a load that presses the spheres; give --load 5nN",
-    "rolling_resistance_coefficient",
-)
-APART = Kind(
-    "no contact circle",
-    "the spheres are bound without touching; there is no contact circle",
-    "contact_displacement",
 )
 TOO_LARGE = Kind("no finite value", "no finite value for these inputs")
 TOO_SMALL = Kind("no finite value", "no value that a double can hold")
@@ -246,59 +237,65 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
 
 # --- Numbers for which the physics has no result ----------------------------------------------------------------------
 
+Given = Mapping[str, Any]  # the arguments of a formula
 
-def _is_held_by_grips_alone(given: Mapping[str, Any]) -> bool:
+
+class Rule(NamedTuple):
+    """The arguments for which a formula has no result, with the kind of the failure and the numbers of its words."""
+
+    kind: Kind
+    forbids: Callable[[Given], bool]
+    numbers: Callable[[Given], Sequence[float]] = lambda _: ()
+
+
+def _above(kind: Kind, least: Callable[[Given], Any]) -> Rule:
+    """Return the rule of a contact, which holds what is above a least value: rounding may put that beyond the end."""
+    name = kind.name
+    return Rule(kind, lambda given: given[name] <= least(given), lambda given: (given[name], least(given)))
+
+
+def _at_most(kind: Kind, most: Callable[[Given], Any]) -> Rule:
+    name = kind.name
+    return Rule(kind, lambda given: given[name] > most(given), lambda given: (given[name], most(given)))
+
+
+def _is_held_by_grips_alone(given: Given) -> bool:
     """Return whether a state lies between pull-off and the fold, by its stiffness or by its distance from pull-off."""
     return bool(given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
 
 
-def _evaluated(formula: Any, given: Mapping[str, Any]) -> Any:
-    """Return the result of a formula whose arguments are among those of another."""
-    return formula(**{name: given[name] for name in parameters_of(formula)})
+def _pull_off_dmt(given: Given) -> Any:
+    return -pull_off_force_dmt(**{name: given[name] for name in parameters_of(pull_off_force_dmt)})
 
 
-def _of_approach(given: Mapping[str, Any]) -> Any:
+def _fold(given: Given) -> Any:
     return FOLD_APPROACH * given["approach"]
 
 
-# The formulas that have a result for a contact only: what it holds, from their arguments.
-_LEAST_LOAD: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
-    "load_margin": lambda given: -given["pull_off_force"],
-    "edge_ratio_at_load": lambda given: -given["pull_off_force_maugis"],
-    "contact_radius_dmt": lambda given: -_evaluated(pull_off_force_dmt, given),
-    "adhesive_force_dmt": lambda given: -_evaluated(pull_off_force_dmt, given),
+RULES: Mapping[str, Rule] = {  # by formula
+    "load_margin": _above(BEYOND_PULL_OFF, lambda given: -given["pull_off_force"]),
+    "edge_ratio_at_load": _above(BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),
+    "contact_radius_dmt": _above(BEYOND_PULL_OFF, _pull_off_dmt),
+    "adhesive_force_dmt": _above(BEYOND_PULL_OFF, _pull_off_dmt),
+    "load_factor_at_approach": _above(BEYOND_FOLD, _fold),
+    "load_margin_at_approach": _above(BEYOND_FOLD, _fold),
+    "edge_ratio_at_approach": _above(BEYOND_FOLD, lambda given: given["fold_approach_maugis"]),
+    "contact_radius_dmt_at_approach": _above(BEYOND_FOLD, lambda _: 0.0),
+    "yield_displacement_at_hysteresis": _at_most(TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
+    "sticking_speed_viscous": _at_most(STICKS_ALWAYS, lambda _: LARGEST),
+    "r_min": Rule(NO_CHAIN, lambda given: given["radius2"] == INFINITY),
+    "vertical_frequency": Rule(NOT_HELD, _is_held_by_grips_alone),
+    "peeling_force": Rule(NOT_HELD, _is_held_by_grips_alone),
+    "peeling_radius": Rule(NOT_HELD, _is_held_by_grips_alone),
+    "rolling_resistance_coefficient": Rule(NOT_PRESSED, lambda given: given["load"] <= 0),
+    "viscosity_number": Rule(NO_POISSON_RATIO, lambda given: given["poisson_ratio"] * given["poisson_ratio2"] <= 0),
+    "contact_displacement": Rule(APART, lambda given: given["edge_ratio"] == 0),
 }
-_LEAST_APPROACH: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
-    "load_factor_at_approach": _of_approach,
-    "load_margin_at_approach": _of_approach,
-    "edge_ratio_at_approach": lambda given: given["fold_approach_maugis"],
-    "contact_radius_dmt_at_approach": lambda _: 0.0,
-}
 
 
-def failure_of(step: str, given: Mapping[str, Any]) -> Failure | None:
-    """Return why a formula has no result for these numbers, if the physics forbids it.
-
-    The least load or approach itself is one without a contact where rounding puts it beyond the end.
-    """
-    if step in _LEAST_LOAD and given["load"] <= (least := _LEAST_LOAD[step](given)):
-        return Failure(BEYOND_PULL_OFF, numbers=(given["load"], least))
-    if step in _LEAST_APPROACH and given["approach_at_load"] <= (least := _LEAST_APPROACH[step](given)):
-        return Failure(BEYOND_FOLD, numbers=(given["approach_at_load"], least))
-    failure: Failure | None = None
-    match step:
-        case "r_min" if given["radius2"] == INFINITY:
-            failure = Failure(NO_CHAIN)
-        case "vertical_frequency" | "peeling_force" | "peeling_radius" if _is_held_by_grips_alone(given):
-            failure = Failure(NOT_HELD, step)
-        case "rolling_resistance_coefficient" if given["load"] <= 0:
-            failure = Failure(NOT_PRESSED)
-        case "viscosity_number" if given["poisson_ratio"] * given["poisson_ratio2"] <= 0:
-            failure = Failure(NO_POISSON_RATIO)
-        case "sticking_speed_viscous" if given["viscosity_number"] > LARGEST:
-            failure = Failure(STICKS_ALWAYS, numbers=(given["viscosity_number"], LARGEST))
-        case "contact_displacement" if given["edge_ratio"] == 0:
-            failure = Failure(APART)
-        case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
-            failure = Failure(TOO_MUCH_HYSTERESIS, numbers=(given["adhesion_hysteresis"], given["work_of_adhesion"]))
-    return failure
+def failure_of(step: str, given: Given) -> Failure | None:
+    """Return why a formula has no result for these numbers, if the physics forbids it."""
+    rule = RULES.get(step)
+    if rule is None or not rule.forbids(given):
+        return None
+    return Failure(rule.kind, rule.kind.name or step, rule.numbers(given))
