@@ -14,46 +14,34 @@ from ..rows.columns import Wanted
 from ..scene.limits import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
 from ..text import first_of, json_text, say, say_wrapped
-from .records import Cell, write_records
+from .records import Cell, write_measure, write_records
 from .search import has_words, without_variants, words_of
 from .sources import bibtex, docstring_fields
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named: bool) -> None:
-    """Write materials in a format; of those that were `named`, one in full, or all values of several."""
-    whole = named and len(chosen) == 1
+    """Write materials in a format, those that were `named` in full."""
+    is_one = named and len(chosen) == 1
     if kind == "cite":
         entries = {entry["key"]: entry for material in chosen for entry in material.references}
         for entry in entries.values():
             say(bibtex(entry), out)
     elif kind == "json":
         objects = [material_as_object(material) for material in chosen]
-        say(json_text(objects[0] if whole else objects, out), out)
-    elif whole and kind == "table":
-        _write_material(chosen[0], out)
-    elif whole and kind == "plain":
-        _write_lines(chosen[0], out)
+        say(json_text(objects[0] if is_one else objects, out), out)
     elif named and kind == "table":
-        _write_values(chosen, out)
+        for place, material in enumerate(chosen):
+            if place:
+                say("", out)
+            _write_material(material, out)
+    elif is_one and kind == "plain":
+        _write_lines(chosen[0], out)
     elif kind == "table":
         _write_list(chosen, out)
     else:
         columns = Wanted(PROPERTIES, sides={name: _sides_of(name, chosen) for name in PROPERTIES})
         records = (_material_row(material, columns.sides) for material in chosen)
         write_records(["material", *columns.heads(header), "state", "references", "source"], records, kind, out)
-
-
-def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write a table of the properties of some materials."""
-    from ..answers.notes import symbol_beside
-    from .table import Column, input_column, write_table
-
-    values = (
-        input_column(name, [_known(material, name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
-        for name in PROPERTIES
-    )
-    write_table([Column("material", [material.name for material in chosen], False), *values], out)
-    say(f"\n{_OF_ONE}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
@@ -76,10 +64,7 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     heads = ("material", head, "method or reference")
     columns = texts_as_columns(heads, [row for of_set in rows.values() for row in of_set])
     print_table(columns, out, is_last_wrapped=True)
-    say(f"\n{_OF_ONE}; find some: jkroll materials WORD", out)
-
-
-_OF_ONE = "in full: jkroll materials NAME"
+    say("\nin full: jkroll materials NAME; find some: jkroll materials WORD", out)
 
 
 def _known(material: Material, name: str) -> float | Uncertain | None:
@@ -137,21 +122,14 @@ def _material_row(material: Material, sides: Mapping[str, Sequence[str]]) -> lis
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
-    """Write a line `name value unit` for each property, and lines `name.field text` for what is known of it."""
+    """Write a line `name value unit` for each property, and for each side of its uncertainty."""
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
-    own = {} if material.displacement is None else {XI: material.displacement.measured.value}
-    for name, value in {**material.properties, **own}.items():
-        said = in_words(name, value)
-        unit = f" {NOMENCLATURE[name].unit}" if said == value else ""
-        say(f"{name} {said}{unit}".removesuffix(" 1"), out)
-        if name in material.uncertainties:
-            say(f"{name}.stated {' '.join(AS_USUAL.rounded(name, material.uncertainties[name]))}", out)
-        if name in own:
-            say(f"{name}.stated {_stated(material, name)}", out)
-        for field, text in material.origins.get(name, {}).items():
-            say(f"{name}.{field} {text}", out)
+    for name in material.properties:
+        write_measure(name, {name: _known(material, name)}, out, AS_USUAL)
+    if material.displacement is not None:
+        write_measure(XI, {XI: material.displacement.measured}, out, AS_USUAL)
 
 
 def _write_material(material: Material, out: TextIO) -> None:
@@ -222,19 +200,28 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
 
 
 def quantity_as_object(name: str) -> dict[str, Any]:
-    """Return the JSON object of a quantity."""
-    quantity = NOMENCLATURE[name]
+    """Return all that is known of a quantity: its JSON object, of which the other pages are views."""
+    quantity, formula = NOMENCLATURE[name], formula_of(name)
+    fields = docstring_fields(formula) if formula else {}
     return {
         "name": name,
         "symbol": quantity.symbol,
         "unit": quantity.unit,
         "option": quantity.option,
         "example": quantity.example,
+        "values": quantity.range.words if quantity.example else "",
         "commands": list(commands_of(name)),
         "equation": quantity.equation,
-        "formula": docstring_fields(formula_of(name))["formula"] if formula_of(name) else "",
+        "formula": fields.get("formula", ""),
+        "follows_from": [argument for _, argument in arguments_of(name)] if formula else [],
+        "source": fields.get("Source", ""),
+        "valid": fields.get("Valid", ""),
+        "accuracy": accuracy_of(formula.__name__) if formula else "",
         "meaning": quantity.sentence,
         "note": quantity.note,
+        "variant_of": quantity.variant_of,
+        "variants": [other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name],
+        "see_also": [other for other in NOMENCLATURE if _is_related(other, name)],
     }
 
 
@@ -291,26 +278,11 @@ def _groups() -> dict[str, list[str]]:
 
 def _write_quantity(name: str, out: TextIO) -> None:
     """Write what is known of a quantity, a line for each fact."""
-    quantity = NOMENCLATURE[name]
-    formula = formula_of(name)
-    fields = docstring_fields(formula) if formula else {}
-    parameters = [argument for _, argument in arguments_of(name)] if formula else []
-    option = f"{quantity.option} {quantity.example}" if quantity.option else ""
-    facts = {
-        "symbol": quantity.symbol,
-        "unit": pretty(quantity.unit),
-        "option": option or (f"a word: {quantity.example}" if quantity.example else ""),
-        "values": quantity.range.words if quantity.example else "",
-        "commands": first_of(commands_of(name), _MAX_NAMED) or "any, with --quantities " + name,
-        "equation": quantity.equation,
-        "formula": fields.get("formula", ""),
-        "follows from": ", ".join(parameters),
-        "source": fields.get("Source", ""),
-        "valid": fields.get("Valid", ""),
-        "accuracy": accuracy_of(formula.__name__) if formula else "",
-        "note": quantity.note,
-        "variant of": quantity.variant_of,
-        "variants": ", ".join(other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name),
-        "see also": ", ".join(other for other in NOMENCLATURE if _is_related(other, name)),
-    }
-    _write_sheet(f"{name}: {quantity.sentence}", ((f"  {head}", text) for head, text in facts.items()), out)
+    record = quantity_as_object(name)
+    title, example = f"{record.pop('name')}: {record.pop('meaning')}", record.pop("example")
+    is_word = example and not record["option"]
+    record["option"] = f"a word: {example}" if is_word else f"{record['option']} {example}".strip()
+    record["unit"] = pretty(record["unit"])
+    record["commands"] = first_of(record["commands"], _MAX_NAMED) or f"any, with --quantities {name}"
+    texts = {key: text if isinstance(text, str) else ", ".join(text) for key, text in record.items()}
+    _write_sheet(title, ((f"  {key.replace('_', ' ')}", text) for key, text in texts.items()), out)

@@ -6,7 +6,7 @@ Text of a user or a file is never read as markup, and nothing is cut where it do
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..quantities.formatting import Format, pretty
+from ..quantities.formatting import Format, in_words, pretty
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain, middle
@@ -64,8 +64,15 @@ def write_plain(answer: "Answer", out: TextIO, form: Format, *, alternatives: bo
     for result in answer.results:
         measures = {result.name: result.measure}
         measures |= {f"{result.name}_by_{kind}": values.get(result.name) for kind, values in beside.items()}
-        for name, number in _numbers(measures).items():
-            say(f"{name} {spelled(form.number(result.name, number))} {form.unit(result.name)}".removesuffix(" 1"), out)
+        write_measure(result.name, measures, out, form)
+
+
+def write_measure(quantity: str, measures: "Mapping[str, float | Uncertain | None]", out: TextIO, form: Format) -> None:
+    """Write a line `name value unit` for each number of some measures of a quantity, by their names."""
+    for name, number in _numbers(measures).items():
+        word = in_words(quantity, number)
+        value = word if isinstance(word, str) else f"{spelled(form.number(quantity, number))} {form.unit(quantity)}"
+        say(f"{name} {value}".removesuffix(" 1"), out)
 
 
 def _numbers(measures: "Mapping[str, float | Uncertain | None]") -> dict[str, float]:
