@@ -1,7 +1,6 @@
 """The command line: what it prints, to which stream, with which exit code, and every message whole."""
 
 import csv
-import email
 import io
 import json
 import math
@@ -423,13 +422,6 @@ def test_the_program_is_cited_as_its_licence_has_it(run: Run) -> None:
         "howpublished": f"Computer program, version {__version__}",
         "note": title.replace("License", "licence"),
     }
-
-
-def test_the_address_of_the_program_is_that_of_its_metadata(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert "url" not in run("r-min 100nm --cite").out.partition("\n}\n")[0]
-    described = email.message_from_string("Project-URL: Source, https://jkroll.example/a,b\nProject-URL: Other, x\n\n")
-    monkeypatch.setattr("importlib.metadata.metadata", lambda _: described)
-    assert "{https://jkroll.example/a,b}\n}\n@article" in run("r-min 100nm --cite").out
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ else:
 
 
 class Result(NamedTuple):
-    """A quantity in SI units, or the reason why it has no value.
+    """A quantity in SI units, or the reason why it has no value; a text of it is rounded, as on a terminal.
 
     `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies
     the relative error of a measured one, `growth` the largest factor by which those of two measured values enter it.
@@ -35,6 +35,14 @@ class Result(NamedTuple):
     law: str = ""  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
     of_law: str = ""  # the equation of the paper by which it does, or its source
 
+    def __str__(self) -> str:
+        return f"no value: {self.reason}" if self.measure is None else amount(self.name, self.measure)
+
+    @property
+    def unit(self) -> str:
+        """The SI unit."""
+        return NOMENCLATURE[self.name].unit
+
     @property
     def equation(self) -> str:
         """The equation that gives the quantity, or the source of its law."""
@@ -46,9 +54,14 @@ class Result(NamedTuple):
         return f"Eq {self.equation}" if self.equation.isdigit() else self.equation
 
     @property
+    def uncertain(self) -> "Uncertain | None":
+        """The value with its error bar, if an input has one."""
+        return self.propagated.uncertainty if self.propagated is not None else None
+
+    @property
     def measure(self) -> "float | Uncertain | None":
-        """The value, with its uncertainty if it has one."""
-        return self.propagated.uncertainty if self.propagated is not None else self.value
+        """The value, with its error bar if it has one."""
+        return self.value if self.uncertain is None else self.uncertain
 
 
 # Of notes, the most important first. What makes numbers doubtful has a size, by which these stand among each other.

@@ -188,8 +188,7 @@ def _write_answers(call: Call, answers: Iterable[Answer], count: int, form: Form
 
             write_explanation((answer.explained for answer in watched()), out, form)
         elif call.kind == "cite":
-            from ..output.methods import write_methods
-            from ..output.sources import write_citations
+            from ..output.sources import write_citations, write_methods
 
             write = write_methods if call.tex else write_citations
             write((answer.explained for answer in watched()), out)

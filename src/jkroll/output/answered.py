@@ -6,30 +6,15 @@ from typing import Any, NamedTuple
 
 from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, question_about
+from ..answers.results import Result
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.formatting import AS_USUAL, amount
+from ..quantities.formatting import AS_USUAL
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..quantities.values import Uncertain, is_uncertain
 from ..scene.scene import Scene
 from ..scene.solver import in_si, materials_of
 from .records import as_object
-
-
-class Value(NamedTuple):
-    """A result in SI units, with its unit and its error bar; a text of it is rounded, as on a terminal."""
-
-    name: str
-    value: float | None
-    unit: str
-    uncertain: Uncertain | None = None  # the value with its error bar, if an input has one
-    equation: str = ""
-    reason: str = ""  # why there is no value
-
-    def __str__(self) -> str:
-        if self.value is None:
-            return f"no value: {self.reason}"
-        return amount(self.name, self.value if self.uncertain is None else self.uncertain)
 
 
 class Exceeded(NamedTuple):
@@ -58,19 +43,9 @@ class Answered:
         self._found = found
 
     @cached_property
-    def values(self) -> Mapping[str, Value]:
+    def values(self) -> Mapping[str, Result]:
         """The results by name, in SI units."""
-        return {
-            one.name: Value(
-                one.name,
-                one.value,
-                NOMENCLATURE[one.name].unit,
-                one.propagated.uncertainty if one.propagated is not None else None,
-                one.equation,
-                one.reason if one.value is None else "",
-            )
-            for one in self._found.results
-        }
+        return {result.name: result for result in self._found.results}
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str | Uncertain]:
@@ -106,7 +81,7 @@ class Answered:
         """Return the object that the command prints with `--json`."""
         return as_object(self._found, AS_USUAL)
 
-    def __getitem__(self, name: str) -> Value:
+    def __getitem__(self, name: str) -> Result:
         """Return the result of a name, or of a symbol."""
         return self.values[named(name, self.values)]
 

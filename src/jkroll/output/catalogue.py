@@ -20,7 +20,7 @@ from .sources import bibtex, docstring_fields
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named: bool) -> None:
-    """Write materials in a format, those that were `named` in full."""
+    """Write materials in a format, a single one that was `named` in full, and several with all their values."""
     is_one = named and len(chosen) == 1
     if kind == "cite":
         entries = {entry["key"]: entry for material in chosen for entry in material.references}
@@ -29,19 +29,31 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
     elif kind == "json":
         objects = [material_as_object(material) for material in chosen]
         say(json_text(objects[0] if is_one else objects, out), out)
-    elif named and kind == "table":
-        for place, material in enumerate(chosen):
-            if place:
-                say("", out)
-            _write_material(material, out)
+    elif is_one and kind == "table":
+        _write_material(chosen[0], out)
     elif is_one and kind == "plain":
         _write_lines(chosen[0], out)
+    elif named and kind == "table":
+        _write_values(chosen, out)
     elif kind == "table":
         _write_list(chosen, out)
     else:
         columns = Wanted(PROPERTIES, sides={name: _sides_of(name, chosen) for name in PROPERTIES})
         records = (_material_row(material, columns.sides) for material in chosen)
         write_records(["material", *columns.heads(header), "state", "references", "source"], records, kind, out)
+
+
+def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
+    """Write a table of the properties of some materials."""
+    from ..answers.notes import symbol_beside
+    from .table import Column, input_column, write_table
+
+    values = (
+        input_column(name, [_known(material, name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
+        for name in PROPERTIES
+    )
+    write_table([Column("material", [material.name for material in chosen], False), *values], out)
+    say(f"\n{_OF_ONE}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
@@ -64,7 +76,10 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     heads = ("material", head, "method or reference")
     columns = texts_as_columns(heads, [row for of_set in rows.values() for row in of_set])
     print_table(columns, out, is_last_wrapped=True)
-    say("\nin full: jkroll materials NAME; find some: jkroll materials WORD", out)
+    say(f"\n{_OF_ONE}; find some: jkroll materials WORD", out)
+
+
+_OF_ONE = "in full: jkroll materials NAME"
 
 
 def _known(material: Material, name: str) -> float | Uncertain | None:

@@ -2,10 +2,10 @@
 
 import os
 import re
-from collections.abc import Mapping
-from typing import NamedTuple, TextIO
+from collections.abc import Iterator, Mapping
+from typing import ClassVar, NamedTuple, TextIO
 
-from ..text import fitting, say
+from ..text import fitting, say, terminal_width
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
@@ -24,6 +24,7 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
 }
 
 
+MAX_TEXT = 100  # columns of running text
 HISTORY = "changes"  # the page of what was, which is found where no other is
 
 
@@ -64,13 +65,26 @@ def sections() -> list[Section]:
 
 
 def write_text(text: str, out: TextIO) -> None:
-    """Write Markdown."""
-    if out.isatty():
-        from .markdown import write_markdown
-
-        write_markdown(text, out)
-    else:
+    """Write Markdown: in a pipe as it is, on a terminal in lines that are comfortable to read."""
+    if not out.isatty():
         out.write(fitting(text, out))
+        return
+    from rich.console import Console
+    from rich.markdown import CodeBlock, Markdown
+    from rich.text import Text
+
+    class Lines(CodeBlock):
+        """A code block whose lines are left as they are, for the terminal to break where they are too long."""
+
+        def __rich_console__(self, *_: object) -> Iterator[Text]:
+            yield Text(str(self.text).rstrip(), style="cyan", no_wrap=True, overflow="ignore")
+
+    class Page(Markdown):
+        elements: ClassVar = {**Markdown.elements, "fence": Lines, "code_block": Lines}
+
+    width = min(terminal_width(), MAX_TEXT)
+    console = Console(file=out, width=width, highlight=False, markup=False, emoji=False)
+    console.print(Page(fitting(text, out), hyperlinks=False), crop=False, soft_wrap=False)
 
 
 def write_topics(out: TextIO) -> None:

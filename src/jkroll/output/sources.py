@@ -1,4 +1,7 @@
-"""The sources of a number: `--explain` words its derivation from the formulas' docstrings, `--cite` writes BibTeX."""
+"""The sources of a number: `--explain` words its derivation from the formulas' docstrings, `--cite` writes BibTeX.
+
+With `--tex` it writes a paragraph for the Methods section of a paper, which cites these entries.
+"""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -13,11 +16,12 @@ from ..errors import BadRequest, JkrollError
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS, other_law
+from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import uses_law
 from ..scene.scene import Scene
 from ..scene.wiring import Step
-from ..text import say, say_wrapped
+from ..text import listed, say, say_wrapped
 from .notes import every_line
 
 _SECTIONS = ("Source", "Valid")
@@ -165,7 +169,7 @@ def power_law(scene: Scene, name: str) -> str:
 
 def _power(scene: Scene, name: str, given: str) -> str:
     """Return an input to the power with which a quantity depends on it, as text; empty if it does not."""
-    value, symbol = scene.values[given], NOMENCLATURE[given].symbol
+    value, base = scene.values[given], NOMENCLATURE[given].symbol
     if not isinstance(value, float) or not isfinite(value) or value == 0:
         return ""
     exponent = logarithmic_slope(lambda beside: scene.replace(**{given: beside})[name], value)
@@ -173,8 +177,8 @@ def _power(scene: Scene, name: str, given: str) -> str:
     if text == "0":
         return ""
     if text == "1":
-        return symbol
-    return f"{symbol}^({text})" if "/" in text else f"{symbol}^{text}"
+        return base
+    return f"{base}^({text})" if "/" in text else f"{base}^{text}"
 
 
 def logarithmic_slope(outcome: Callable[[float], float], value: float) -> float:
@@ -305,7 +309,7 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
         references |= {entry["key"]: entry for entry in (*sources.law, *sources.data, *sources.conventions)}
     if failure is not None and not equations:
         raise failure
-    say(bibtex({**PROGRAM, **_address()}), out)
+    say(bibtex(PROGRAM), out)
     say(bibtex({**PAPER, "note": cited_equations(equations)} if equations else PAPER), out)
     for entry in references.values():
         say(bibtex(entry), out)
@@ -319,17 +323,6 @@ def cited_equations(equations: Iterable[str]) -> str:
     """
     numbers = sorted(equations, key=int)
     return f"{'Eq.' if len(numbers) == 1 else 'Eqs.'} {', '.join(f'({number})' for number in numbers)}"
-
-
-def _address() -> dict[str, str]:
-    """Return the address of the program, if the metadata of its installation has one."""
-    from importlib.metadata import PackageNotFoundError, metadata
-
-    try:
-        addresses = metadata("jkroll").get_all("Project-URL") or []
-    except PackageNotFoundError:
-        return {}
-    return {"url": addresses[0].partition(",")[2].strip()} if addresses else {}
 
 
 def _of_law(scene: Scene, names: Sequence[str]) -> list[Mapping[str, str]]:
@@ -355,3 +348,62 @@ def bibtex(entry: Mapping[str, str]) -> str:
     width = max(map(len, fields), default=0)
     lines = [f"  {name:{width}} = {{{text}}}" for name, text in fields.items()]
     return f"@{entry.get('type', 'misc')}{{{entry['key']},\n" + ",\n".join(lines) + "\n}"
+
+
+# --- Methods ----------------------------------------------------------------------------------------------------------
+
+
+def write_methods(answers: Iterable[Answer], out: TextIO) -> None:
+    """Write a paragraph for each answer: what was computed, by which equations, and from which values.
+
+    Raises the failure of the first answer if no answer has a result.
+    """
+    failure: JkrollError | None = None
+    is_first = True
+    for answer in answers:
+        failure = failure or answer.failure
+        sources = Sources(answer)
+        if sources.names:
+            if not is_first:
+                say_wrapped("", out)
+            is_first = False
+            say_wrapped(f"{_computed(answer, sources)} {_values(answer)}", out, 0)
+    if is_first and failure is not None:
+        raise failure
+
+
+def _computed(answer: Answer, sources: Sources) -> str:
+    """Return the sentence with the program, the equations, the laws and conventions, and the quantities."""
+    paper = f"Dominik \\& Tielens{_cite([PAPER])}"
+    ways = [f"{cited_equations(sources.equations).replace('. ', '.~', 1)} of {paper}" if sources.equations else paper]
+    ways += [f"the {answer.scene.law.title} theory{_cite(sources.law)}"] if sources.law else []
+    ways += [f"the conventions of{_cite(sources.conventions)}"] if sources.conventions else []
+    names = [name for name in answer.question.headline if name in sources.names] or sources.names
+    quantities = as_latex("; ".join(f"{NOMENCLATURE[name].sentence} ({symbol(name)})" for name in names))
+    program = f"jkroll {__version__}{_cite([PROGRAM])}"
+    return f"With {program}, after {listed(ways)}, we computed for elastic spheres in adhesive contact: {quantities}."
+
+
+def _values(answer: Answer) -> str:
+    """Return the sentence with the inputs, where their data come from, and which of them were assumed."""
+    omitted = {"model", "energy"} if "energy_ratio" in answer.inputs else {"model"}  # the energy follows from its ratio
+    texts = []
+    for name, value in answer.measures.items():
+        if name in omitted:
+            continue
+        quantity = NOMENCLATURE[name]
+        stands = "" if quantity.is_word else f"{symbol(name)} = "
+        meaning = quantity.sentence + ("; assumed" if name in answer.assumed else "")
+        data = [
+            entry
+            for material, of_material in answer.scene.data_used([name])
+            for entry in material.sources_of(of_material)
+        ]
+        texts.append(as_latex(f"{stands}{amount(name, value)} ({meaning})") + _cite(data))
+    return f"Values used: {', '.join(texts)}."
+
+
+def _cite(entries: Iterable[Mapping[str, str]]) -> str:
+    """Return the command that cites entries; nothing without any."""
+    keys = ",".join(dict.fromkeys(entry["key"] for entry in entries))
+    return f"~\\cite{{{keys}}}" if keys else ""
