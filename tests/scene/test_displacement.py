@@ -95,6 +95,7 @@ def test_polystyrene_has_its_own() -> None:
         ("ice-warm", 1e-6, {}),  # whose γ was scaled from rolling forces
         ("silica-dry", 1e-6, {}),  # whose γ is not that of the spheres that were rolled
         ("quartz", 1e-6, {"surface_energy": 0.05}),
+        ("quartz", 1e-6, {"work_of_adhesion": 0.1}),
         ("quartz", 1e-6, {"yield_displacement": 2e-10}),
         ("quartz", 1e-6, {"hysteresis_fraction": 0.4}),
     ],

@@ -229,6 +229,15 @@ def test_one_rigid_body_or_an_unknown_modulus_is_no_reason() -> None:
     assert solve("yield_moment", **{**QUARTZ, "youngs_modulus": np.inf}, contact_modulus=1e9) > 0
 
 
+def test_no_wave_runs_around_a_rigid_sphere(run: Run) -> None:
+    result = json.loads(run("frequencies quartz 100nm --young rigid --young2 1GPa --json").out)["results"][-1]
+    assert (result["name"], result["value"]) == ("rayleigh_time", None)
+    assert result["reason"] == "sphere 1 is rigid, and no wave runs around it"
+    moduli = np.array([np.inf, 54e9])
+    times = solve("rayleigh_time", radius=1e-7, density=2600.0, poisson_ratio=0.17, youngs_modulus=moduli)
+    assert np.isnan(times).tolist() == [True, False]
+
+
 @pytest.mark.parametrize("size", [3, 20_000])
 def test_elements_of_two_rigid_bodies_are_nan(size: int) -> None:
     modulus = np.full(size, 54e9)

@@ -125,7 +125,7 @@ def lammps_input(scene: Scene) -> Iterator[str]:
 
 def _rayleigh(grains: Iterable[Scene]) -> Iterator[str]:
     """Iterate over the comment on the other time step in use, a fifth of the shortest Rayleigh time."""
-    times = [time for grain in grains for time in grain.numbers("rayleigh_time").values() if time]
+    times = [time for grain in grains for time in grain.numbers("rayleigh_time").values()]
     if times:
         yield (
             f"# A fifth of the Rayleigh time, which needs no load, is {min(times) / 5:.3g} s: take the shorter of the "

@@ -311,7 +311,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
         note="unequal spheres that do not slip also move their centres, which Eq (40) leaves out"),
     "sliding_frequency": Quantity("f_slide", "Hz", "sliding vibration, with rotation", may_be_zero=True),
     "time_step": Quantity("Δt", "s", "time step for a simulation"),
-    "rayleigh_time": Quantity("t_R", "s", "Rayleigh wave around half of sphere 1", may_be_zero=True),
+    "rayleigh_time": Quantity("t_R", "s", "Rayleigh wave around half of sphere 1"),
     # validity
     "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
     "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),

@@ -103,10 +103,10 @@ def rolled_solid(scene: Scene) -> str:
 
 def _is_near(scene: Scene, solid: str) -> Any:
     """Return whether spheres of a solid have the size and γ of those that were rolled, by element for arrays."""
-    known = scene.numbers("surface_energy", "reduced_radius")
+    known = scene.numbers("work_of_adhesion", "reduced_radius")
     least, most = _SIZES[solid]
     low, high = _OF_SPHERES if solid == SIO2 else (0.0, INFINITY)
-    radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("surface_energy", 0.0)
+    radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
     return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
 
 

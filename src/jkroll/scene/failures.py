@@ -138,6 +138,7 @@ NOT_HELD = Kind(  # between pull-off and the fold, where spheres do not hold tog
 )
 NOT_PRESSED = Kind("no load that presses", "needs a load that presses the spheres; give --load 5nN")
 NO_CHAIN = Kind("sphere 2 is a plane", "sphere 2 is a plane; a chain needs two spheres")
+RIGID = Kind("sphere 1 is rigid", "sphere 1 is rigid, and no wave runs around it")
 APART = Kind("no contact circle", "the spheres are bound without touching; there is no contact circle")
 TOO_MUCH_HYSTERESIS = Kind(
     "hysteresis above work of adhesion",
@@ -289,6 +290,7 @@ RULES: Mapping[str, Rule] = {  # by formula
     "peeling_radius": Rule(NOT_HELD, _is_held_by_grips_alone),
     "rolling_resistance_coefficient": Rule(NOT_PRESSED, lambda given: given["load"] <= 0),
     "viscosity_number": Rule(NO_POISSON_RATIO, lambda given: given["poisson_ratio"] * given["poisson_ratio2"] <= 0),
+    "rayleigh_time": Rule(RIGID, lambda given: given["youngs_modulus"] == INFINITY),
     "contact_displacement": Rule(APART, lambda given: given["edge_ratio"] == 0),
 }
 
