@@ -72,7 +72,7 @@ def run_materials(call: Call) -> int:
         named = [] if lists_all else [materials[word] for word in text.split(",")]
         chosen = named or [*materials.materials.values()]
     except UnknownMaterial:
-        from ..output.search import materials_with
+        from ..output.manual import materials_with
 
         named, chosen = [], materials_with(call.words, materials.materials.values())
         if not chosen:
@@ -91,7 +91,7 @@ def run_materials(call: Call) -> int:
 def run_quantities(call: Call) -> int:
     """List quantities, those that have some words, or one in full; return the exit code."""
     from ..output.catalogue import write_quantities
-    from ..output.search import Hits, hits_of, quantities_named, write_hits
+    from ..output.manual import Hits, hits_of, quantities_named, write_hits
 
     kind = call.kind
     names = quantities_named(call.words)
@@ -109,8 +109,7 @@ def run_quantities(call: Call) -> int:
 
 def run_guide(call: Call) -> int:
     """Show a page of the manual, list its topics, or show what has some words; return the exit code."""
-    from ..output.manual import page, topics, write_text, write_topics
-    from ..output.search import hits_of, write_hits
+    from ..output.manual import hits_of, page, topics, write_hits, write_text, write_topics
 
     topic = " ".join(call.words)
     if not call.words:

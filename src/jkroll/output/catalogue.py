@@ -14,8 +14,8 @@ from ..rows.columns import Wanted
 from ..scene.limits import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
 from ..text import first_of, json_text, say, say_wrapped
+from .manual import has_words, without_variants, words_of
 from .records import Cell, write_measure, write_records
-from .search import has_words, without_variants, words_of
 from .sources import bibtex, docstring_fields
 
 

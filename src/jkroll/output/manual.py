@@ -1,11 +1,15 @@
-"""The manual: pages of Markdown, set by rich on a terminal, and as they are in a pipe."""
+"""The manual: pages of Markdown, set by rich on a terminal; and the search of it, the quantities and the materials."""
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import ClassVar, NamedTuple, TextIO
 
-from ..text import fitting, say, terminal_width
+from ..errors import BadRequest
+from ..materials.library import Material
+from ..quantities.errors import QUANTITY_SYNONYMS
+from ..quantities.nomenclature import NOMENCLATURE, named, with_symbol
+from ..text import LETTERS, closest, first_of, fitting, quoted, say, terminal_width
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
@@ -24,6 +28,7 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
 }
 
 
+MAX_NAMED = 6  # quantities and materials in a list of what was found
 MAX_TEXT = 100  # columns of running text
 HISTORY = "changes"  # the page of what was, which is found where no other is
 
@@ -94,3 +99,108 @@ def write_topics(out: TextIO) -> None:
     for topic in names:
         title = page(topic).partition("\n")[0].removeprefix("# ")
         say(f"{topic:{width}}  {title}", out)
+
+
+# --- Search -----------------------------------------------------------------------------------------------------------
+
+
+class Hits(NamedTuple):
+    """Sections, quantities and materials that have all words that are sought, each as the beginning of a word."""
+
+    sections: Sequence[Section]
+    quantities: Sequence[str]
+    materials: Sequence[str]
+
+
+def hits_of(words: Sequence[str], materials: Iterable[Material]) -> Hits:
+    """Return what has all of some words: of the sections those that have them in their titles, if there are any."""
+    begun = words_of(words)
+    if not begun:
+        return Hits([], [], [])
+    titled = [section for section in sections() if has_words(section.title, begun)]
+    holding = [section for section in sections() if has_words(f"{section.title} {section.prose}", begun)]
+    return Hits(
+        titled or [section for section in holding if section.page != HISTORY] or holding,
+        _quantities_with(words, only_by_name=bool(titled)),
+        [material.name for material in materials_with(words, materials)],
+    )
+
+
+def materials_with(words: Sequence[str], materials: Iterable[Material]) -> list[Material]:
+    """Return the materials that have all of some words in their names, states or sets."""
+    begun = words_of(words)
+    return [
+        material
+        for material in materials
+        if begun and has_words(" ".join((material.name, *material.aliases, material.state, material.title)), begun)
+    ]
+
+
+def quantities_named(words: Sequence[str]) -> list[str]:
+    """Return the quantities that words stand for: all without words, one by name or symbol, or a list with commas."""
+    if not words:
+        return list(NOMENCLATURE)
+    several = [named(word.strip()) for word in " ".join(words).split(",")]
+    if len(several) > 1 and NOMENCLATURE.keys() >= {*several}:
+        return [*dict.fromkeys(several)]
+    text = "_".join(" ".join(words).split())
+    return [named(text)] if named(text) in NOMENCLATURE else with_symbol(text)
+
+
+def _quantities_with(words: Sequence[str], *, only_by_name: bool) -> list[str]:
+    """Return the quantity that others call so, those with the words in their names, and those with them in meaning.
+
+    The last are left out with `only_by_name` if there are no others. Variants stand last, and only where their quantity
+    is not found.
+    """
+    begun = words_of(words)
+    by_name = {name for name in NOMENCLATURE if has_words(_called(name), begun)}
+    names = [name for name in NOMENCLATURE if has_words(f"{_called(name)} {NOMENCLATURE[name].sentence}", begun)]
+    names.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), name not in by_name))
+    if meant := QUANTITY_SYNONYMS.get("_".join(" ".join(words).split()).casefold()):
+        names.insert(0, meant)
+    elif only_by_name and not by_name:
+        return []
+    return without_variants([*dict.fromkeys(names)])
+
+
+def without_variants(names: Sequence[str]) -> list[str]:
+    """Return names without the variants of quantities that are among them."""
+    return [name for name in names if NOMENCLATURE[name].variant_of not in names]
+
+
+def _called(name: str) -> str:
+    """Return the name, symbol and option of a quantity."""
+    return f"{name} {NOMENCLATURE[name].symbol} {NOMENCLATURE[name].option}"
+
+
+def words_of(texts: Iterable[str]) -> set[str]:
+    """Return the words of texts, in lower case and without underscores and signs."""
+    return set(re.findall(r"[^\W_]+", " ".join(texts).casefold()))
+
+
+def has_words(text: str, begun: Iterable[str]) -> bool:
+    """Return whether each of some texts begins a word of a text; the name of a Greek letter is the letter, too."""
+    words = words_of([text])
+    return all(any(word.startswith((piece, LETTERS.get(piece, piece))) for word in words) for piece in begun)
+
+
+def write_hits(words: Sequence[str], hits: Hits, out: TextIO) -> None:
+    """Write the section that was found, or a list of several, and the names of quantities and materials."""
+    text = " ".join(words)
+    if not any(hits):
+        guess = closest(text, topics())
+        meant = f"did you mean {guess}? " if guess else ""
+        raise BadRequest(f"guide: nothing has the words {quoted(text, 40)}; {meant}jkroll guide lists the pages")
+    if len(hits.sections) == 1 and (hits.sections[0].page != HISTORY or HISTORY in words):
+        [section] = hits.sections
+        write_text(section.text, out)
+        say(f"from the page {section.page}: jkroll guide {section.page}", out)
+    elif hits.sections:
+        for section in hits.sections:
+            say(f"{section.page:{max(map(len, topics()))}}  {section.heading}", out)
+        say("jkroll guide PAGE shows a page; with words of a heading behind PAGE, a section", out)
+    if hits.quantities:
+        say(f"quantities: {first_of(hits.quantities, MAX_NAMED)}: jkroll quantities {text}", out)
+    if hits.materials:
+        say(f"materials: {first_of(hits.materials, MAX_NAMED)}: jkroll materials {','.join(hits.materials)}", out)
