@@ -857,3 +857,13 @@ def test_a_rigid_material_is_rigid_in_every_form(run: Run, tmp_path: Path) -> No
     assert json.loads(run(f"{words} --json").out)["youngs_modulus"] == "rigid"
     assert "\nyoungs_modulus rigid\n" in run(words).out
     assert ",rigid," in run(f"{words} --csv").out
+
+
+def test_a_pipe_has_the_sides_and_the_origin_of_each_property(run: Run) -> None:
+    lines = dict(line.split(" ", 1) for line in run("materials", "ice-warm").out.splitlines())
+    material = Materials().materials["ice-warm"]
+    for name, origin in material.origins.items():
+        uncertain = material.uncertainties[name]
+        sides = [float(text.split()[0]) for key, text in lines.items() if key.startswith(f"{name}_")]
+        assert sorted(sides) == sorted(uncertain.sides.values())
+        assert {key.partition(".")[2]: text for key, text in lines.items() if key.startswith(f"{name}.")} == origin

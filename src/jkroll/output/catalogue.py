@@ -137,14 +137,17 @@ def _material_row(material: Material, sides: Mapping[str, Sequence[str]]) -> lis
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
-    """Write a line `name value unit` for each property, and for each side of its uncertainty."""
+    """Write a line `name value unit` for each property and each side of its uncertainty, and where it comes from."""
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
-    for name in material.properties:
-        write_measure(name, {name: _known(material, name)}, out, AS_USUAL)
+    values = {name: _known(material, name) for name in material.properties}
     if material.displacement is not None:
-        write_measure(XI, {XI: material.displacement.measured}, out, AS_USUAL)
+        values[XI] = material.displacement.measured
+    for name, value in values.items():
+        write_measure(name, {name: value}, out, AS_USUAL)
+        for field, text in material.origins.get(name, {}).items():
+            say(f"{name}.{field} {text}", out)
 
 
 def _write_material(material: Material, out: TextIO) -> None:
