@@ -397,9 +397,9 @@ def mistaken(text: str, problem: str, meant: str) -> str:
 
 
 HEADERS = {
-    "radius [nm],radius [nm]": "header: two columns 'radius [nm]', of which one must go",
-    "radius [nm],radius [um]": "header: the columns 'radius [nm]' and 'radius [um]', of which one must go",
-    "a,a,radius [nm]": "header: two columns 'a', of which one must go",
+    "radius [nm],radius [nm]": "header: of the columns 'radius [nm]' and 'radius [nm]' one must go",
+    "radius [nm],radius [um]": "header: of the columns 'radius [nm]' and 'radius [um]' one must go",
+    "a,a,radius [nm]": "header: of the columns 'a' and 'a' one must go",
     "radius [nn]": mistaken("radius [nn]", "what stands behind radius is not its unit.", "radius [UNIT]"),
     "radius [kg]": mistaken("radius [kg]", "what stands behind radius is not its unit.", "radius [UNIT]"),
     "radius [kg": mistaken("radius [kg", "what stands behind radius is not its unit.", "radius [UNIT]"),
@@ -414,12 +414,12 @@ HEADERS = {
         "\\t", "?"
     ),
     "radius [],x": (
-        "header: 'radius []' has no unit, and neither has its first cell '100'. Write --column 'radius []=radius "
-        "[UNIT]' with its unit, or --column 'radius []=' to pass it through"
+        "header: 'radius []' (first cell '100'): neither has a unit. Write --column 'radius []=radius "
+        "[UNIT]', or --column 'radius []=' to pass it through"
     ),
     "radius,x": (
-        "header: 'radius' has no unit, and neither has its first cell '100'. Write --column 'radius=radius [UNIT]' "
-        "with its unit, or --column 'radius=' to pass it through"
+        "header: 'radius' (first cell '100'): neither has a unit. Write --column 'radius=radius [UNIT]', "
+        "or --column 'radius=' to pass it through"
     ),
     "radius [nm],status": "header: the table already has a column 'status'; rename it",
     "radius [nm],doubt": "header: the table already has a column 'doubt'; rename it, or write --no-doubt",
@@ -443,7 +443,7 @@ HEADERS = {
 
 def test_a_long_name_of_a_column_is_no_mistaken_input() -> None:
     name = "radius_" * 100_000
-    with patch("jkroll.rows.readings.key", side_effect=str) as plain:
+    with patch("jkroll.rows.header.key", side_effect=str) as plain:
         assert understood([name]).inputs == ()
     assert plain.call_count < 200  # else for every _
 

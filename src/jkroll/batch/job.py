@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 from ..answers.questions import EVERYTHING, quantities_named
 from ..materials.library import Materials
-from ..rows.header import is_input, stated_meanings, understood
-from ..rows.readings import Reading
+from ..rows.header import Reading, is_input, stated_meanings, understood
 from ..rows.table import Fill, Table, idle_of, table_of
 from ..scene.failures import MissingInput
 from ..text import say_wrapped

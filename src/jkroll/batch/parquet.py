@@ -13,8 +13,7 @@ from ..output.writers import divided, length
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.cells import Column, Numbers
 from ..rows.columns import BLOCK, DOUBT, STATUS
-from ..rows.header import is_input
-from ..rows.readings import Reading
+from ..rows.header import Reading, is_input
 from ..rows.table import Records, Table
 from ..text import quoted, shown
 from .files import FileFormat, Input

@@ -37,7 +37,7 @@ _OF_VALUE = re.compile(r"(?:(?:±|\+/?-)[^±]*%)?$", re.DOTALL)  # as in 25±20 
 _BARE = re.compile(r"(?:[-+±()/.0-9\s]|(?<=[0-9.)])[eE](?=[-+0-9])|\bto\b)*")  # numbers without a unit
 _NO_END = "?"  # of a range
 _NO_SIDES: Mapping[str, int] = {}  # which can be pickled
-_NOTHING = ("nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
+_NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
 
 
 class Column(NamedTuple):
@@ -106,7 +106,7 @@ class Column(NamedTuple):
             raise QuantityError(self.name, text, "is a range without an end")
         if text.lstrip().startswith("±"):
             raise QuantityError(self.name, text, "is an error bar without a value")
-        if text.strip().casefold() in _NOTHING:
+        if has_no_value(text):
             raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
         try:
             return value_of(self._with_unit(written(text)), self.name)
@@ -128,6 +128,11 @@ def _in_unit(number: str, unit_text: str, *, is_pair: bool = False) -> str:
 def _are_equal(first: str, second: str) -> bool:
     """Return whether two cells are the same, or the same number."""
     return first == second or (is_number(first) and is_number(second) and float(first) == float(second))
+
+
+def has_no_value(text: str) -> bool:
+    """Return whether a cell has no value, as programs write it."""
+    return text.strip().casefold() in _NO_VALUES
 
 
 def is_number(text: str) -> bool:

@@ -1,27 +1,205 @@
-"""The header of a table: the columns that are inputs, with their units, those that pass through, what is refused."""
+"""The header of a table: the columns that are inputs, with their units, those that pass through, what is refused.
+
+A header is a word with a unit, in any of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
+`gamma..mJ.m2.`. Words are compared by their letters and digits alone, so that `Young's modulus` and `youngsModulus` are
+one; a symbol is compared as it is written, and its unit decides between the quantities that have it. What has the word
+of an input and is no word with a unit is refused. All else passes through.
+"""
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from itertools import combinations
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ..errors import BadRequest, BadTable
-from ..quantities.errors import QUANTITY_SYNONYMS, QuantityError
+from ..quantities.errors import QuantityError
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
+from ..quantities.units import is_in_table
 from ..quantities.values import unit_of, value_of
-from ..text import closest, first_of, quoted, shown
-from .cells import Column, is_number
-from .readings import Reading, named, reading_of
-from .words import MATERIALS, fits, key, unit_for, with_unit
+from ..text import ascii_text, composed, first_of, listed, quoted, shown
+from . import words
+from .cells import Column, has_no_value, is_number
+from .words import MATERIALS, Meaning, fits, key, squeezed, symbol_of, unit_for, with_unit
+
+
+class Reading(NamedTuple):
+    """The meaning of a header: an input with the text of its unit; or, without a name, a column that passes through."""
+
+    name: str = ""  # where there is a problem, of the input that it may be; "" for ± alone
+    unit_text: str = ""
+    part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", or the "low" or "high" end of a range
+    is_symbol: bool = False  # without a unit: an input only if its cells have units
+    problem: str = ""  # why the header is refused unless another column is this input
+    meant: Sequence[str] = ()  # the headers that would be read, where that is certain
+    place: int = 0  # in a table
+    text: str = ""  # the header, and the first cell below it that is not empty
+    cell: str = ""
+
+    @property
+    def is_input(self) -> bool:
+        """True for what is read."""
+        return bool(self.name) and not self.problem
+
+
+class _Split(NamedTuple):
+    """A header as a word and what may be its unit; `is_explicit` if brackets, a mark or "in" says so."""
+
+    word: str
+    unit: str
+    is_explicit: bool = True
+    is_mangled: bool = False  # signs, or letters such as µ, may have become _ or .
+
+
+_SPELT = str.maketrans("’‘“”″∕⁄₀₁₂Ø⌀", '\'\'"""//012DD')
+# Where a unit may begin: behind a mark, which is the first group, or behind a gap.
+_CUT = re.compile(
+    r"([\s_.-]*[,/:;|\[({<]\s*(?:in[\s_.]+)?|\s+in\s+)"
+    r"|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
+)
+_PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
+_EDGES = " _.,:;/|-"
+_FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*$|[⁰¹²³]+$"
+_LONGEST = 120  # letters of a header that can be one
+# Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
+_SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
+_ERROR = "|".join([r"(?:standard|std?)[\s_.]*dev(?:iation)?\.?", *words.ERRORS])
+_PART = (
+    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
+    rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{_ERROR}|{'|'.join(words.PARTS)})(?=$|[\s_.,/(\[])"
+)
+
+
+@lru_cache(maxsize=1000)
+def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
+    """Return the meaning of a header; `more`: keys of further words, with the quantities that they mean.
+
+    >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
+    (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
+    >>> reading_of("± [nm]")[:3], reading_of("SD")[:3], reading_of("u(E) (%)")[:3]
+    (('', 'nm', 'both'), ('', '', 'both'), ('youngs_modulus', '%', 'both'))
+    """
+    if len(text) > _LONGEST:
+        return Reading()
+    known = words.meanings() | {word: Meaning([name]) for word, name in more}
+    splits = [*_splits(text)]
+    exact = next(filter(None, (_exact(split, known) for split in splits)), None)
+    return exact or _of_part(splits[0].word, more) or _refused(splits, known) or Reading()
+
+
+def _splits(text: str) -> Iterator[_Split]:
+    """Iterate over words and what may be their units: none, and what stands behind each place where one may begin."""
+    text = " ".join(composed(text).translate(_SPELT).split()).strip("\"' ")
+    yield _Split(text.strip(" _."), "")
+    for cut in reversed([*_CUT.finditer(text)]):
+        word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")
+        if word and (unit or cut[1]) and not re.search(r"[\[\](){}<>]", word):  # in brackets there may be none
+            is_mangled = not cut[1] and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
+            yield _Split(word, unit, bool(cut[1]), is_mangled)
+
+
+def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
+    """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
+    word, unit, is_explicit, is_mangled = split
+    meaning = known.get(key(word))
+    is_symbol = meaning is None
+    if is_symbol and (is_explicit or (not is_mangled and len(squeezed(unit)) > 1 and word[:1].isalpha())):
+        meaning = words.symbols().get(symbol_of(word))
+    if meaning is None or not meaning.names or (unit in words.INDICES and not is_explicit):
+        return None
+    units = ((each, unit_for(unit, each, is_explicit=is_explicit) if unit else "") for each in meaning.names)
+    name, unit_text = next((pair for pair in units if pair[1] or not unit), ("", ""))
+    if not name or (is_mangled and is_in_table(f"u{unit_text}")):  # µm may have become m
+        return None
+    alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
+    is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
+    meant = [with_unit(each, unit_text or "UNIT") for each in alike] if is_open else ()
+    is_symbol = is_symbol and not unit and not meaning.problem and name not in words.RATIOS
+    return Reading(name, unit_text, "", is_symbol, meaning.problem, meant)
+
+
+def _of_part(text: str, more: tuple[tuple[str, str], ...]) -> Reading | None:
+    """Return the meaning of a header of a part of an uncertainty, without a name if it is ± alone, if it is one."""
+    plain = re.sub(_SHARE, "", text)
+    share = "%" if plain != text else ""
+    if (mark := re.search(_PART, plain)) is None:
+        return None
+    word = mark[0].strip(" _.").casefold()
+    part = words.PARTS.get(word, "both")
+    rest = (plain[: mark.start()] + (mark[1] or "") + plain[mark.end() :]).strip(" _.")
+    if rest[:1] in ("", "[", "("):
+        unit = share or rest[1:-1].strip()
+        is_alone = part == "both" and word not in ("σ", "sigma", "se") and (unit or not word.startswith("err"))
+        return Reading(unit_text=unit, part=part) if is_alone else None
+    reading = reading_of(rest, more)
+    is_value = reading.is_input and not reading.part and reading.name not in MATERIALS
+    return Reading(reading.name, share or reading.unit_text, part) if is_value else None
+
+
+def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading | None:
+    """Return the refusal of a header that has the word of an input and cannot be read; None if it passes through."""
+    for split in sorted(splits, key=lambda split: len(split.word), reverse=True):
+        bare = split._replace(word=re.sub(_FACTORS, "", split.word))
+        if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
+            return Reading(reading.name, problem="a sign or a factor stands beside the word")
+        word, is_slip = _word_in(split.word, known)
+        if not word:
+            continue
+        meaning = known[word]
+        if not meaning.names:
+            return None  # another quantity
+        name, is_shared = meaning.names[0], word in words.SHARED
+        if split.unit and word == key(split.word):
+            tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
+            is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
+            is_other = is_shared and not unit_for(split.unit.casefold(), name)
+            if meaning.problem or ((is_label or is_other) and not split.is_explicit):
+                return None
+            unit = [with_unit(name)] if split.unit[0].isalpha() else []
+            return Reading(name, problem=f"what stands behind {name} is not its unit", meant=unit)
+        unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
+        is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
+        if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
+            is_last = unit_text and (is_slip or key(split.word).endswith(word))
+            is_of_either = not is_slip and NOMENCLATURE[name].sphere == 1
+            names = [] if meaning.problem else [name, NOMENCLATURE[name].twin] if is_of_either else [name]
+            meant = [with_unit(each, unit_text if is_last else "UNIT") for each in names]
+            return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
+    return None
+
+
+def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
+    """Return the known word that a text is, the longest beside others in it, or that from which it differs by a slip.
+
+    The second value says if it is a slip: a letter, or the order of two.
+
+    >>> [_word_in(text, words.meanings()) for text in ("tip load", "gama", "laod", "head")]
+    [('load', False), ('gamma', True), ('load', True), ('', False)]
+    """
+    letters = key(text)
+    if letters in known:
+        return letters, False
+    tokens = re.findall(r"[a-z]+[12]?", _CUT.sub(" ", ascii_text(text).replace("'", "")).casefold())
+    if words.OTHERS.isdisjoint(tokens):
+        runs = ("".join(tokens[first:last]) for first, last in combinations(range(len(tokens) + 1), 2))
+        if longest := max((run for run in runs if run in known), key=len, default=""):
+            return longest, False
+    slips = (words.slips().get(spelt, "") for spelt in words.lacking_a_letter(letters))
+    slip = next(filter(None, slips), "")
+    return slip, bool(slip)
+
+
+# --- All headers of a table -------------------------------------------------------------------------------------------
 
 _MAX_SAID = 60  # columns that pass through and are named
 _OF_DIRECTIONS = r"(?i)\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _ENDS = ("low", "high")
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # of the columns of a value, by part
-_VALUE, _UNIT, _NO_UNIT = "value", "unit", "has no unit, and neither has its first cell"  # kinds of cells
+_VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # kinds of cells
 _NO_MEANINGS: Mapping[str, Reading] = MappingProxyType({})
 
 
@@ -53,8 +231,7 @@ class Header(NamedTuple):
         used = {*self.places.values()}
         others = [text for place, text in enumerate(self.texts) if place not in used and text.strip()]
         if others:
-            count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
-            sentence += f"; passed through: {count}{first_of([*map(_easy, dict.fromkeys(others))], _MAX_SAID)}"
+            sentence += f"; passed through: {first_of([*map(_easy, dict.fromkeys(others))], _MAX_SAID)}"
         return sentence
 
     def _from(self, column: Column) -> str:
@@ -70,9 +247,6 @@ def _easy(text: str) -> str:
     return shown(text) if " " not in text.strip().replace(" [", "[") and "(" not in text else f'"{shown(text)}"'
 
 
-# --- What options say of columns --------------------------------------------------------------------------------------
-
-
 def stated_meanings(texts: Iterable[str], names: Iterable[str] = (), measured: str = "") -> dict[str, Reading]:
     """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input.
 
@@ -80,32 +254,31 @@ def stated_meanings(texts: Iterable[str], names: Iterable[str] = (), measured: s
     a quantity that columns have besides inputs. Raises BadRequest.
     """
     symbol = NOMENCLATURE[measured].symbol if measured else ""
-    words = {word: measured for word in (key(measured), key(symbol)) if word}
-    of_measured = tuple(words.items())
+    of_words = {word: measured for word in (key(measured), key(symbol)) if word}
     meanings: dict[str, Reading] = {}
     for text in texts:
         head, is_pair, meaning = text.rpartition("=")
         head = head.strip()
         if not is_pair or not head:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
-        reading = reading_of(meaning, of_measured)
-        if meaning.strip() and (not reading.is_input or reading.is_symbol or reading.meant):
-            meant = reading.meant[0] if reading.meant else "a name with its unit, as in radius [nm]"
-            problem = f": {reading.problem}" if reading.problem else ""
-            raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; did you mean {meant}?")
+        stated = reading_of(meaning, tuple(of_words.items()))
+        if meaning.strip() and (not stated.is_input or stated.is_symbol or stated.meant):
+            problem = f": {stated.problem}" if stated.problem else ""
+            raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; write one, as in radius [nm]")
         if head in meanings:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
-        word, unit_text = named(head, reading.name) if reading.name else ("", "")
-        meanings[head] = reading._replace(unit_text=reading.unit_text or unit_text)
-        words |= {word: reading.name} if word and not reading.part else {}
-    for head in map(str.strip, names) if words else ():
-        reading = reading_of(head, tuple(words.items()))
+        unit_text = ""
+        for split in _splits(head) if stated.name else ():
+            word = key(split.word)
+            if reading := _exact(split, {word: Meaning([stated.name])}):
+                unit_text = reading.unit_text or unit_text  # of several, the longest is the last
+                of_words |= {word: stated.name} if word and not stated.part else {}
+        meanings[head] = stated._replace(unit_text=stated.unit_text or unit_text)
+    for head in map(str.strip, names) if of_words else ():
+        reading = reading_of(head, tuple(of_words.items()))
         if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
             meanings.setdefault(head, reading)
     return meanings
-
-
-# --- What a table says ------------------------------------------------------------------------------------------------
 
 
 def understood(
@@ -119,47 +292,44 @@ def understood(
     `given`: the inputs of options. Raises BadTable.
     """
     for text in meanings.keys() - {text.strip() for text in texts}:
-        guess = closest(text, texts)
-        meant = f"; did you mean {quoted(guess)}?" if guess else ""
-        raise BadTable(f"--column: the table has no column {quoted(text)}{meant}")
-    heads = []
-    for place, text in enumerate(texts):
-        cells = [row[place].strip() for row in rows]
-        first = next(filter(None, cells), "")
-        heads.append(meaning_of(text, cells, meanings)._replace(place=place, text=text, cell=first))
-    heads = [*_beside_others(heads, meanings.keys(), given)]
-    parts: dict[str, dict[str, Reading]] = {}  # of inputs, by the part of the uncertainty, "" for the values
+        known = first_of([*map(_easy, texts)], _MAX_SAID)
+        raise BadTable(f"--column: the table has no column {quoted(text)}; it has {known}")
+    columns_of_cells = ([row[place] for row in rows] for place in range(len(texts)))
+    heads = [meaning_of(text, cells, meanings) for text, cells in zip(texts, columns_of_cells, strict=True)]
+    heads = [head._replace(place=place) for place, head in enumerate(_beside_others(heads, meanings.keys(), given))]
+    inputs: dict[str, dict[str, Reading]] = {}  # by the part of the uncertainty, "" for the values
     for head in heads:
         name, part = (head.name, head.part) if head.is_input else ("", head.text)
-        other = parts.setdefault(name, {}).setdefault(part, head)
+        other = inputs.setdefault(name, {}).setdefault(part, head)
         if other is not head and head.text.strip():
-            both = "two columns" if other.text == head.text else f"the columns {quoted(other.text)} and"
-            raise BadTable(f"header: {both} {quoted(head.text)}, of which one must go")
-    parts.pop("", None)
-    known = {name for name, of_name in parts.items() if not {"", "low"}.isdisjoint(of_name)}
-    refused = [head for head in heads if head.problem and head.name not in known]
-    for of_name in parts.values():
-        values = [head for part, head in of_name.items() if part == "" or (part in _ENDS and "" not in of_name)]
-        refused += [head for head in map(_with_unit, values) if head.problem]
+            raise BadTable(f"header: of the columns {quoted(other.text)} and {quoted(head.text)} one must go")
+    inputs.pop("", None)
+    used = {name: parts for name, group in inputs.items() if (parts := _used(name, group, meanings.keys()))}
+    values = [head for parts in used.values() for part, head in parts.items() if part in ("", *_ENDS)]
+    refused = [head for head in heads if head.problem and head.name not in used]
+    refused += [head for head in map(_with_problem, values) if head.problem]
     if refused:
         raise _refusal(sorted(refused, key=lambda head: head.place))
-    columns = [*filter(None, (_column(of_name, meanings.keys()) for of_name in parts.values()))]
-    inputs = tuple(column for column in columns if column.name not in MATERIALS)
+    columns = [_column(name, parts) for name, parts in used.items()]
     materials = tuple(column for column in columns if column.name in MATERIALS)
-    return Header(tuple(texts), inputs, materials, meanings)
+    return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials, meanings)
 
 
 def meaning_of(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -> Reading:
     """Return the meaning of a column: that of `--column`, else that of its header, if its cells can be of it."""
-    if (stated := meanings.get(text.strip())) is not None:
-        return stated
-    reading, cell = reading_of(text), next(filter(None, cells), "")
-    if reading.is_symbol and not reading.part:
+    cells = [cell.strip() for cell in cells if not has_no_value(cell)]
+    cell = next(iter(cells), "")
+    reading, stated = reading_of(text), meanings.get(text.strip())
+    if stated is not None:
+        reading = stated
+    elif reading.is_symbol and not reading.part:
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
-        return Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
-    if key(text) in ("model", "law") and cell.casefold() in LAWS:
-        return Reading(problem=f"the law is an option: --model {cell.casefold()}")
-    return reading if reading.is_input or not cell[:1].isalpha() else Reading()
+        reading = Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
+    elif key(text) in ("model", "law") and cell.casefold() in LAWS:
+        reading = Reading(problem=f"the law is an option: --model {cell.casefold()}")
+    elif cell[:1].isalpha() and not reading.is_input:
+        reading = Reading()
+    return reading._replace(text=text, cell=cell)
 
 
 def _kind(cell: str, name: str) -> str:
@@ -171,7 +341,7 @@ def _kind(cell: str, name: str) -> str:
     return _VALUE
 
 
-def _with_unit(head: Reading) -> Reading:
+def _with_problem(head: Reading) -> Reading:
     """Return the head of an input, with a problem if neither it nor its first cell has the unit that it needs."""
     needs_unit = head.cell and not head.unit_text and NOMENCLATURE[head.name].unit not in ("", "1")
     if not needs_unit or (kind := _kind(head.cell, head.name)) not in (_NO_UNIT, _UNIT):
@@ -190,50 +360,47 @@ def _beside_others(heads: Sequence[Reading], stated: Collection[str], given: Col
     moduli = [head for head in heads if head.name in ("youngs_modulus", "youngs_modulus2")]
     direction = next((head.text for head in heads if moduli and re.match(_OF_DIRECTIONS, head.text)), None)
     for left, head in zip([Reading(), *heads], heads, strict=False):
-        changed: dict[str, Any] = {}
         if head.part and not head.name:
             is_value = left.is_input and not left.part and left.name not in MATERIALS
             is_of_left = is_value and (head.unit_text in ("", "%") or fits(head.unit_text, left.name))
-            changed = {"name": left.name if is_of_left else ""}
+            yield head._replace(name=left.name if is_of_left else "")
         elif direction is not None and head in moduli and head.text.strip() not in stated:
-            problem = f"{quoted(direction)} beside it says that it is the modulus along a direction"
-            changed = {"problem": problem, "meant": ()}
+            yield head._replace(problem=f"{quoted(direction)} beside it says that it is along a direction", meant=())
         elif head.is_input and head.meant and not head.part and not is_of_two:
-            problem = "R is the radius of a sphere or the reduced radius, half of it for equal spheres"
-            changed = {"problem": problem}
-        yield head._replace(**changed)
+            yield head._replace(problem="R may be the radius of a sphere or the reduced radius")
+        else:
+            yield head
 
 
-def _column(parts: Mapping[str, Reading], stated: Collection[str]) -> Column | None:
-    """Return the column of an input with those of its uncertainty; None if they make none and pass through.
+def _used(name: str, heads: Mapping[str, Reading], stated: Collection[str]) -> dict[str, Reading]:
+    """Return the heads of the columns that make the values of an input, of those by part; the others pass through.
 
-    `parts`: by the part of the uncertainty, "" for the values; `stated`: the headers that options name. Without a unit
-    cells carry their own, or they are plain numbers of a ratio. Raises BadTable.
+    `stated`: the headers that options name. Raises BadTable for one of them that is not used, and for half a range.
     """
-    name = next(iter(parts.values())).name
-    used = next((shape for shape in _SHAPES if parts.keys() >= {*shape}), ())
-    if parts.keys() >= {"", "both", "minus", "plus"}:
-        first, second = quoted(parts["both"].text), quoted(parts["minus"].text)
-        raise BadTable(f"header: {first} and {second} are both uncertainties of {name}; one must go")
-    left = [head.text for part, head in parts.items() if part not in used]
-    if left and (any(text.strip() in stated for text in left) or ("" not in parts and parts.keys() & {*_ENDS})):
+    shape = next((shape for shape in _SHAPES if heads.keys() >= {*shape}), ())
+    others = [head.text for part, head in heads.items() if part not in shape]
+    is_end = "" not in heads and not heads.keys().isdisjoint(_ENDS)
+    if others and (is_end or any(text.strip() in stated for text in others)):
         raise BadTable(
-            f"header: {quoted(left[0])} alone is no uncertainty of {name}: values have a column of ± beside them, or "
+            f"header: {quoted(others[0])} alone is no uncertainty of {name}: values have a column of ± beside them, or "
             "two, of minus and plus; a range has low and high alone"
         )
-    if not used:
-        return None
+    return {part: heads[part] for part in shape}
+
+
+def _column(name: str, parts: Mapping[str, Reading]) -> Column:
+    """Return the column of an input; without a unit its cells carry their own, or they are a ratio. Raises BadTable."""
     of_ratio = ("1", "-") if NOMENCLATURE[name].unit == "1" else ()
-    units = {part: "" if parts[part].unit_text in of_ratio else parts[part].unit_text for part in used}
-    unit_text = units[used[0]] or (units["high"] if used == _ENDS else "")
-    for part in used:
-        if part != "both" and units[part] not in ("", unit_text):
-            other = f", {unit_text}" if unit_text else "; that has none"
-            raise BadTable(f"header: {quoted(parts[part].text)}: its unit must be that of the other column{other}")
+    units = {part: "" if head.unit_text in of_ratio else head.unit_text for part, head in parts.items()}
+    error_unit = units.pop("both", "")
+    unit_text = next(filter(None, units.values()), "")
+    if not {*units.values()} <= {"", unit_text}:
+        columns = listed(quoted(head.text) for head in parts.values())
+        raise BadTable(f"header: the columns {columns} must have the same unit")
     unit = unit_of(unit_text, name) if unit_text else None
-    sides = {part: parts[part].place for part in used if part}
-    error_unit = units.get("both", "")
-    return Column(parts[used[0]].place, name, unit_text, unit, sides, error_unit if error_unit != unit_text else "")
+    sides = {part: head.place for part, head in parts.items() if part}
+    first = next(iter(parts.values()))
+    return Column(first.place, name, unit_text, unit, sides, error_unit if error_unit != unit_text else "")
 
 
 # --- What is refused --------------------------------------------------------------------------------------------------
@@ -244,18 +411,13 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
     remedies = " ".join(" or ".join(_option(head.text, meant) for meant in head.meant or [""]) for head in heads)
     if any(head.problem == _UNIT for head in heads):
         return BadTable(f"header: the first row has units. Delete it, and write {remedies}")
-    problems = [
-        f"{quoted(head.text)} {_NO_UNIT} {quoted(head.cell)}"
-        if head.problem == _NO_UNIT
-        else f"{quoted(head.text)}{f' (first cell {quoted(head.cell)})' if head.cell else ''}: {head.problem}"
-        for head in heads
-    ]
-    remedies += " with its unit" if any(head.problem == _NO_UNIT for head in heads) else ""
-    if len(heads) == 1:
-        [head] = heads
-        if not head.meant:
-            remedies = f"a column {with_unit(head.name)} in its place" if head.name else ""
-        remedies = ", or ".join(filter(None, (remedies, f"{_option(head.text, '')} to pass it through")))
+    cells = [f" (first cell {quoted(head.cell)})" if head.cell else "" for head in heads]
+    problems = [f"{quoted(head.text)}{cell}: {head.problem}" for head, cell in zip(heads, cells, strict=True)]
+    [head, *others] = heads
+    if not others:
+        in_place = f"a column {with_unit(head.name)} in its place" if head.name else ""
+        ways = (remedies if head.meant else in_place, f"{_option(head.text, '')} to pass it through")
+        remedies = ", or ".join(filter(None, ways))
     return BadTable(f"header: {'; '.join(problems)}. Write {remedies}")
 
 
@@ -271,16 +433,13 @@ def check_inputs(header: Header, measured: str = "") -> None:
         return
     if all(map(is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
-    if not measured:
-        raise BadTable(
-            "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
-            f"Write {_option('HEADER', 'INPUT [UNIT]')}"
-        )
-    words = tuple((key(word), name) for word, name in QUANTITY_SYNONYMS.items() if name == measured)
-    likely = ((text, reading) for text in header.texts if (reading := reading_of(text, words)).name == measured)
-    text, reading = next(likely, ("HEADER", Reading(unit_text="UNIT")))
-    option = _option(text, header_of(measured, reading.unit_text or None))
-    raise BadTable(f"header: no column has the measured {measured}; name it by {option}")
+    if measured:
+        option = _option("HEADER", with_unit(measured))
+        raise BadTable(f"header: no column has the measured {measured}; name it by {option}")
+    raise BadTable(
+        "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
+        f"Write {_option('HEADER', 'INPUT [UNIT]')}"
+    )
 
 
 def is_input(text: str, meanings: Mapping[str, Reading] = _NO_MEANINGS) -> bool:
