@@ -233,56 +233,6 @@ PROGRAM: Mapping[str, str] = {
     "note": "MIT licence",
 }
 
-# The references of conventions, by how the nomenclature names them.
-_CONVENTIONS: Mapping[str, Mapping[str, str]] = {
-    "Thornton & Ning 1998": {
-        "key": "thornton-ning-1998", "type": "article", "author": "Thornton, C. and Ning, Z.",
-        "title": "A theoretical model for the stick/bounce behaviour of adhesive, elastic-plastic spheres",
-        "journal": "Powder Technology", "volume": "99", "pages": "154--162", "year": "1998",
-        "doi": "10.1016/S0032-5910(98)00099-0",
-    },
-    "Paszun & Dominik 2008": {
-        "key": "paszun-dominik-2008", "type": "article", "author": "Paszun, D. and Dominik, C.",
-        "title": "Numerical determination of the material properties of porous dust cakes",
-        "journal": "Astronomy & Astrophysics", "volume": "484", "pages": "859--868", "year": "2008",
-        "doi": "10.1051/0004-6361:20079262",
-    },
-    "Wada et al. 2007": {
-        "key": "wada-2007", "type": "article", "author": (
-            "Wada, K. and Tanaka, H. and Suyama, T. and Kimura, H. and Yamamoto, "
-            "T."
-        ),
-        "title": (
-            "Numerical simulation of dust aggregate collisions. I. Compression and disruption of two-dimensional "
-            "aggregates"
-        ),
-        "journal": "The Astrophysical Journal", "volume": "661", "pages": "320", "year": "2007",
-        "doi": "10.1086/514332",
-    },
-    "Dominik & Tielens 1997": {
-        "key": "dominik-tielens-1997", "type": "article", "author": "Dominik, C. and Tielens, A. G. G. M.",
-        "title": "The physics of dust coagulation and the structure of dust aggregates in space",
-        "journal": "The Astrophysical Journal", "volume": "480", "pages": "647", "year": "1997",
-        "doi": "10.1086/303996",
-    },
-    "Ormel et al. 2007": {
-        "key": "ormel-2007", "type": "article", "author": "Ormel, C. W. and Spaans, M. and Tielens, A. G. G. M.",
-        "title": "Dust coagulation in protoplanetary disks: porosity matters",
-        "journal": "Astronomy & Astrophysics", "year": "2007", "eprint": "astro-ph/0610030",
-    },
-    "Tatsuuma et al. 2019": {
-        "key": "tatsuuma-2019", "type": "article", "author": "Tatsuuma, M. and Kataoka, A. and Tanaka, H.",
-        "title": "Tensile Strength of Porous Dust Aggregates", "journal": "The Astrophysical Journal",
-        "year": "2019", "doi": "10.3847/1538-4357/ab09f7",
-    },
-    "Phantom": {"key": "phantom", "type": "misc", "url": "https://github.com/danieljprice/phantom"},
-    **{
-        repository: {"key": repository.replace("/", "-").lower(), "type": "misc",
-        "url": f"https://github.com/{repository}"}
-        for repository in ("Lumajord/DustSimulation", "pencil-code/pencil-code", "StephaneMichoulier/Pamdeas")
-    },
-}  # fmt: skip
-
 
 class Sources:
     """The foundations of an answer's results: equations of the paper, references of the law, conventions and data."""
@@ -333,7 +283,12 @@ def _of_law(scene: Scene, names: Sequence[str]) -> list[Mapping[str, str]]:
 
 def _of_conventions(names: Iterable[str]) -> list[Mapping[str, str]]:
     """Return the references that the nomenclature names for quantities by convention."""
-    return [entry for name in names for words, entry in _CONVENTIONS.items() if words in NOMENCLATURE[name].reference]
+    import os
+    import tomllib
+
+    with open(os.path.join(os.path.dirname(__file__), "references.toml"), "rb") as file:
+        entries = tomllib.load(file)
+    return [entry for name in names for words, entry in entries.items() if words in NOMENCLATURE[name].reference]
 
 
 def bibtex(entry: Mapping[str, str]) -> str:
