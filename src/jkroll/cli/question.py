@@ -1,7 +1,7 @@
 """Runners that ask a question of scenes, or for their force curves: from a call to printed answers and an exit code."""
 
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from itertools import chain, islice
 from math import isnan
@@ -46,7 +46,8 @@ def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: Ca
     is_one = count == 1 and call.kind in ("plain", "table") and call.target is None
     if not is_one and call.kind not in ("json", "explain", "cite"):
         return _write_rows(call, sweep, question, form, answer)
-    check_count(count, call.kind, sweep.most_answers)
+    if count > sweep.most_answers:
+        raise BadRequest(f"--{call.kind}: {count} pairs are more than {sweep.most_answers}; --csv writes any number")
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # what is wrong with rows is raised before one is written
     return _write_answers(call, map(answer, sweep.scenes()), count, form)
@@ -84,12 +85,6 @@ def _refuse_inputs(question: Question, sweep: Sweep) -> None:
             raise BadRequest(f"--quantities: {name} is an input here")
 
 
-def check_count(count: int, kind: str, most: int) -> None:
-    """Raise BadRequest if there are more scenes than are answered one by one."""
-    if count > most:
-        raise BadRequest(f"--{kind}: {count} pairs are more than {most}; --csv writes any number")
-
-
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
@@ -106,21 +101,16 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
             wanted = wanted.with_alternatives(sweep.kinds, question.headline)
     blocks = sweep.columns(wanted, one_by_one=is_shown)
     if len(sweep) == 1:
-        headline = [name for name in question.headline if name in wanted.names and name not in sweep.spreads]
-        blocks = iter([unless_failed(next(blocks), headline)])
+        row = next(blocks)
+        headline = [name for name in question.headline if name in wanted.places and name not in sweep.spreads]
+        if row.failed and all(isnan(row.column(name)[0]) for name in headline):
+            raise row.failure(0)
+        blocks = iter([row])
     notes = note_lines.OfRows(sweep.noted(wanted))
     deliver(call, wanted, notes, blocks, form)
     if len(sweep) == 1 and not call.quiet:
         return _ended(call, notes, note_lines.of_answer(answer(next(sweep.scenes()))))
     return _ended(call, notes, notes.lines(has_table=is_shown, quiet=call.quiet))
-
-
-def unless_failed(columns: "Columns", headline: Sequence[str]) -> "Columns":
-    """Return the columns of a single row, or raise its failure if it lacks the headline of the question."""
-    numbers = [columns.column(name)[0] for name in headline if name in columns.wanted.places]
-    if columns.failed and all(map(isnan, numbers)):
-        raise columns.failure(0)
-    return columns
 
 
 def deliver(call: Call, wanted: "Wanted", notes: note_lines.OfRows, blocks: "Iterable[Columns]", form: Format) -> bool:
