@@ -3,6 +3,7 @@
 With `--tex` it writes a paragraph for the Methods section of a paper, which cites these entries.
 """
 
+import os
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import inf, isfinite, log, nan
@@ -13,6 +14,7 @@ from ..answers.alternatives import readings_of
 from ..answers.answer import Answer
 from ..answers.results import Result
 from ..errors import BadRequest, JkrollError
+from ..materials.library import data_of
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS, other_law
@@ -283,11 +285,7 @@ def _of_law(scene: Scene, names: Sequence[str]) -> list[Mapping[str, str]]:
 
 def _of_conventions(names: Iterable[str]) -> list[Mapping[str, str]]:
     """Return the references that the nomenclature names for quantities by convention."""
-    import os
-    import tomllib
-
-    with open(os.path.join(os.path.dirname(__file__), "references.toml"), "rb") as file:
-        entries = tomllib.load(file)
+    entries = data_of(os.path.join(os.path.dirname(__file__), "references.toml"))
     return [entry for name in names for words, entry in entries.items() if words in NOMENCLATURE[name].reference]
 
 
