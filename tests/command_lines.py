@@ -133,7 +133,7 @@ def _words(source: Random, name: str) -> list[str]:
 
 
 def _option(source: Random, command: str, option: Option) -> list[str]:
-    if option.kind is bool:
+    if not option.metavar:
         return [option.flag]
     if option.name in NOMENCLATURE:
         value = _material(source) if option.name == "material2" else _value(source, option.name)

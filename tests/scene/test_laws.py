@@ -19,10 +19,11 @@ from jkroll.answers.alternatives import over_this_law
 from jkroll.answers.answer import Answer
 from jkroll.answers.curve import STATES_OF_LAW, AtState, at_states
 from jkroll.answers.questions import QUESTIONS, question_about
+from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.physics import jkr
-from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, UnknownLaw, law_of, tables_of
+from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
 from jkroll.scene.alternatives import factor_of_law
 from jkroll.scene.failures import Failure, NotInLaw
 from jkroll.scene.scene import Scene
@@ -252,7 +253,7 @@ def test_what_a_law_lacks_is_said_as_a_missing_input_is(name: str) -> None:
 
 
 def test_an_unknown_law_is_refused() -> None:
-    with pytest.raises(UnknownLaw, match="is not one of jkr, maugis, dmt"):
+    with pytest.raises(BadRequest, match="is not one of jkr, maugis, dmt"):
         solve("pull_off_force", model="nonsense", **QUARTZ)
 
 
@@ -494,7 +495,7 @@ def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:
 
 @pytest.mark.parametrize("model", ["", "jkr ", 3, [], ["jkr", "dmt"], math.nan])
 def test_a_law_that_is_none_of_them_is_refused(model: Any) -> None:
-    with pytest.raises(UnknownLaw, match="is not one of jkr, maugis, dmt"):
+    with pytest.raises(BadRequest, match="is not one of jkr, maugis, dmt"):
         solve("pull_off_force", **QUARTZ, model=model)
 
 

@@ -25,11 +25,10 @@ class Option(NamedTuple):
 
     name: str
     flag: str
-    kind: type[str] | type[int] | type[bool]
-    metavar: str = ""
     help: str = ""
-    low: int = 0  # of a number
-    high: int = 0
+    metavar: str = ""  # of its value; without one it is a switch
+    low: int = 0
+    high: int = 0  # of a whole number; 0 where the value is a text
     hidden: bool = False
     short: str = ""
     repeats: bool = False  # the values are a tuple
@@ -44,7 +43,7 @@ class Option(NamedTuple):
         """Return the value that a text stands for, or raise BadRequest."""
         if not text and self.name == "target":
             raise BadRequest(f"{self.flags[-1]}: the name of the output file is empty")
-        if self.kind is str:
+        if not self.high:
             return text
         is_number = text.isascii() and text.isdigit() and len(text) <= MAX_DIGITS
         if not is_number or not self.low <= (number := int(text)) <= self.high:
@@ -54,7 +53,7 @@ class Option(NamedTuple):
     def sentence(self) -> str:
         """Return the help text: meaning, range and default."""
         if self.help:
-            span = f", {self.low} to {self.high}" if self.kind is int else ""
+            span = f", {self.low} to {self.high}" if self.high else ""
             return f"{self.help}{span}."
         from ..quantities.formatting import amount
         from ..scene.scene import DEFAULTS
@@ -77,122 +76,91 @@ _WITH = {
 }
 
 
+MATERIALS = Option("file", "--materials", "Read your own materials as well", "FILE")
+NO_DOUBT = Option("no_doubt", "--no-doubt", "Omit the column of doubts")
+ALTERNATIVES = Option("alternatives", "--alternatives", "Add results by Maugis' law, by measured forces")
+QUIET = Option("quiet", "--quiet", "Suppress notes")
+# Options with one text stand in one line of the help.
 _FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
 _INSTEAD = "Derivation; BibTeX, with --tex for Methods"
-MATERIALS = Option("file", "--materials", str, "FILE", "Read your own materials as well")
-NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
-ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add results by Maugis' law, by measured forces")
-QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 _OUTPUT = (
-    Option("to", "--to", str, "UNIT", "Units of results, with commas; --digits N"),
-    Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
-    Option("json", "--json", bool, "", _FORMAT),
-    Option("csv", "--csv", bool, "", _FORMAT),
-    Option("bare", "--bare", bool, "", _FORMAT),
-    Option("target", "-o", str, "OUT", "Write a file"),
+    Option("to", "--to", "Units of results, with commas; --digits N", "UNIT"),
+    Option("digits", "--digits", "Significant digits", "N", 1, 17),
+    Option("json", "--json", _FORMAT),
+    Option("csv", "--csv", _FORMAT),
+    Option("bare", "--bare", _FORMAT),
+    Option("target", "-o", "Write a file", "OUT"),
     NO_DOUBT._replace(hidden=True),
     ALTERNATIVES._replace(hidden=True),
-    Option("explain", "--explain", bool, "", _INSTEAD),
-    Option("cite", "--cite", bool, "", _INSTEAD),
-    Option("tex", "--tex", bool, "", "Instead of BibTeX, a paragraph for a Methods section"),
+    Option("explain", "--explain", _INSTEAD),
+    Option("cite", "--cite", _INSTEAD),
+    Option("tex", "--tex", "Instead of BibTeX, a paragraph for a Methods section"),
     MATERIALS,
     QUIET,
 )
-OUTPUT = (
-    Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, with commas"),
-    *_OUTPUT,
-)
-MEASURED = Option(
-    "measured",
-    "--measured",
-    str,
-    "QUANTITY=VALUE",
-    "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
-    repeats=True,
-    group="Measured",
-)
-CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o x.svg a picture")
-MARKED = Option(
-    "yield_displacement", "--xi", str, "2angstrom", "Displacement that the panel of moments marks", hidden=True
-)
+OUTPUT = (Option("quantities", "--quantities", "Show these quantities instead, with commas", "NAMES"), *_OUTPUT)
+MEASURED = Option("measured", "--measured", "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
+    "QUANTITY=VALUE", repeats=True, group="Measured")  # fmt: skip
+CURVE = Option("curve", "--curve", "Whole force curve; with -o x.svg a picture")
+MARKED = Option("yield_displacement", "--xi", "Displacement that the panel of moments marks", "2angstrom", hidden=True)
 _AS_TEXT = "Output as JSON or CSV"
-JSON = Option("json", "--json", bool, "", _AS_TEXT)
-CSV = Option("csv", "--csv", bool, "", _AS_TEXT)
-CITE = Option("cite", "--cite", bool, "", "Show the BibTeX entries of the data")
-
-MODEL_OF_EXPORT = Option("model", "--model", str, "dmt", "Law of attraction, jkr (the default) or dmt")
+JSON = Option("json", "--json", _AS_TEXT)
+CSV = Option("csv", "--csv", _AS_TEXT)
+CITE = Option("cite", "--cite", "Show the BibTeX entries of the data")
+MODEL_OF_EXPORT = Option("model", "--model", "Law of attraction, jkr (the default) or dmt", "dmt")
 
 _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
-AXES = tuple(Option(name, f"--{name}", str, "AXIS", _AXIS, group="Axes") for name in ("x", "y"))
-AS_PRINTED = Option("as_printed", "--as-printed", bool, "", "Add Eq (41) as printed to 6b, dashed")
+AXES = tuple(Option(name, f"--{name}", _AXIS, "AXIS", group="Axes") for name in ("x", "y"))
+AS_PRINTED = Option("as_printed", "--as-printed", "Add Eq (41) as printed to 6b, dashed")
 STYLE = (
-    Option("width", "--width", str, "85mm", "Width of the drawing, 70mm to 1m"),
-    Option("style", "--style", str, "dark", "Colours, paper or dark"),
+    Option("width", "--width", "Width of the drawing, 70mm to 1m", "85mm"),
+    Option("style", "--style", "Colours, paper or dark", "dark"),
 )
-UNCAPTIONED = Option("uncaptioned", "--no-caption", bool, "", "Omit title and caption")
+UNCAPTIONED = Option("uncaptioned", "--no-caption", "Omit title and caption")
+PANEL = Option("panel", "--panel", "One panel only: force, pressure or moment", "force")
 _OMITTED = "Omit title and caption, or the limits"
-PANEL = Option("panel", "--panel", str, "force", "One panel only: force, pressure or moment")
 PICTURE = (
-    Option("mark", "--mark", str, "quartz@100nm", "Mark grains as points, separated by commas"),
-    Option("data", "--data", str, "FILE", "Write the numbers as CSV; - is standard output"),
-    Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png file (plot extra)"),
+    Option("mark", "--mark", "Mark grains as points, separated by commas", "quartz@100nm"),
+    Option("data", "--data", "Write the numbers as CSV; - is standard output", "FILE"),
+    Option("target", "-o", "Draw a .svg, .pdf or .png file (plot extra)", "FILE"),
     *STYLE,
     UNCAPTIONED._replace(help=_OMITTED),
-    Option("plain", "--plain", bool, "", _OMITTED),
+    Option("plain", "--plain", _OMITTED),
     MATERIALS,
     QUIET,
 )
 
-_DEFAULT = "Material of rows whose cell is empty; the inputs below work likewise"
 TABLE = (
-    Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
-    Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),
-    Option("delimiter", "--delimiter", str, "WORD", "What divides columns: comma, semicolon, bar, tab or blank"),
-    Option(
-        "quantities",
-        "--quantities",
-        str,
-        "NAMES",
-        "Quantities to compute, separated by commas; default those of most commands",
-    ),
-    Option(
-        "columns",
-        "--column",
-        str,
-        "HEADER=INPUT",
-        "Read a column as an input, or, with nothing behind =, as none",
-        repeats=True,
-    ),
-    Option("infer", "--infer", str, "INPUT", "Find this input of each row from a measured quantity", group="Measured"),
-    Option(
-        "measured",
-        "--measured",
-        str,
-        "QUANTITY",
-        "The quantity whose measured values a column has",
-        repeats=True,
-        group="Measured",
-    ),
-    Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
-    Option("resume", "--resume", bool, "", "Keep what is newer than its table, of many"),
+    Option("target", "--output", "Output file (written atomically)", "OUT", short="-o"),
+    Option("format", "--format", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst", "FORMAT"),
+    Option("delimiter", "--delimiter", "What divides columns: comma, semicolon, bar, tab or blank", "WORD"),
+    Option("quantities", "--quantities",
+        "Quantities to compute, separated by commas; default those of most commands", "NAMES"),
+    Option("columns", "--column", "Read a column as an input, or, with nothing behind =, as none", "HEADER=INPUT",
+        repeats=True),
+    Option("infer", "--infer", "Find this input of each row from a measured quantity", "INPUT", group="Measured"),
+    Option("measured", "--measured", "The quantity whose measured values a column has", "QUANTITY", repeats=True,
+        group="Measured"),
+    Option("strict", "--strict", "Stop at the first row that fails"),
+    Option("resume", "--resume", "Keep what is newer than its table, of many"),
     NO_DOUBT,
     ALTERNATIVES,
-    Option("uncertainty", "--uncertainty", bool, "", "Add columns of error bars, though the first rows have none"),
-    Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core, at most 16)", 1, 64),
-    Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster"),
-    Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),
-    Option("material", "--material", str, "NAME", _DEFAULT),
+    Option("uncertainty", "--uncertainty", "Add columns of error bars, though the first rows have none"),
+    Option("jobs", "--jobs", "Number of processes (default: one per core, at most 16)", "N", 1, 64),
+    Option("dask", "--dask", "Convert many tables on a Dask cluster", "ADDRESS"),
+    Option("excel_safe", "--excel-safe", "Escape text that a spreadsheet would run"),
+    Option("material", "--material", "Material of rows whose cell is empty; the inputs below work likewise", "NAME"),
     *(
-        Option(name, quantity.option or "--radius", str, quantity.example, hidden=True)
+        Option(name, quantity.option or "--radius", metavar=quantity.example, hidden=True)
         for name, quantity in NOMENCLATURE.items()
         if quantity.example
     ),
     MATERIALS,
     QUIET,
-)
+)  # fmt: skip
 BENCH = (
-    Option("quick", "--quick", bool, "", "Measure fewer points"),
-    Option("plot", "--plot", str, "FILE", "Draw error against cost (needs the plot extra)"),
+    Option("quick", "--quick", "Measure fewer points"),
+    Option("plot", "--plot", "Draw error against cost (needs the plot extra)", "FILE"),
     *STYLE,
     UNCAPTIONED,
     JSON,
@@ -200,14 +168,14 @@ BENCH = (
 )
 
 # The options that every command takes, and those of the program before any command.
-HELP = Option("help", "--help", bool, "", "Show this message and exit", short="-h")
-VERSION = Option("version", "--version", bool, "", "Show the version and exit")
-DEBUG = Option("debug", "--debug", bool, "", "Show where an error comes from")
+HELP = Option("help", "--help", "Show this message and exit", short="-h")
+VERSION = Option("version", "--version", "Show the version and exit")
+DEBUG = Option("debug", "--debug", "Show where an error comes from")
 PROGRAM = (
     VERSION,
     DEBUG,
-    Option("install_completion", "--install-completion", bool, "", "Install completion for the current shell"),
-    Option("show_completion", "--show-completion", bool, "", "Print the completion script of the current shell"),
+    Option("install_completion", "--install-completion", "Install completion for the current shell"),
+    Option("show_completion", "--show-completion", "Print the completion script of the current shell"),
     HELP,
 )
 
@@ -242,7 +210,7 @@ def input_options(quantities: tuple[str, ...], *, any_input: bool = False) -> tu
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if any_input or name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN, *_HIDDEN_WHERE_USED}
     return tuple(
-        Option(name, quantity.option, str, quantity.example, hidden=name not in shown)
+        Option(name, quantity.option, metavar=quantity.example, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
         if quantity.option
     )
@@ -304,13 +272,6 @@ def _options_of_export() -> tuple[Option, ...]:
 
 
 _SCENE = "[MATERIAL] [RADIUS]..."
-_LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, UNCAPTIONED, PANEL))
-
-
-def _options_of(name: str, *own: Option) -> tuple[Option, ...]:
-    """Return the options of a question: inputs, its own, output."""
-    inputs = _any_input() if name == "report" else input_options(QUESTIONS[name].quantities)
-    return (*inputs, *own, *OUTPUT)
 
 
 def _any_input() -> tuple[Option, ...]:
@@ -318,10 +279,16 @@ def _any_input() -> tuple[Option, ...]:
     return input_options(QUESTIONS["report"].quantities, any_input=True)
 
 
+def _options_of_question(name: str, *own: Option) -> tuple[Option, ...]:
+    """Return the options of a question: inputs, its own, output."""
+    inputs = _any_input() if name == "report" else input_options(QUESTIONS[name].quantities)
+    return (*inputs, *own, *OUTPUT)
+
+
 def _question(
     name: str, job: str, sentence: str, example: str, *own: Option, runner: str = "question:run_question"
 ) -> Command:
-    return Command(name, sentence, _SCENE, partial(_options_of, name, *own), runner, example, job)
+    return Command(name, sentence, _SCENE, partial(_options_of_question, name, *own), runner, example, job)
 
 
 _COMMANDS = (
@@ -331,115 +298,40 @@ _COMMANDS = (
     _question("n-grav", DUST, "Longest level chain that holds its weight.", "quartz 100nm --gravity 1.62m/s2"),
     _question("frequencies", CONTACT, "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane"),
     _question("n-roll", DUST, "Turns of a sphere over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
-    _question(
-        "contact",
-        CONTACT,
-        "Contact radius, indentation, stiffness and pressure.",
-        "quartz 100nm --load -5nN",
-        CURVE,
-        MARKED,
-        *_LOOKS,
-        runner="question:run_contact",
-    ),
+    _question("contact", CONTACT, "Contact radius, indentation, stiffness and pressure.", "quartz 100nm --load -5nN",
+        CURVE, MARKED, *(option._replace(hidden=True) for option in (*STYLE, UNCAPTIONED, PANEL)),
+        runner="question:run_contact"),
     _question("moment", ROLLING, "Moment that starts rolling, by model.", "quartz 100nm --xi 1angstrom"),
-    _question(
-        "energies", DUST, "Energies and speeds to break, stick and roll, by author.", "quartz 100nm --angle 90deg"
-    ),
+    _question("energies", DUST, "Energies and speeds to break, stick and roll, by author.",
+        "quartz 100nm --angle 90deg"),
     _question("impact", DUST, "Restitution and sticking of a head-on collision.", "quartz 1um --speed 1m/s"),
-    _question(
-        "resistances",
-        ROLLING,
-        "Rolling, sliding, twisting: which gives way first.",
-        "quartz 100nm --shear-strength 12MPa",
-    ),
-    _question(
-        "aggregates", DUST, "Speeds at which aggregates restructure and break up.", "quartz 100nm --monomers 1000"
-    ),
+    _question("resistances", ROLLING, "Rolling, sliding, twisting: which gives way first.",
+        "quartz 100nm --shear-strength 12MPa"),
+    _question("aggregates", DUST, "Speeds at which aggregates restructure and break up.",
+        "quartz 100nm --monomers 1000"),
     _question("report", ALL, "The main number of each question that your inputs allow.", "quartz 100nm"),
-    Command(
-        "export",
-        "Input of LAMMPS, LIGGGHTS, DustSimulation or DustCollider.",
-        "PROGRAM [MATERIAL] [RADIUS]",
-        _options_of_export,
-        "export:run_export",
-        "lammps quartz 100nm --model dmt",
-        DEM,
-    ),
-    Command(
-        "infer",
-        "Inputs from measured values.",
-        "INPUT [MATERIAL] [RADIUS]...",
-        lambda: (MEASURED, *_any_input(), *_OUTPUT),
-        "infer:run_infer",
-        "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN",
-        CONTACT,
-    ),
-    Command(
-        "batch",
-        "Results for each row of a table.",
-        "IN",
-        lambda: TABLE,
-        "runners:run_batch",
-        "grains.csv -o forces.csv",
-        ALL,
-    ),
-    Command(
-        "map",
-        "Draw a quantity over two inputs as a map, or over one as curves.",
-        "QUANTITY [MATERIAL] [RADIUS]...",
-        lambda: (*AXES, *_any_input(), *PICTURE),
-        "map:run_map",
-        "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
-    ),
-    Command(
-        "figure",
-        "Draw a figure of the paper from its equations.",
-        "FIGURE",
-        lambda: (AS_PRINTED, *PICTURE),
-        "map:run_figure",
-        "3a --mark quartz@100nm",
-    ),
-    Command(
-        "materials",
-        "List the known materials, find them by words, or show one in full.",
-        "[MATERIAL]...",
-        lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
-        "runners:run_materials",
-        "quartz",
-    ),
-    Command(
-        "quantities",
-        "List quantities, find them by words, or show one in full.",
-        "[NAME]...",
-        lambda: (JSON, CSV),
-        "runners:run_quantities",
-        "tabor",
-    ),
-    Command(
-        "guide",
-        "List the pages of the manual, show one, or search it by words.",
-        "[TOPIC]...",
-        tuple,
-        "runners:run_guide",
-        "models",
-    ),
-    Command(
-        "verify",
-        "Say where the audit of the paper went.",
-        "",
-        tuple,
-        "runners:run_verify",
-        "",
-    ),
-    Command(
-        "bench",
-        "Measure speed and error of each method.",
-        "",
-        lambda: BENCH,
-        "runners:run_bench",
-        "--quick --csv",
-    ),
-)
+    Command("export", "Input of LAMMPS, LIGGGHTS, DustSimulation or DustCollider.", "PROGRAM [MATERIAL] [RADIUS]",
+        _options_of_export, "runners:run_export", "lammps quartz 100nm --model dmt", DEM),
+    Command("infer", "Inputs from measured values.", "INPUT [MATERIAL] [RADIUS]...",
+        lambda: (MEASURED, *_any_input(), *_OUTPUT), "infer:run_infer",
+        "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN", CONTACT),
+    Command("batch", "Results for each row of a table.", "IN",
+        lambda: TABLE, "runners:run_batch", "grains.csv -o forces.csv", ALL),
+    Command("map", "Draw a quantity over two inputs as a map, or over one as curves.",
+        "QUANTITY [MATERIAL] [RADIUS]...", lambda: (*AXES, *_any_input(), *PICTURE), "map:run_map",
+        "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2"),
+    Command("figure", "Draw a figure of the paper from its equations.", "FIGURE",
+        lambda: (AS_PRINTED, *PICTURE), "map:run_figure", "3a --mark quartz@100nm"),
+    Command("materials", "List the known materials, find them by words, or show one in full.", "[MATERIAL]...",
+        lambda: (JSON, CSV, CITE, MATERIALS, QUIET), "runners:run_materials", "quartz"),
+    Command("quantities", "List quantities, find them by words, or show one in full.", "[NAME]...",
+        lambda: (JSON, CSV), "runners:run_quantities", "tabor"),
+    Command("guide", "List the pages of the manual, show one, or search it by words.", "[TOPIC]...",
+        tuple, "runners:run_guide", "models"),
+    Command("verify", "Say where the audit of the paper went.", "", tuple, "runners:run_verify", ""),
+    Command("bench", "Measure speed and error of each method.", "",
+        lambda: BENCH, "runners:run_bench", "--quick --csv"),
+)  # fmt: skip
 COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for command in _COMMANDS})
 
 

@@ -14,7 +14,6 @@ from .reader import read
 
 CANNOT_WRITE = 1
 UNFORESEEN = 1
-INTERRUPTED = 130
 BROKEN_PIPE = 141
 
 
@@ -38,8 +37,6 @@ def main(arguments: Sequence[str] | None = None, read: Callable[[Sequence[str]],
     except BrokenPipeError:
         _discard(sys.stdout)
         return BROKEN_PIPE
-    except KeyboardInterrupt:
-        return INTERRUPTED
     except Exception as error:
         if is_debugged:
             import traceback

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from ..errors import BadRequest, JkrollError
+from ..errors import BadRequest
 from ..quantities.errors import ALIKE, QUANTITY_SYNONYMS, nearest
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import closest, quoted, say, shown
@@ -30,7 +30,7 @@ SYNONYMS: Mapping[str, str] = {
     "--unit": "--to",
     "--units": "--to",
 }
-# What others type, and what may be meant by it.
+# What others type, behind any command or behind that one, and what may be meant by it.
 _NOT_MODELLED = "spheres are smooth, dry and elastic here: jkroll guide measurements says what that leaves out"
 HINTS: Mapping[str, str] = {
     "convert": "jkroll batch adds results to each row of a table, --to is the unit of results",
@@ -38,33 +38,28 @@ HINTS: Mapping[str, str] = {
     "--format": "write --json, --csv or --bare, or name a file: -o x.tsv",
     "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
     "--plane": "a plane is a sphere 2 without end: --radius2 plane",
-    "--roughness": _NOT_MODELLED,
-    "--rms": _NOT_MODELLED,
-    "--humidity": _NOT_MODELLED,
-    "--temperature": _NOT_MODELLED,
     "--restitution": "jkroll impact gives it for a speed: jkroll impact quartz 100nm --speed 1m/s",
     "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
     "--ndjson": "write --json; jkroll batch reads and writes NDJSON",
-    "-R": "a radius stands alone: jkroll pull-off quartz 100nm",
-    "--radius": "a radius stands alone: jkroll pull-off quartz 100nm",
-}
-# The same, of one command.
-HINTS_OF: Mapping[str, Mapping[str, str]] = {
-    **dict.fromkeys(("map", "figure"), dict.fromkeys(("--csv", "--json"), "--data FILE writes the numbers as CSV")),
-    "export": dict.fromkeys(("-o", "--output", "--out"), "it writes to standard output: add > FILE"),
-    "batch": {
-        "--to": "the results of a table are in SI units, as their headers say",
-        "--digits": "the results of a table have all their digits",
-        **dict.fromkeys(("--json", "--csv", "--bare"), "--format and the name of the file say the format"),
+    "batch --to": "the results of a table are in SI units, as their headers say",
+    "batch --digits": "the results of a table have all their digits",
+    **dict.fromkeys(("-R", "--radius"), "a radius stands alone: jkroll pull-off quartz 100nm"),
+    **dict.fromkeys(("--roughness", "--rms", "--humidity", "--temperature"), _NOT_MODELLED),
+    **{f"export {flag}": "it writes to standard output: add > FILE" for flag in ("-o", "--output", "--out")},
+    **{
+        f"{command} {flag}": "--data FILE writes the numbers as CSV"
+        for command in ("map", "figure")
+        for flag in ("--csv", "--json")
     },
+    **{f"batch {flag}": "--format and the name of the file say the format" for flag in ("--json", "--csv", "--bare")},
 }
 # Words of a scene that may be given by name, too.
 NAMED = {
-    "MATERIAL": Option("material", "--material", str, "quartz"),
-    "RADIUS": Option("radius", "--radius", str, "100nm"),
+    "MATERIAL": Option("material", "--material", metavar="quartz"),
+    "RADIUS": Option("radius", "--radius", metavar="100nm"),
 }
-R = Option("R", "--R", str, "50nm")  # the reduced radius here, a sphere's in many other places
+R = Option("R", "--R", metavar="50nm")  # the reduced radius here, a sphere's in many other places
 MAX_OTHERS = 3
 _DASHES = ("–", "—")  # as word processors make them of hyphens
 
@@ -77,7 +72,7 @@ def read(words: Sequence[str]) -> Action:
     if first in COMMANDS:
         return _action(COMMANDS[first], rest)
     if not first.startswith("-") or first in ("-", "--"):
-        raise UnknownCommand(first)
+        raise _no_such_command(first)
     _, given = _read([first], flags_of(None))
     if "help" in given:
         return partial(_print_help, _command_meant(rest[0]) if rest else None)
@@ -93,16 +88,17 @@ def _command_meant(word: str) -> str | None:
         return name
     if name.startswith("-"):
         return None
-    raise UnknownCommand(word)
+    raise _no_such_command(word)
 
 
 def _action(command: Command, words: Sequence[str]) -> Action:
     """Return what the words behind a command ask for."""
-    before_dashes = words[: words.index("--")] if "--" in words else words
-    if any(flag in before_dashes for flag in HELP.flags):
+    end = words.index("--") if "--" in words else len(words)
+    if any(flag in words[:end] for flag in HELP.flags):
         return partial(_print_help, command.name)
     by_name = [option for kind, option in NAMED.items() if kind in command.kinds]
-    arguments, options = _read(words, {option.flag: option for option in by_name} | command.flags(), command)
+    arguments, options = _read(words[:end], {option.flag: option for option in by_name} | command.flags(), command)
+    arguments += words[end + 1 :]
     arguments += [options.pop(option.name) for option in by_name if option.name in options]
     if len(arguments) > command.most_words:
         extra = quoted(arguments[int(command.most_words)])
@@ -141,8 +137,6 @@ def _read(
     rest = deque(words)
     while rest:
         word = rest.popleft()
-        if word == "--":
-            return [*arguments, *rest], _with_radius(given)
         if "RADIUS" in kinds and (spelt := _named_value(word, flags)):
             word = spelt
         elif word[:1] in _DASHES and word[1:2].isalpha() and "IN" not in kinds:
@@ -155,8 +149,8 @@ def _read(
             flag, value = _meant_together(flag, value, rest)
         option = _option(flag, flags)
         if option is None:
-            raise UnknownOption(flag, command.name if command else None)
-        if option.kind is bool:
+            raise _no_such_option(flag, command.name if command else None)
+        if not option.metavar:
             if value is not None:
                 raise BadRequest(f"{option.flag} takes no value: leave {quoted('=' + value)} out")
             given[option.name] = True
@@ -186,7 +180,7 @@ def _split(word: str, flags: Mapping[str, Option]) -> tuple[str, str | None]:
     """Return the option of a word, and the value that is joined to it, if there is one: --to=nN, -ox.csv."""
     flag, has_value, value = word.partition("=")
     short = flags.get(word[:2])
-    if short is not None and short.kind is not bool and word[2:] and _option(f"-{flag}", flags) is None:
+    if short is not None and short.metavar and word[2:] and _option(f"-{flag}", flags) is None:
         return word[:2], word[2:].removeprefix("=")
     return flag, value if has_value else None
 
@@ -204,10 +198,10 @@ def _meant_together(flag: str, value: str | None, rest: deque[str]) -> tuple[str
 def _value(option: Option, value: str | None, rest: deque[str], flags: Mapping[str, Option]) -> str:
     """Return the value of an option, which is joined to it or the next of the other words."""
     if value is None:
-        found = rest[0] if rest else "--"
-        if found.startswith("-") and found != "-" and not _is_negative(found):
-            is_option = not rest or _option(found.partition("=")[0], flags) is not None
-            meant = "" if is_option else f"; if {quoted(found)} is meant, write {option.flag}={shown(found)}"
+        following = rest[0] if rest else HELP.flag
+        if following.startswith("-") and following != "-" and not _is_negative(following):
+            is_option = _option(following.partition("=")[0], flags) is not None
+            meant = "" if is_option else f"; if {quoted(following)} is meant, write {option.flag}={shown(following)}"
             raise BadRequest(f"{option.flag} needs a value, as in {option.flag} {option.metavar}{meant}")
         value = rest.popleft()
     quantity = NOMENCLATURE.get(option.name)
@@ -235,8 +229,8 @@ def _named_value(word: str, flags: Mapping[str, Option]) -> str | None:
 
 def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
     """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none."""
-    if found := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
-        return found
+    if option := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
+        return option
     by_name = {option.name: option for option in flags.values() if option.name in NOMENCLATURE}
     if flag == R.flag and "radius" in by_name:
         return R
@@ -246,72 +240,44 @@ def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
 # --- Mistakes ---------------------------------------------------------------------------------------------------------
 
 
-class UnknownCommand(JkrollError):
-    """Error raised for a first word that is not a command."""
-
-    def __init__(self, word: str) -> None:
-        super().__init__(word)
-        self.word = word
-
-    def __str__(self) -> str:
-        name = self.word.replace("-", "_").casefold()
-        if name in NOMENCLATURE:
-            return (
-                f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} lists the commands that "
-                "show it"
-            )
-        return f"no such command {quoted(self.word)}; {_hint(name)}"
-
-
-def _hint(name: str) -> str:
-    """Return what may be meant by a word that is not a command."""
+def _no_such_command(word: str) -> BadRequest:
+    """Return the error about a first word that is not a command."""
+    name = word.replace("-", "_").casefold()
     if name in HINTS:
-        return HINTS[name]
-    if guess := closest(name.replace("_", "-"), COMMANDS):
-        return f"did you mean {guess}?"
-    if quantity := nearest(name):
-        return f"did you mean the quantity {quantity}? jkroll quantities {quantity} lists the commands that show it"
-    return "see jkroll --help"
+        hint = HINTS[name]
+    elif command := closest(name.replace("_", "-"), COMMANDS):
+        hint = f"did you mean {command}?"
+    elif quantity := nearest(name):
+        hint = f"did you mean the quantity {quantity}? jkroll quantities {quantity} lists the commands that show it"
+    else:
+        hint = "see jkroll --help"
+    return BadRequest(f"no such command {quoted(word)}; {hint}")
 
 
-class UnknownOption(JkrollError):
-    """Error raised when a command, or the program before any command, does not take an option."""
-
-    def __init__(self, flag: str, command: str | None) -> None:
-        super().__init__(flag, command)
-        self.flag, self.command = flag, command
-
-    def __str__(self) -> str:
-        if _is_negative(self.flag):
-            problem = (
-                "begins with a hyphen, as options do; a negative value follows the option that takes it: --load -5nN"
-            )
-            return f"{quoted(self.flag)} {problem}"
-        name = self.flag.lstrip("-").replace("-", "_").casefold()
-        takers = {flag: command.name for command in reversed([*COMMANDS.values()]) for flag in command.flags()}
-        flags = flags_of(self.command)
-        by_symbol = _option(f"--{self.flag.lstrip('-')}", flags)
-        own = None  # what the command takes that may be meant
-        if self.flag not in takers:
-            own = by_symbol.flag if by_symbol else _meant(name, flags)
-        guess = _meant(name, takers)
-        if hint := HINTS_OF.get(self.command or "", {}).get(self.flag):
-            return f"{self.command} takes no {quoted(self.flag)}; {hint}"
-        hint = HINTS.get(self.flag)
-        if not hint and own:
-            hint = f"did you mean {own}?"
-        elif not hint and not guess:
-            hint = f"see jkroll {self.command} --help" if self.command else "see jkroll --help"
-        if hint or guess is None:
-            return f"no such option {quoted(self.flag)}; {hint}"
-        if self.command is None:
-            return f"{guess} goes behind a command: jkroll {takers[guess]} ... {guess}"
-        others = [command.name for command in COMMANDS.values() if guess in command.flags()]
-        more = ", ..." if len(others) > MAX_OTHERS else ""
-        return (
-            f"{self.command} takes no {quoted(self.flag)}; {guess} is an option of "
-            f"{', '.join(others[:MAX_OTHERS])}{more}"
-        )
+def _no_such_option(flag: str, command: str | None) -> BadRequest:
+    """Return the error about an option that a command, or the program before any command, does not take."""
+    if _is_negative(flag):
+        remedy = "a negative value follows the option that takes it: --load -5nN"
+        return BadRequest(f"{quoted(flag)} begins with a hyphen, as options do; {remedy}")
+    name = flag.lstrip("-").replace("-", "_").casefold()
+    flags = flags_of(command)
+    takers = {each: taker.name for taker in reversed([*COMMANDS.values()]) for each in taker.flags()}
+    problem = f"{command} takes no {quoted(flag)}" if command and flag in takers else f"no such option {quoted(flag)}"
+    if hint := HINTS.get(f"{command} {flag}") or HINTS.get(flag):
+        return BadRequest(f"{problem}; {hint}")
+    if flag not in takers:
+        by_symbol = _option(f"--{flag.lstrip('-')}", flags)
+        if guess := by_symbol.flag if by_symbol else _meant(name, flags):
+            return BadRequest(f"{problem}; did you mean {guess}?")
+    guess = _meant(name, takers)
+    if guess is None:
+        return BadRequest(f"{problem}; see jkroll {command} --help" if command else f"{problem}; see jkroll --help")
+    if command is None:
+        return BadRequest(f"{guess} goes behind a command: jkroll {takers[guess]} ... {guess}")
+    others = [taker.name for taker in COMMANDS.values() if guess in taker.flags()]
+    more = ", ..." if len(others) > MAX_OTHERS else ""
+    listed = f"{', '.join(others[:MAX_OTHERS])}{more}"
+    return BadRequest(f"{command} takes no {quoted(flag)}; {guess} is an option of {listed}")
 
 
 def _meant(name: str, flags: Iterable[str]) -> str | None:

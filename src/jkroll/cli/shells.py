@@ -12,26 +12,18 @@ from typing import Any
 import typer
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
-from ..errors import BadRequest, JkrollError
+from ..errors import JkrollError
 from ..output.manual import topics
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import ANY, NOMENCLATURE, OPTION_WORDS
 from . import process
-from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option
+from .commands import COMMANDS, DEBUG, HELP, VERSION, Command, Option
 from .help import TITLE
 
 
 def main() -> int:
     """Answer a shell that completes, or teach it to; return the exit code."""
-    return process.main(read=_by_typer)
-
-
-def _by_typer(words: Sequence[str]) -> Action:
-    """Return the action that leaves the words, and what the shell says in the environment, to typer."""
-    is_bash = os.environ.get("_JKROLL_COMPLETE") == "complete_bash"
-    if is_bash and not ("COMP_WORDS" in os.environ and os.environ.get("COMP_CWORD", "").isdecimal()):
-        raise BadRequest("_JKROLL_COMPLETE=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number")
-    return partial(_exit_code, words)
+    return process.main(read=lambda words: partial(_exit_code, words))
 
 
 def _exit_code(words: Sequence[str]) -> int:
@@ -87,7 +79,7 @@ class _Option(TyperOption):
 
 def _option(option: Option) -> TyperOption:
     """Return an option as typer has it."""
-    is_flag = option.kind is bool
+    is_flag = not option.metavar
     return _Option(
         param_decls=[option.name, *option.flags],
         is_flag=is_flag,

@@ -16,7 +16,7 @@ from functools import cache
 from types import MappingProxyType
 from typing import NamedTuple
 
-from ..errors import JkrollError
+from ..errors import BadRequest
 from ..text import quoted
 
 Routes = Mapping[str, str | None]
@@ -41,17 +41,6 @@ class Law(NamedTuple):
     def usual(self, name: str) -> str | None:
         """Return the formula of a quantity, whatever is given; None if the law does not have it."""
         return self.tables[ALWAYS].get(name, name)
-
-
-class UnknownLaw(JkrollError):
-    """Error raised for a law of attraction that is not known."""
-
-    def __init__(self, name: object) -> None:
-        super().__init__(name)
-        self.name = str(name)
-
-    def __str__(self) -> str:
-        return f"model: {quoted(self.name, 40)} is not one of {', '.join(LAWS)}"
 
 
 ALWAYS = ""  # in place of an input
@@ -224,9 +213,9 @@ def other_law(name: str) -> str:
 
 
 def law_named(name: str) -> Law:
-    """Return the law of a name in any case, or raise UnknownLaw."""
+    """Return the law of a name in any case, or raise BadRequest."""
     if not isinstance(name, str) or name.casefold() not in LAWS:
-        raise UnknownLaw(name)
+        raise BadRequest(f"model: {quoted(str(name), 40)} is not one of {', '.join(LAWS)}")
     return LAWS[name.casefold()]
 
 
