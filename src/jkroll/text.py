@@ -13,7 +13,7 @@ _ASCII = {
     "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4",
     "⁵": "^5", "⁻": "^-", "₁": "_1", "₂": "_2", "₀": "0", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
     "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
-    "≤": "<=", "±": "+/-", "≈": "~", "→": "->", "∞": "inf",
+    "─": "-", "≤": "<=", "±": "+/-", "≈": "~", "→": "->", "∞": "inf",
 }  # fmt: skip
 
 
@@ -168,6 +168,19 @@ def with_units_joined(text: str) -> str:
 
     joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)| (?=[=±]|(?:load )?\(--)|(?<= [=±]) ", NO_BREAK_SPACE, text)
     return re.sub(r"(?<=[NJg]) (?=m(?:\b|[²^/]))", NO_BREAK_SPACE, joined)  # N m, kg m²
+
+
+def width_of(text: str) -> int:
+    """Return how many columns of a terminal a text takes: a wide letter two, a mark on another letter none.
+
+    >>> width_of("P_c"), width_of("δ\u0302"), width_of("石英")
+    (3, 1, 4)
+    """
+    if text.isascii():
+        return len(text)
+    from unicodedata import combining, east_asian_width
+
+    return sum(0 if combining(letter) else 1 + (east_asian_width(letter) in "WF") for letter in text)
 
 
 MAX_SIZE = 1000  # a table or a picture of this size still fits into memory

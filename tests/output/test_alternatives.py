@@ -112,19 +112,22 @@ def test_lists_have_its_error_bars(run: Run) -> None:
         return f"{found.value * 1e12:.1f} ± {found.minus * 1e12:.1f}"
 
     out = run("yield-force quartz 100nm,1um --gamma 22±1mJ/m2", terminal=True).out
-    (row,) = [line for line in out.splitlines() if line.strip().startswith("1000")]
-    assert cell("22±1 mJ/m2", "maugis") in row
+    (row,) = [line for line in out.splitlines() if "Q by Maugis [pN]" in line]
+    assert row.endswith(cell("22±1 mJ/m2", "maugis"))
     by_spacing: Any = solve("pull_off_force", model="maugis", **QUARTZ, atomic_spacing="0.4±0.1 nm")
     out = run("pull-off quartz 100nm,1um --z0 0.4±0.1nm", terminal=True).out
     assert f"{by_spacing.value * 1e9:.2f} +{by_spacing.plus * 1e9:.2f}/-{by_spacing.minus * 1e9:.2f}" in out
 
 
-def test_in_a_list_they_are_tables_below_where_they_do_not_fit(run: Run) -> None:
+def test_a_list_is_several_tables_where_it_does_not_fit(run: Run) -> None:
     words = "yield-force quartz,silica-humid 100nm,1um --gamma 22±1.5mJ/m2 --load 1±0.1nN"
-    heads = [line for line in run(words, terminal=True).out.splitlines() if line.startswith("material")]
-    *of_results, last = heads
-    assert "by" not in "".join(of_results)
-    assert last.split("  ")[-2:] == ["Q by Maugis [pN]", "Q by data [pN]"]
+    lines = run(words, terminal=True).out.splitlines()
+    first, *others = [line for line in lines if line.startswith("material")]
+    assert others
+    assert all(line.startswith("material") and "R1 [nm]" in line for line in others)
+    assert "  Q [pN]  Q by Maugis [pN]" in first
+    assert sum("Q by data [pN]" in line for line in (first, *others)) == 1
+    assert max(map(len, lines)) <= 80
 
 
 def test_measured_forces_have_columns(run: Run) -> None:

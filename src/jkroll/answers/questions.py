@@ -8,34 +8,21 @@ from ..quantities.errors import UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, named
 
 
-class Grid(NamedTuple):
-    """A table of one scene in which quantities share a row: its heads, and by label the quantities of each cell."""
-
-    heads: tuple[str, ...]
-    rows: Mapping[str, tuple[tuple[str, ...], ...]]
-
-    @property
-    def quantities(self) -> tuple[str, ...]:
-        """The quantities of all cells."""
-        return tuple(name for cells in self.rows.values() for cell in cells for name in cell)
-
-
 class Question(NamedTuple):
     """The quantities that answer a question, and how they are shown."""
 
     headline: tuple[str, ...]  # those that the command is named after; --bare writes them alone
     quantities: tuple[str, ...]  # all that are shown, in this order
     named: tuple[str, ...] = ()  # asked for by name: shown for any scene
-    grid: Grid | None = None  # the table of one scene, if it is not a row for each quantity
-    # Without a row: of which quantity it is a limit, and the head of its column; None has no column either.
-    beside: Mapping[str, tuple[str, str] | None] = MappingProxyType({})
+    # Without a row: limits of the headline, with the heads of their columns; one without a head has none.
+    beside: Mapping[str, str] = MappingProxyType({})
 
 
 _QUESTIONS = {
     "pull-off": Question(
         ("pull_off_force",),
         ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones", "pull_off_force_rough"),
-        beside={"pull_off_force_dmt": ("pull_off_force", "DMT")},
+        beside={"pull_off_force_dmt": "DMT"},
     ),
     "yield-force": Question(
         ("yield_force",),
@@ -61,7 +48,7 @@ _QUESTIONS = {
             "twisting_frequency",
             "rayleigh_time",
         ),
-        beside={"rolling_frequency_as_printed": None},
+        beside={"rolling_frequency_as_printed": ""},
     ),
     "n-roll": Question(("n_roll",), ("n_roll_after_impact", "n_roll", "n_roll_energy_balance")),
     "contact": Question(
@@ -133,23 +120,27 @@ _IMPACT = Question(
     ("restitution",),
     ("restitution", "sticking_speed", "viscosity_number", "lost_energy", "n_roll_after_impact"),
 )
-_THREE = Grid(
-    ("", "stiffness", "begins at", "force or moment", "energy to begin"),
-    {
-        "rolling": (
-            ("rolling_stiffness",),
-            ("yield_displacement", "yield_angle"),
-            ("yield_force", "yield_moment"),
-            ("yield_energy",),
-        ),
-        "sliding": (("tangential_stiffness",), ("sliding_displacement",), ("sliding_force",), ("sliding_energy",)),
-        "twisting": (("twisting_stiffness",), ("twisting_angle",), ("twisting_moment",), ("twisting_energy",)),
-    },
-)
 _RESISTANCES = Question(
     ("yield_force", "sliding_force", "twisting_moment"),
-    (*_THREE.quantities, "sliding_or_peeling_force", "peeling_force", "peeling_radius"),
-    grid=_THREE,
+    (
+        "rolling_stiffness",
+        "yield_displacement",
+        "yield_angle",
+        "yield_force",
+        "yield_moment",
+        "yield_energy",
+        "tangential_stiffness",
+        "sliding_displacement",
+        "sliding_force",
+        "sliding_energy",
+        "sliding_or_peeling_force",
+        "peeling_force",
+        "peeling_radius",
+        "twisting_stiffness",
+        "twisting_angle",
+        "twisting_moment",
+        "twisting_energy",
+    ),
 )
 _AGGREGATES = Question(
     ("restructuring_energy", "disruption_energy"),

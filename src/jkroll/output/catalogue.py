@@ -52,13 +52,13 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
         input_column(name, [_known(material, name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
         for name in PROPERTIES
     )
-    write_table([Column("material", [material.name for material in chosen], False), *values], out)
+    write_table([Column("material", [material.name for material in chosen], is_right=False)], [*values], out)
     say(f"\n{_OF_ONE}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of materials by sets: the surface energy of each, and how it was found."""
-    from .table import input_column, print_table, texts_as_columns
+    from .table import input_column, write_texts
 
     head, energies, *_ = input_column(
         "surface_energy", [_known(one, "surface_energy") for one in chosen], AS_USUAL, "γ"
@@ -74,8 +74,7 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     for title, names in without.items():
         rows[title].append(("  with --gamma", "–", ", ".join(names)))
     heads = ("material", head, "method or reference")
-    columns = texts_as_columns(heads, [row for of_set in rows.values() for row in of_set])
-    print_table(columns, out, is_last_wrapped=True)
+    write_texts(heads, [row for of_set in rows.values() for row in of_set], out)
     say(f"\n{_OF_ONE}; find some: jkroll materials WORD", out)
 
 
@@ -207,11 +206,11 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
     elif kind in ("table", "plain") and len(names) == 1:
         _write_quantity(names[0], out)
     elif kind == "table":
-        from .table import print_table, texts_as_columns
+        from .table import write_texts
 
         for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names}).items():
             heads = (title, "symbol [unit]", "meaning")
-            print_table(texts_as_columns(heads, map(_quantity_table_row, members)), out, is_last_wrapped=True)
+            write_texts(heads, map(_quantity_table_row, members), out)
             say("", out)
     else:
         write_records(_HEADS, map(_quantity_row, names), kind, out)

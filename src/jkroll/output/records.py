@@ -29,10 +29,10 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind:
     if kind == "json":
         say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
     elif kind == "table":
-        from .table import texts_as_columns, write_table
+        from .table import write_texts
 
         rows = (["—" if cell is None else pretty(_text(cell)) for cell in record] for record in records)
-        write_table(texts_as_columns(heads, rows), out)
+        write_texts(heads, rows, out)
     else:
         write_columns(heads, [list(column) for column in zip(*records, strict=True)], kind, out)
 

@@ -1,15 +1,11 @@
-"""Tables on a terminal, set by rich."""
+"""Tables on a terminal, in the width there is: of one scene, of a list of pairs, and of texts."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
-from itertools import zip_longest
+from itertools import accumulate, compress
 from math import isnan
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
-
-from rich import box
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
 
 from ..answers.notes import symbol_beside
 from ..quantities.formatting import Format, amount, from_to, in_words, pretty, significant, with_known_prefix
@@ -20,63 +16,43 @@ from ..quantities.values import of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA, SIO2, rolled_solid
 from ..scene.limits import OF_LAW, codes_of
-from ..text import fitting, say, say_wrapped, terminal_width
+from ..text import fitting, say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
-    from ..answers.questions import Grid
     from ..answers.results import Result
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
-MAX_ACROSS = 20  # pairs that are tried as columns
 LIST_WIDTH = 80  # of a list with texts in several lines, on a narrower terminal
-_UNLIMITED = 10_000  # width of a terminal on which every table fits
 _DIGITS = 4  # of a value on a terminal
 _OF_A_RANGE = 2  # of its ends
 _NONE = "–"
+_GAP = 2  # blanks between columns
+_LEAST_TEXT = 20  # of a text in several lines
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}
 
 
 class Column(NamedTuple):
-    """A column of texts. Numbers are set to the right; `meaning` says what a result is.
-
-    `below`: of what may stand in place of a result, the head where it is not beside the result, with its unit.
-    """
+    """A column of texts. Numbers are set to the right; `meaning` is the head in words."""
 
     head: str
     cells: Sequence[str]
     is_right: bool = True
     meaning: str = ""
-    below: str = ""
 
 
 # --- One scene --------------------------------------------------------------------------------------------------------
 
 
 def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write the inputs of one scene, and its results below each other, or in a grid if it fits.
-
-    What may stand in their place has columns beside them; those that do not fit are a second table.
-    """
+    """Write the inputs of one scene, and its results below each other, beside what may stand in their place."""
     _write_inputs([], answer.measures, answer.assumed, out, form)
-    results, others = _results(answer), _others(answer)
-    grid, printed = answer.question.grid, []
-    if not grid or any(result.law for result in results) or not print_table(_grid(grid, answer, form), out):
-        quantity, symbol, own, *columns, unit = _scene_columns(results, others, answer, form)
-        # Dimmed is what stands beside a headline, or has no value.
-        styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in results]
-        tables = ([quantity, symbol, own, *columns[:count], unit] for count in range(len(columns), -1, -1))
-        printed = next((table for table in tables if print_table(table, out, styles=styles)), [])
-        if not printed:
-            print_table([symbol, own, unit], out, styles=styles, anyway=True)
-    left = {head: values for head, values in others.items() if head not in {column.head for column in printed}}
-    rest = [result for result in results if any(values.get(result.name) is not None for values in left.values())]
-    if rest:
-        say("", out)
-        quantity, symbol, _, *columns, unit = _scene_columns(rest, left, answer, form)
-        if not print_table([quantity, symbol, *columns, unit], out):
-            print_table([symbol, *columns, unit], out, anyway=True)
+    others, law = _others(answer), head_of(answer.scene.law.name)
+    rows = [_scene_row(result, others, answer, form) for result in _results(answer)]
+    quantity, symbol, unit, *values = zip(["quantity", "symbol", "unit", law, *others], *rows, strict=True)
+    texts = [Column(head, cells, is_right=False) for head, *cells in (quantity, symbol, unit)]
+    write_table(texts[:2], [Column(head, cells) for head, *cells in values], out, trailing=texts[2:])
 
 
 def _results(answer: "Answer") -> "list[Result]":
@@ -94,10 +70,9 @@ def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
     """Return what has columns beside the results, by head: what may stand in their place, and limits of theirs."""
     data = "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
     others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
-    values = {result.name: result.value for result in answer.results}
-    for limit, column in answer.question.beside.items():
-        if column and values.get(limit) is not None and column[1] != head_of(answer.scene.law.name):
-            others[column[1]] = {column[0]: values[limit]}
+    for limit, head in answer.question.beside.items():
+        if head and answer.value(limit) is not None and head != head_of(answer.scene.law.name):
+            others[head] = {answer.question.headline[0]: answer.value(limit)}
     return others
 
 
@@ -106,38 +81,16 @@ def head_of(law: str) -> str:
     return LAWS[law].title.partition("–")[0]
 
 
-def _scene_columns(
-    results: "Iterable[Result]", others: Mapping[str, Mapping[str, Any]], answer: "Answer", form: Format
-) -> list[Column]:
-    """Return the columns of results: words, symbols, values, what may stand in their place, and the unit of a row."""
-    own = head_of(answer.scene.law.name)
-    rows = []
-    for result in results:
-        name, value = result.name, result.measure
-        same = None if value is None else f"as {own}"
-        values = [value, *(of_other.get(name, same) for of_other in others.values())]
-        numbers = [each for each in values if each is not None and not isinstance(each, str)]
-        unit = _unit(name, numbers[:1], form)
-        words = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs)]
-        rows.append([*words, *(_cell(each, unit, form) for each in values), pretty(unit[0]) if numbers else ""])
-    columns = zip(["quantity", "symbol", own, *others, "unit"], zip(*rows, strict=True), strict=True)
-    return [Column(head, cells, head not in ("quantity", "symbol", "unit")) for head, cells in columns]
-
-
-def _grid(grid: "Grid", answer: "Answer", form: Format) -> list[Column]:
-    """Return the columns of a grid. Quantities of a cell stand below each other."""
-    measures: dict[str, Any] = {**answer.measures, **{result.name: result.measure for result in answer.results}}
-
-    def with_unit(name: str) -> str:
-        value = measures.get(name)
-        unit = _unit(name, [] if value is None else [value], form)
-        if unit[0].startswith("1e"):
-            unit = form.unit(name), Unit(1, 1, ())
-        return f"{_cell(value, unit, form)} {pretty(unit[0])}".strip()
-
-    cells = zip(*(["\n".join(map(with_unit, names)) for names in row] for row in grid.rows.values()), strict=True)
-    labels, *heads = grid.heads
-    return [Column(labels, [*grid.rows], False), *map(Column, heads, cells)]
+def _scene_row(
+    result: "Result", others: Mapping[str, Mapping[str, Any]], answer: "Answer", form: Format
+) -> Sequence[str]:
+    """Return the cells of a result: words, symbol, unit, value, and what may stand in its place."""
+    name, same = result.name, None if result.value is None else f"as {head_of(answer.scene.law.name)}"
+    values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
+    numbers = [value for value in values if value is not None and not isinstance(value, str)]
+    unit = _unit(name, numbers[:1], form)
+    cells = [_cell(value, unit, form) for value in values]
+    return NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), pretty(unit[0]) if numbers else "", *cells
 
 
 def _unit(name: str, values: "Sequence[float | Uncertain]", form: Format) -> tuple[str, Unit]:
@@ -155,9 +108,7 @@ def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form:
     if isinstance(value, tuple):
         return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or _OF_A_RANGE)
     number = convert(value, unit[1])
-    keeps_zeros = form.digits is None and number and not 10**_DIGITS <= abs(number) < 10**6
-    text = f"{number:#.{_DIGITS}g}" if keeps_zeros else significant(number, form.digits or _DIGITS)
-    return text.removesuffix(".")
+    return significant(number, form.digits or _DIGITS, zeros=form.digits is None and number != 0)
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -166,8 +117,7 @@ def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form:
 def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str]) -> None:
     """Write a table of several pairs; inputs that all of them share stand above, and what was assumed, by name.
 
-    A pair is a row. Where that is wider than the terminal, a pair is a column, and where this is too wide as well, a
-    row again, of as many tables as it takes: those of results, then of what may stand in their place.
+    A pair is a row, or a column where only that fits the terminal.
     """
     pairs = _Pairs(columns, form)
     common = {name: values[0] for name, values in pairs.inputs.items() if len({*values}) == 1}
@@ -175,31 +125,20 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     several = [name for name, values in pairs.inputs.items() if len({*values} - {None}) != 1]
     leading = [pairs.of_input(name) for name in several if not pairs.is_implied(name)]
     results = [column for name in columns.wanted.names if name not in pairs.inputs for column in pairs.of_result(name)]
-    results += [Column(DOUBT, pairs.doubts, False)] if any(pairs.doubts) else []
-    tables = [[*leading, *results], *(_across(leading, results) if len(columns) <= MAX_ACROSS else [])]
-    if any(print_table(table, out) for table in tables):
-        return
-    alternatives = [column._replace(head=column.below) for column in results if column.below]
-    for rest in ([column for column in results if not column.below], alternatives):
-        _print_in_parts(leading, rest, out)
+    results += [Column(DOUBT, pairs.doubts, is_right=False)] if any(pairs.doubts) else []
+    words, heads, *others = _across(leading, results)
+    tables = [(leading, results), ([words, heads], others), ([heads], others)]
+    write_table(*next((table for table in tables if _fits([*table[0], *table[1]], out)), tables[0]), out)
 
 
-def _print_in_parts(leading: Sequence[Column], columns: Sequence[Column], out: TextIO) -> None:
-    """Print columns as as many tables as it takes, with the leading columns in each."""
-    while columns:
-        counts = range(len(columns), 0, -1)
-        is_printed = (print_table([*leading, *columns[:count]], out, anyway=count == 1) for count in counts)
-        columns = columns[next(count for count, done in zip(counts, is_printed, strict=True) if done) :]
-
-
-def _across(leading: Sequence[Column], results: Sequence[Column]) -> list[list[Column]]:
-    """Return two tables with a column for each pair and a row for each result: with its meaning, and without."""
+def _across(leading: Sequence[Column], results: Sequence[Column]) -> list[Column]:
+    """Return the rows of a table as columns, behind its heads in words and in symbols."""
     numbers = Column("pair", [str(number) for number, _ in enumerate(results[0].cells, 1)])
-    lines = ([column.head, *column.cells] for column in leading or [numbers])
-    head, *heads = map("\n".join, zip(*lines, strict=True))
-    symbols = Column(head, [column.head for column in results], False)
-    table = [symbols, *map(Column, heads, zip(*(column.cells for column in results), strict=True))]
-    return [[Column("quantity", [column.meaning for column in results], False), *table], table]
+    columns = [*(leading or [numbers]), *results]
+    heads, *pairs = zip(*((column.head, *column.cells) for column in columns), strict=True)
+    words = ["quantity", *(column.meaning for column in columns[1:])]
+    texts = [Column(head, cells, is_right=False) for head, *cells in (words, heads)]
+    return [*texts, *(Column(head, cells) for head, *cells in pairs)]
 
 
 class _Pairs:
@@ -246,20 +185,19 @@ class _Pairs:
         """Return the columns of a result: by the other law where that moves a result of the pairs, and by data."""
         values, symbol = self._measures(name), symbol_beside(name, self.inputs)
         unit = _unit(name, [value for value in values if value is not None], self.form)
-        in_unit = f" [{pretty(unit[0])}]" if unit[0] else ""
+        in_unit, words = f" [{pretty(unit[0])}]" if unit[0] else "", NOMENCLATURE[name].sentence
 
-        def cells(values: Iterable[Any], none: str = _NONE) -> list[str]:
-            return [_cell(value, unit, self.form, none) for value in values]
+        def column(head: str, values: Iterable[Any], none: str = _NONE) -> Column:
+            return Column(f"{head}{in_unit}", [_cell(value, unit, self.form, none) for value in values], meaning=words)
 
-        columns = [Column(f"{symbol}{in_unit}", cells(values), meaning=NOMENCLATURE[name].sentence)]
+        columns = [column(symbol, values)]
         law_matters = any(bits & OF_LAW for bits in as_list(self.columns.doubts))
         for kind, key in self.columns.wanted.beside(name).items():
             others = self._measures(key)
             if kind == DATA and any(value is not None for value in others):
-                columns.append(Column("by data", cells(others, "no data"), below=f"{symbol} by data{in_unit}"))
+                columns.append(column(f"{symbol} by data", others, "no data"))
             elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
-                head = f"{symbol} by {head_of(kind)}"
-                columns.append(Column(head, cells(others), below=f"{head}{in_unit}"))
+                columns.append(column(f"{symbol} by {head_of(kind)}", others))
         return columns
 
     def _measures(self, key: str) -> list[Any]:
@@ -282,7 +220,8 @@ def input_column(name: str, values: Sequence[Any], form: Format, symbol: str) ->
         return amount(name, value, form) if unit is None else form.in_unit(value, unit)
 
     head = symbol if unit is None else f"{symbol} [{pretty(unit[0])}]"
-    return Column(head, [*map(text, values)], not NOMENCLATURE[name].is_word)
+    quantity = NOMENCLATURE[name]
+    return Column(head, [*map(text, values)], not quantity.is_word, quantity.sentence)
 
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
@@ -324,44 +263,67 @@ def _described(inputs: "Mapping[str, float | str | Uncertain]", form: Format) ->
 # --- Texts ------------------------------------------------------------------------------------------------------------
 
 
-def texts_as_columns(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> list[Column]:
-    """Return rows of texts as columns, which are set to the left."""
-    return [Column(head, cells, False) for head, *cells in zip(heads, *rows, strict=True)]
+def write_table(
+    leading: Sequence[Column], columns: Sequence[Column], out: TextIO, *, trailing: Sequence[Column] = ()
+) -> None:
+    """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
 
-
-def write_table(columns: Sequence[Column], out: TextIO) -> None:
-    """Write a table of texts, or, on a terminal too narrow for it, a line for each cell."""
-    if not print_table(columns, out):
-        for cells in zip(*(column.cells for column in columns), strict=True):
-            for column, cell in zip(columns, cells, strict=True):
-                say(f"{column.head}: {cell}", out)
-
-
-def print_table(
-    columns: Sequence[Column],
-    out: TextIO,
-    *,
-    styles: Sequence[str] = (),
-    is_last_wrapped: bool = False,
-    anyway: bool = False,
-) -> bool:
-    """Print a table of texts if the terminal is wide enough for it, or anyway, and return whether it was printed.
-
-    `styles`: of each row. The last column may be broken into lines, and then the table is printed anyway.
+    Those below the first leave out rows in which they say nothing. On a terminal too narrow for one column, the last of
+    the leading ones is left.
     """
-    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, show_edge=False)
-    for column in columns:
-        table.add_column(fitting(column.head, out), justify="right" if column.is_right else "left", no_wrap=True)
-    rows = zip(*(column.cells for column in columns), strict=True)
-    for row, style in zip_longest(rows, styles, fillvalue=""):
-        table.add_row(*(Text(fitting(cell, out)) for cell in row), style=style)
-    console = Console(file=out, width=terminal_width(), highlight=False, markup=False, emoji=False)
-    width = console.measure(table, options=console.options.update(width=_UNLIMITED)).maximum
-    if is_last_wrapped:
-        table.columns[-1].no_wrap, table.columns[-1].overflow = False, "fold"
-        width = LIST_WIDTH
-    elif width > console.width and not anyway:
-        return False
-    console.width = max(console.width, width)
-    console.print(table)
-    return True
+    if leading[1:] and not _fits([*leading, *columns[:1], *trailing], out):
+        leading = leading[-1:]
+    while columns:
+        ends = accumulate(_sizes(columns, out), initial=sum(_sizes([*leading, *trailing], out)))
+        count = max(sum(end <= terminal_width() + _GAP for end in ends) - 1, 1)
+        _print([*leading, *columns[:count], *trailing], out)
+        columns = columns[count:]
+        is_said = [any(map(_is_own, cells)) for cells in zip(*(column.cells for column in columns), strict=True)]
+        leading, columns, trailing = (_of_rows(each, is_said) for each in (leading, columns, trailing))
+        if columns:
+            say("", out)
+
+
+def _is_own(cell: str) -> bool:
+    """Return whether a cell says more than another one."""
+    return cell not in ("", _NONE) and not cell.startswith("as ")
+
+
+def _of_rows(columns: Iterable[Column], are_shown: Sequence[bool]) -> list[Column]:
+    return [column._replace(cells=[*compress(column.cells, are_shown)]) for column in columns]
+
+
+def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
+    """Write rows of texts; the last column is broken into lines where it is wider than the terminal, or than 80."""
+    rows = [*rows]
+    others = [Column(head, cells, is_right=False) for head, *cells in zip(heads, *rows, strict=True)][:-1]
+    room = max(terminal_width(), LIST_WIDTH) - sum(_sizes(others, out))
+    lines = []
+    for *cells, text in rows:
+        first, *further = wrap(fitting(text, out), max(room, _LEAST_TEXT)) or [""]
+        lines += [(*cells, first), *((*[""] * len(cells), line) for line in further)]
+    _print([Column(head, cells, is_right=False) for head, *cells in zip(heads, *lines, strict=True)], out)
+
+
+def _fits(columns: Iterable[Column], out: TextIO) -> bool:
+    """Return whether columns fit the terminal beside each other."""
+    return sum(_sizes(columns, out)) <= terminal_width() + _GAP
+
+
+def _sizes(columns: Iterable[Column], out: TextIO) -> list[int]:
+    """Return the widths of columns on a terminal, each with the blanks behind it."""
+    return [_GAP + max(width_of(fitting(text, out)) for text in (column.head, *column.cells)) for column in columns]
+
+
+def _print(columns: Sequence[Column], out: TextIO) -> None:
+    """Write heads, a line below them, and rows."""
+    sizes = _sizes(columns, out)
+    heads, *rows = zip(*((column.head, *column.cells) for column in columns), strict=True)
+    lines = []
+    for row in (heads, *rows):
+        line = ""
+        for column, text, size in zip(columns, (fitting(cell, out) for cell in row), sizes, strict=True):
+            blanks = " " * (size - _GAP - width_of(text))
+            line += (blanks + text if column.is_right else text + blanks) + " " * _GAP
+        lines.append(line.rstrip())
+    say("\n".join([lines[0], "─" * (sum(sizes) - _GAP), *lines[1:]]), out)

@@ -102,14 +102,19 @@ def _scaled(value: float, unit: str, digits: int) -> tuple[float, int]:
     return (float(mantissa + _SHIFTS[place]), 3 * power) if 3 * power in _PREFIXES else (value, 0)
 
 
-def significant(value: float, digits: int) -> str:
+def significant(value: float, digits: int, *, zeros: bool = False) -> str:
     """Round a number to significant digits; one below a million is written without an exponent.
 
-    >>> significant(2600.0, 3), significant(1234567.0, 3)
-    ('2600', '1.23e+06')
+    `zeros`: whether those at its end are kept.
+
+    >>> significant(2600.0, 3), significant(1234567.0, 3), significant(5.0, 3, zeros=True)
+    ('2600', '1.23e6', '5.00')
     """
-    text = f"{value:.{digits}g}"
-    return f"{float(text):.0f}" if "e+" in text and abs(float(text)) < _PLAIN else text
+    text = f"{value:{'#' if zeros else ''}.{digits}g}".removesuffix(".")
+    mantissa, has_exponent, exponent = text.partition("e")
+    if not has_exponent:
+        return text
+    return f"{float(text):.0f}" if 1 <= abs(value) < _PLAIN else f"{mantissa}e{int(exponent)}"
 
 
 def with_known_prefix(name: str, unit: str) -> str:
