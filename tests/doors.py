@@ -12,7 +12,6 @@ from unittest.mock import patch
 
 import numpy as np
 
-import jkroll.batch.job
 import jkroll.batch.run
 import jkroll.rows.columns
 import jkroll.rows.sweep
@@ -187,7 +186,7 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
 
     with ExitStack() as stack:
         stack.enter_context(patch.object(jkroll.batch.run, "evaluated", observed))
-        stack.enter_context(patch.object(jkroll.batch.job, "table_of", of_sample))
+        stack.enter_context(patch.object(jkroll.batch.run, "table_of", of_sample))
         ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
     if ran.code == 2:
         raise Refused(ran.err)

@@ -32,7 +32,7 @@ import signal
 import jkroll.__main__
 from jkroll.batch import files, run
 from jkroll.rows import columns
-run.ALONE, run.MEANWHILE, files.CHUNK, columns.BLOCK = 2, 0, 1 << 14, 1 << 9
+run.ALONE, files.CHUNK, columns.BLOCK = 2, 1 << 14, 1 << 9
 if __name__ == "__main__":
     signal.signal(signal.SIGHUP, signal.SIG_DFL)  # a closed terminal ends the run, under nohup, too
     jkroll.__main__.run()

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.batch import files
-from jkroll.batch.job import Job, Settings
+from jkroll.batch.run import Job
 from jkroll.errors import JkrollError
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
@@ -134,7 +134,7 @@ def agree(size: int, seed: int) -> None:
     """Among the others and alone a row has the same numbers, to some ulp, the same doubts and the same status."""
     header, *lines = random_table(size, seed).splitlines()
     names = tuple(header.split(","))
-    table = Job(Settings(), {}, known_materials()).table(names, [])
+    table = Job({}, known_materials()).table(names, [])
     rows = [line.encode().split(b",") for line in lines]
     block = TableBlock(
         table, Records(rows, {name: [row[place] for row in rows] for name, place in table.places.items()})

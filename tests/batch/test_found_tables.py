@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from harness import Ran, Run
-from jkroll.batch.delimited import DELIMITED
+from jkroll.batch.lines import DELIMITERS, Delimited
 from jkroll.errors import BadTable
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import Uncertain
@@ -104,10 +104,10 @@ def values(found: Found) -> dict[str, list[Any]]:
     """Return what is read of each row that has a cell for each column, by the names of inputs."""
     chosen = found.written or found.named
     options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
-    dialect = DELIMITED[options.get("delimiter") or ("tab" if options.get("format") == "tsv" else "comma")]
-    head = dialect.head(found.text)
-    rows = head.sample
-    header = understood(head.names, rows, stated_meanings(choice for choice in chosen if not choice.startswith("--")))
+    lines = Delimited(DELIMITERS[options.get("delimiter") or ("tab" if options.get("format") == "tsv" else "comma")])
+    lines.begin(lines.prepared(found.text))
+    rows = lines.sample
+    header = understood(lines.names, rows, stated_meanings(choice for choice in chosen if not choice.startswith("--")))
     materials = {column.name: [row[column.place] for row in rows] for column in header.materials}
     return materials | {column.name: [value(column, row) for row in rows] for column in header.inputs}
 
@@ -127,9 +127,9 @@ def test_twenty_tables_are_read_at_once() -> None:
     at_once = 0
     for found in TABLES.values():
         with suppress(BadTable):
-            head = DELIMITED["comma"].head(found.text)
-            rows = head.sample
-            header = understood(head.names, rows)
+            lines = Delimited(",")
+            lines.begin(found.text)
+            header = understood(lines.names, lines.sample)
             check_inputs(header)
             at_once += 1
     assert at_once >= 20

@@ -12,8 +12,7 @@ import pytest
 
 from harness import Run
 from jkroll import Interval, Measured
-from jkroll.batch.files import FileFormat, input_format, output_format
-from jkroll.batch.job import Settings
+from jkroll.batch.files import format_of_name, input_format, output_format
 from jkroll.errors import BadRequest, BadTable
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows.header import Header, reading_of, stated_meanings, understood
@@ -869,10 +868,10 @@ def test_an_option_that_changes_nothing_is_told(run: Run, words: str, said: str)
 
 @pytest.mark.parametrize("kind", ["csv", "ndjson"])
 def test_a_pipe_is_not_compressed_as_its_output_is(kind: str) -> None:
-    settings = Settings(target=f"out.{kind}.gz")
-    form = input_format("-", settings)
-    assert (form, output_format(settings, form)) == (FileFormat(kind), FileFormat(kind, "gzip"))
-    assert input_format("-", settings._replace(format=f"{kind}.gz")) == FileFormat(kind, "gzip")
+    target = f"out.{kind}.gz"
+    assert input_format("-", target) == format_of_name(f"x.{kind}")
+    assert output_format(target, kind, quiet=True) == format_of_name(target)
+    assert input_format("-", target, f"{kind}.gz") == format_of_name(target)
 
 
 def test_a_mark_before_the_header_may_follow_one_of_encoding(run: Run) -> None:

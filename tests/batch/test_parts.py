@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from harness import Run
-from jkroll.batch.job import Job
-from jkroll.batch.run import convert_one
+from jkroll.batch import command
+from jkroll.batch.run import Job, convert_one
 from jkroll.rows.reasons import Tally
 from tables import random_table
 
@@ -117,7 +117,7 @@ def test_a_run_that_was_ended_goes_on(run: Run, monkeypatch: pytest.MonkeyPatch,
         return convert_one(path, job)
 
     with monkeypatch.context() as patch:
-        patch.setattr("jkroll.batch.many.convert_one", until)
+        patch.setattr("jkroll.batch.command.convert_one", until)
         assert run(*words, "-o", "forces/").code == 130
     before = times("forces")
     assert sorted(before) == [Path(name).name for name in grains[:2]]
@@ -151,10 +151,8 @@ def test_a_file_whose_name_has_brackets_is_a_file(run: Run) -> None:
 
 @pytest.mark.slow
 def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
-    from jkroll.batch import many
-
     assert run("batch", "grains/*.csv", "-o", "whole/", "--jobs", "1").code == 1
-    monkeypatch.setattr(many, "FEW", 1)
+    monkeypatch.setattr(command, "FEW", 1)
     assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2").code == 1
     assert len(grains) == PARTS
     assert whole("forces") == whole("whole")

@@ -6,18 +6,20 @@ from pathlib import Path
 import pytest
 
 from harness import Run, Stream
-from jkroll.batch.progress import Bar
+from jkroll.batch.run import Progress
 
 
 def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     out = Stream(terminal=True)
     monkeypatch.setattr("sys.stderr", out)
-    monkeypatch.setenv("TERM", "xterm")
-    monkeypatch.setattr("jkroll.batch.progress.WAIT", 0)
-    with Bar(4000, quiet=False) as bar:
-        bar.show(1000, 50_000)
-    assert " 25%" in out.text()
-    assert "50,000 rows" in out.text()
+    monkeypatch.setattr("jkroll.batch.run.WAIT", 0)
+    progress = Progress(is_shown=True)
+    progress.show(0.25, 50_000)
+    line = out.text()
+    assert " 25%, " in line
+    assert "50,000 rows" in line
+    progress.clear()
+    assert out.text().removeprefix(line) == f"\r{' ' * (len(line) - 2)}\r"
 
 
 def test_no_bar_in_a_pipe(run: Run) -> None:

@@ -7,10 +7,9 @@ from unittest.mock import patch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from jkroll.batch.delimited import DIALECTS, Dialect, as_lines
-from jkroll.batch.job import Job, Settings
-from jkroll.batch.lines import Converted
-from jkroll.batch.run import Converter
+from jkroll.batch.files import SEPARATORS
+from jkroll.batch.lines import Delimited, as_lines
+from jkroll.batch.run import Converted, Converter, Job
 from jkroll.materials.library import known_materials
 from jkroll.rows.cells import Reader
 
@@ -46,15 +45,15 @@ ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
 
 def converter(dialect: str, end: str, *, excel_safe: bool) -> Converter:
     """The converter of a table with this header."""
-    form = DIALECTS[dialect]
-    head = form.head((form.separator.decode().join(HEADER) + end).encode(), excel_safe=excel_safe)
-    table = Job(Settings(quantities="report"), {}, known_materials()).table(head.names, [])
-    return Converter(form, head, table, strict=False, compression="")
+    lines = Delimited(SEPARATORS[dialect], excel_safe=excel_safe)
+    lines.begin((lines.separator.join(HEADER) + end).encode())
+    table = Job({}, known_materials(), quantities="report").table(lines.names, [])
+    return Converter(lines, table, "", strict=False)
 
 
 def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Converted:
     """What becomes of a block of rows."""
-    return converter(dialect, end, excel_safe=excel_safe)(text)
+    return converter(dialect, end, excel_safe=excel_safe).converted(text)
 
 
 @settings(deadline=None, max_examples=75)
@@ -66,11 +65,11 @@ def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Conve
     excel_safe=st.booleans(),
 )
 def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, last: str, excel_safe: bool) -> None:
-    separator = DIALECTS[dialect].separator.decode()
+    separator = SEPARATORS[dialect]
     text = (end.join(separator.join(row) for row in table) + last).encode()
     quick = converted(dialect, end, text, excel_safe=excel_safe)
     with (
-        patch.object(Dialect, "_cut", return_value=None),
+        patch.object(Delimited, "_cut", return_value=None),
         patch.object(Reader, "_together", return_value=None),
     ):
         careful = converted(dialect, end, text, excel_safe=excel_safe)
@@ -81,10 +80,10 @@ def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     convert = converter("csv", "\n", excel_safe=False)
     with (
-        patch.object(Dialect, "_read", side_effect=AssertionError),
+        patch.object(Delimited, "_read", side_effect=AssertionError),
         patch.object(Reader, "_of_many_kinds") as one_by_one,
     ):
-        found = convert(text)
+        found = convert.converted(text)
     assert (found.tally.rows, found.tally.failed, found.tally.doubtful) == (301, 1, 300)
     assert found.output.splitlines()[300].endswith(b",bad radius")
     assert found.tally.gaps["bad radius"] == (
@@ -101,8 +100,8 @@ def test_the_quick_way_is_taken() -> None:
 @given(text=st.text(st.sampled_from('a,"\n\r'), max_size=24).map(str.encode))
 def test_records_are_those_of_csv(text: bytes) -> None:
     """Where Python's csv module takes all of a text, its records and cells are the same, and so are their lines."""
-    dialect, lines = DIALECTS["csv"], as_lines(text)
-    records = [*dialect.records(lines)]
+    lines = as_lines(text)
+    records = [*Delimited(",").records(lines)]
     assert "".join("".join(lines[record.start : record.stop]) for record in records).encode() == text
     try:
         expected = [*csv.reader(io.StringIO(text.decode(), newline="\n"), strict=True)]
@@ -121,9 +120,9 @@ def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
     """Whatever comes after it, a text is cut where a record ends."""
 
     def records(text: bytes) -> list[tuple[list[str], str]]:
-        return [(record.cells, record.problem) for record in DIALECTS["csv"].records(as_lines(text))]
+        return [(record.cells, record.problem) for record in Delimited(",").records(as_lines(text))]
 
-    size = DIALECTS["csv"].cut(text)
+    size = Delimited(",").cut(text)
     assert records(text[:size]) + records(text[size:] + rest) == records(text + rest)
 
 
@@ -132,7 +131,7 @@ def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
 
     lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 10))]
     pieces = [b"".join(lines[start : start + 1000]) for start in range(0, len(lines), 1000)]
-    found = [*blocks(pieces, DIALECTS["csv"].cut)]
+    found = [*blocks(pieces, Delimited(",").cut)]
     assert b"".join(found) == b"".join(lines)
     assert len(found) > 4
     assert all(block.endswith(b"\n") and len(block) <= CHUNK for block in found)
@@ -143,7 +142,7 @@ def test_a_first_record_longer_than_a_block_is_one() -> None:
 
     text = b"radius [nm]" + b",column" * CHUNK + b"\n100\n"  # as read: pieces of CHUNK bytes
     pieces = [text[start : start + CHUNK] for start in range(0, len(text), CHUNK)]
-    first, *rest = blocks(pieces, DIALECTS["csv"].cut)
+    first, *rest = blocks(pieces, Delimited(",").cut)
     assert first.startswith(text[:-4])
     assert first + b"".join(rest) == text
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.batch.job import Settings
+from jkroll.batch.run import Job
 from jkroll.cli.call import OPTIONS, Call
 from jkroll.cli.commands import COMMANDS, OUTPUT, Option, flags_of
 from jkroll.cli.reader import HINTS, SYNONYMS, read
@@ -163,7 +163,7 @@ def test_a_synonym_stands_for_what_there_is(typed: str) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_option_has_a_place_for_its_value(name: str) -> None:
     for option in COMMANDS[name].options():
-        of_batch = Settings._fields if name == "batch" else ()
+        of_batch = Job._fields if name == "batch" else ()
         assert option.name in {*OPTIONS, *NOMENCLATURE, *of_batch}, option.flag
 
 

@@ -2,15 +2,12 @@
 
 From the bottom up:
 
-lines                       what formats have in common: heads of tables, blocks taken apart, the counts of a run
-delimited, ndjson           the formats whose records are lines: CSV and TSV; NDJSON
-decimals                    decimal commas
-job                         the options of a run, and the table that they make of a header
-files                       formats and compressions; the input as blocks of whole records; the output
-parquet                     Parquet
-progress, workers, run      the bar; processes; the loop that takes blocks through a converter into the output, in order
-many                        many tables, by processes or on a Dask cluster
-command                     the `batch` command
+lines       CSV, TSV and NDJSON: headers read, blocks of records taken apart
+files       formats and compressions by the names of files; the input as blocks of whole records
+run         the options of a run; the loop that takes blocks through a converter into the output, in order
+parquet     Parquet
+workers     processes
+command     the `batch` command, of one table or of many, by processes or on a Dask cluster
 """
 
 import os

@@ -1,44 +1,54 @@
-"""The `batch` command: from the options to the exit code."""
+"""The `batch` command: from the options to the exit code, for a table or for many into a directory.
 
+Many tables are a task each, by processes of this machine or on a Dask cluster. A file gets its name when it is whole.
+So a run that was ended goes on with `--resume`, which keeps what is newer than its table.
+"""
+
+import glob
+import os
 import sys
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from functools import partial, reduce
+from typing import NamedTuple
 
-from ..errors import ROWS_FAILED, BadRequest
-from ..materials.library import Materials
+from ..errors import ROWS_FAILED, BadRequest, BadTable, JkrollError, MissingExtra, missing_extra
 from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
 from ..rows.reasons import Tally
 from ..scene.limits import UNCHECKED
-from ..text import first_of, say, say_wrapped
-from .job import Job, Settings
-from .many import convert_many, is_many
-from .run import convert_one
+from ..text import first_of, quoted, say, say_wrapped
+from .files import format_of_name
+from .run import Job, convert_one
 
 MAX_CODES = 4  # of doubts that are named at the end
 MAX_GAPS = 4  # kinds of rows with empty cells that are explained at the end
+MAX_LINES = 6  # about many tables, that are said at the end
+FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
+DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
 
 
-def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materials) -> int:
+def run(path: str, job: Job) -> int:
     """Convert a table, or several; return the exit code."""
-    job = Job(settings, inputs, known)
-    if is_many(path, settings):
-        tally, code = convert_many(path, job)
+    if (glob.has_magic(path) and not os.path.exists(path)) or job.target.endswith(os.sep):
+        tally, code = _convert_many(path, job)
     else:
-        if settings.resume or settings.dask:
-            flag = "--resume" if settings.resume else "--dask"
+        if job.resume or job.dask:
+            flag = "--resume" if job.resume else "--dask"
             raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
         tally, code = convert_one(path, job), 0
-    if not settings.quiet:
-        _say_notes(tally, settings)
+    if not job.quiet:
+        _say_notes(tally, job)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)
 
 
-def _say_notes(tally: Tally, settings: Settings) -> None:
+def _say_notes(tally: Tally, job: Job) -> None:
     """Say on stderr what was inferred, and how many rows are in doubt, could not be judged, or have empty cells."""
     if tally.inferred:
-        say_wrapped(_summary(settings.infer, tally), sys.stderr)
+        say_wrapped(_summary(job.infer, tally), sys.stderr)
     if tally.doubtful:
         is_one, counts = tally.rows == 1, sorted(tally.codes.items(), key=lambda item: -item[1])
         counted = first_of([code if is_one else f"{code} in {count}" for code, count in counts], MAX_CODES)
@@ -46,11 +56,8 @@ def _say_notes(tally: Tally, settings: Settings) -> None:
         some = "the row" if is_one else f"{tally.doubtful} of {tally.rows} rows"
         say_wrapped(f"note: {some} {are} doubtful ({counted}); column {DOUBT} says why", sys.stderr)
     if tally.not_judged:
-        some = f"{tally.not_judged} of {tally.rows} rows"
-        say_wrapped(
-            f"note: {UNCHECKED} in {some}: a limit could not be judged, as it needs an input that is not given",
-            sys.stderr,
-        )
+        reason = "a limit could not be judged, as it needs an input that is not given"
+        say_wrapped(f"note: {UNCHECKED} in {tally.not_judged} of {tally.rows} rows: {reason}", sys.stderr)
     for gaps in [*tally.gaps.values()][:MAX_GAPS]:
         say_wrapped(f"note: {gaps.sentence()}", sys.stderr)
     if (more := len(tally.gaps) - MAX_GAPS) > 0:
@@ -62,11 +69,121 @@ def _summary(name: str, tally: Tally) -> str:
     import numpy
 
     values = numpy.concatenate(tally.inferred)
-    found = values[~numpy.isnan(values)]
-    sentence = f"note: {name}: {len(found)} of {len(values)} rows"
-    if len(found) < 2:
+    known = values[~numpy.isnan(values)]
+    sentence = f"note: {name}: {len(known)} of {len(values)} rows"
+    if len(known) < 2:
         return sentence
-    low, median, high = numpy.quantile(found, [0.25, 0.5, 0.75]).tolist()
+    low, median, high = numpy.quantile(known, [0.25, 0.5, 0.75]).tolist()
     middle = f"median {amount(name, median)}, quartiles {amount(name, low)} and {amount(name, high)}"
-    mean, scatter = float(found.mean()), float(found.std(ddof=1))
+    mean, scatter = float(known.mean()), float(known.std(ddof=1))
     return f"{sentence}; {middle}; mean {amount(name, mean)}, scatter {amount(name, scatter)}"
+
+
+# --- Many tables ------------------------------------------------------------------------------------------------------
+
+Pair = tuple[str, str]  # a table, and the file that it becomes
+
+
+class Outcome(NamedTuple):
+    """The counts of a table, or why it failed as a whole."""
+
+    tally: Tally
+    problem: str = ""
+    exit_code: int = 0
+
+
+Task = Callable[[Pair], Outcome]
+
+
+def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
+    """Convert the tables that a pattern names; return the counts, and the highest exit code of a table."""
+    pairs = _pairs(job.target, path)
+    left = [pair for pair in pairs if not (job.resume and _is_newer(pair))]
+    task = partial(_converted, job._replace(jobs=1, quiet=True))
+    outcomes = dict(_on_cluster(job.dask, task, left) if job.dask else _by_processes(job.processes, task, left))
+    tally = reduce(Tally.plus, (outcomes[pair].tally for pair in left), Tally())
+    if not job.quiet:
+        if kept := len(pairs) - len(left):
+            say(f"note: {kept} of {len(pairs)} files are newer than their tables and were kept", sys.stderr)
+        for line, count in Counter(tally.said).most_common(MAX_LINES):
+            say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
+    for pair in left:
+        if problem := outcomes[pair].problem:
+            say(f"jkroll: {quoted(pair[0])}: {problem}", sys.stderr)
+    return tally, max((outcome.exit_code for outcome in outcomes.values()), default=0)
+
+
+def _pairs(directory: str, path: str) -> list[Pair]:
+    """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
+    place = directory.rstrip(os.sep)
+    is_table = directory == place and not os.path.exists(place) and format_of_name(place) is not None
+    if directory == "-" or is_table or (os.path.exists(place) and not os.path.isdir(place)):
+        raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
+    paths = [path] if os.path.exists(path) else sorted(glob.glob(path))
+    if not paths:
+        raise BadTable(f"{quoted(path)}: no such file")
+    targets = [os.path.join(directory, os.path.basename(table)) for table in paths]
+    if len({*targets}) < len(paths):
+        raise BadTable(f"{quoted(path)}: two tables have the same name")
+    folders = {os.path.dirname(table) or "." for table in paths}
+    if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
+        raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
+    os.makedirs(directory, exist_ok=True)
+    return [*zip(paths, targets, strict=True)]
+
+
+def _is_newer(pair: Pair) -> bool:
+    """Return whether the output of a table is newer than the table."""
+    path, target = pair
+    return all(map(os.path.exists, pair)) and os.stat(target).st_mtime_ns >= os.stat(path).st_mtime_ns
+
+
+def _converted(job: Job, pair: Pair) -> Outcome:
+    """Convert a table in this process; a failure is an outcome."""
+    path, target = pair
+    try:
+        return Outcome(convert_one(path, job._replace(target=target)))
+    except MissingExtra:
+        raise  # as it would for every table
+    except JkrollError as error:
+        return Outcome(Tally(), str(error).removeprefix(f"{quoted(path)}: "), error.exit_code)
+
+
+def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[tuple[Pair, Outcome]]:
+    """Convert tables by some processes, the largest first, so that all end at about the same time."""
+    sizes = {pair: os.path.getsize(pair[0]) if os.path.exists(pair[0]) else 0 for pair in pairs}
+    is_little = len(pairs) <= FEW and sum(sizes.values()) <= LITTLE  # less work than to start a process
+    if min(count, len(pairs)) < 2 or is_little:
+        yield from ((pair, task(pair)) for pair in pairs)
+        return
+    from .workers import answers_in_order, started
+
+    pairs = sorted(pairs, key=sizes.__getitem__, reverse=True)
+    with started(min(count, len(pairs)), task) as workers:
+        yield from zip(pairs, (outcome for outcome, _ in answers_in_order(workers, pairs)), strict=True)
+
+
+def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[tuple[Pair, Outcome]]:
+    """Convert tables by the workers of a Dask cluster, which give those of a lost one to others. Raises BadTable."""
+    import logging
+
+    with missing_extra("dask"):
+        from distributed import Client, KilledWorker, as_completed
+    for name in ("distributed", "distributed.worker", "distributed.scheduler", "tornado"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    try:
+        client = Client(address, timeout=DASK_WAIT)
+    except (OSError, ValueError):
+        raise BadTable(f"--dask: no scheduler answers at {quoted(address)}") from None
+    with closing(client):
+        try:
+            client.wait_for_workers(1, timeout=DASK_WAIT)
+        except TimeoutError:
+            raise BadTable(f"--dask: the scheduler at {quoted(address)} has no worker") from None
+        # A worker opens a relative path in a directory of its own.
+        tasks = {client.submit(task, tuple(map(os.path.abspath, pair)), pure=False): pair for pair in pairs}
+        for future in as_completed([*tasks]):
+            try:
+                yield tasks[future], future.result()
+            except KilledWorker as error:
+                yield tasks[future], Outcome(Tally(), f"its worker ended {error.allowed_failures + 1} times", 1)

@@ -1,4 +1,4 @@
-"""Files of tables: their formats and compressions, the input as blocks of whole records, and the output.
+"""Files of tables: their formats and compressions, and the input as blocks of whole records.
 
 A format is named by the end of a file's name, or by `--format`. Blocks are cut at the same places in every run.
 """
@@ -8,25 +8,21 @@ import os
 import stat
 import sys
 import zlib
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from functools import partial
 from io import BufferedReader, FileIO
 from itertools import chain
 from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import BadRequest, BadTable, missing_extra
-from ..output.files import whole_file
 from ..rows.columns import BLOCK
 from ..text import ending, quoted, say
-from .delimited import DELIMITED, DIALECTS, Dialect
-from .job import Job, Settings
-from .lines import MAX_RECORD, SAMPLE, Source
-from .ndjson import Ndjson
+from .lines import DELIMITERS, MAX_RECORD, SAMPLE, Delimited, Ndjson
 
 SPREADSHEETS = ("xlsx", "xls", "ods")  # are neither read nor written
-LINES: Mapping[str, Dialect | Ndjson] = {**DIALECTS, "ndjson": Ndjson()}
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
+SEPARATORS = {"csv": ",", "tsv": "\t"}  # unless --delimiter says others
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
 CHUNK = 1 << 20  # bytes read at a time
 FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
@@ -35,41 +31,43 @@ FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at mos
 
 
 class FileFormat(NamedTuple):
-    """A format and its compression."""
+    """A format with its separator, if it has one, and its compression."""
 
     kind: str
     compression: str = ""
+    separator: str = ""
 
 
 def format_of_name(path: str) -> FileFormat | None:
     """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for x.parquet.gz.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
-    (FileFormat(kind='csv', compression='gzip'), None)
+    (FileFormat(kind='csv', compression='gzip', separator=','), None)
     """
     parts = os.path.basename(path).casefold().split(".")
     compression = COMPRESSIONS.get(parts[-1], "")
     kind = KINDS.get(parts[-2 if compression and len(parts) > 1 else -1], "")
     if kind == "parquet" and compression:
         raise BadTable(f"{quoted(path)}: Parquet is compressed in itself; leave out .{parts[-1]}")
-    return FileFormat(kind, compression) if kind else None
+    return FileFormat(kind, compression, SEPARATORS.get(kind, "")) if kind else None
 
 
-def input_format(path: str, settings: Settings) -> FileFormat:
-    """Return the format of the input."""
-    if text := settings.format:
-        if (stated := format_of_name(text.lstrip("."))) is None:
+def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
+    """Return the format of the input. `stated`, `delimiter`: by options, of which a call has one. Raises BadTable."""
+    if stated:
+        if (form := format_of_name(stated.lstrip("."))) is None:
             kinds = ", ".join(dict.fromkeys(KINDS.values()))
-            raise BadTable(f"--format: {quoted(text)} is none of {kinds}, or, but for the last, these with .gz or .zst")
-        return stated
+            problem = f"is none of {kinds}, or, but for the last, these with .gz or .zst"
+            raise BadTable(f"--format: {quoted(stated)} {problem}")
+        return form
     named = format_of_name(path)
     if path == "-":  # a table in a pipe is not compressed, though its output may be
-        of_output = format_of_name(settings.target)
-        named = FileFormat(of_output.kind if of_output else "csv")
-    if word := settings.delimiter:
-        if word not in DELIMITED:
-            raise BadTable(f"--delimiter: {quoted(word)} is none of {', '.join(filter(str.isalpha, DELIMITED))}")
-        return FileFormat(DELIMITED[word].name, named.compression if named else "")
+        named = (format_of_name(target) or FileFormat("csv", separator=","))._replace(compression="")
+    if delimiter:
+        mark = DELIMITERS.get(delimiter, delimiter)
+        if mark not in DELIMITERS.values():
+            raise BadTable(f"--delimiter: {quoted(delimiter)} is none of {', '.join(DELIMITERS)}")
+        return FileFormat("tsv" if mark in "\t " else "csv", named.compression if named else "", mark)
     if named is not None:
         return named
     if os.path.isdir(path):
@@ -78,30 +76,17 @@ def input_format(path: str, settings: Settings) -> FileFormat:
         raise BadTable(f"{quoted(path)} is a spreadsheet; save it as CSV")
     if ending(path) == "json":
         raise BadTable(f"{quoted(path)}: a JSON text is not read; write an object a line, and --format ndjson")
-    raise BadTable(
-        f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet, or --delimiter blank"
-    )
+    remedy = "give --format csv, tsv, ndjson or parquet, or --delimiter blank"
+    raise BadTable(f"{quoted(path)}: its name says no format; {remedy}")
 
 
-def output_format(settings: Settings, of_input: FileFormat) -> FileFormat:
-    """Return the format of the output: that of its name, else that of the input without compression."""
-    found = format_of_name(settings.target)
-    if found is None:
-        return unnamed(settings.target, of_input.kind, quiet=settings.quiet)
-    if found.kind != of_input.kind:
-        name = os.path.basename(settings.target).partition(".")[0]
-        raise BadTable(
-            f"-o: the output has the format of the input, {of_input.kind}; write {quoted(f'{name}.{of_input.kind}')}, "
-            "and convert it with another program"
-        )
-    return found
-
-
-def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
-    """Return the format of an output whose name states none. A note names it if the name has another ending.
+def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
+    """Return the format of the output: that of its name, else `kind` without compression, with a note.
 
     Raises BadRequest for a format that is another program's.
     """
+    if (form := format_of_name(target)) is not None:
+        return form
     if ending(target) in SPREADSHEETS:
         raise BadRequest(f"-o: {quoted(target)} is a spreadsheet; write a table that it opens, such as .csv")
     if ending(target) == "json":
@@ -110,6 +95,9 @@ def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
     if os.path.splitext(target)[1] and not quiet:
         say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
     return FileFormat(kind)
+
+
+# --- Compression ------------------------------------------------------------------------------------------------------
 
 
 def compressed(block: Any, compression: str) -> Any:
@@ -164,9 +152,8 @@ class Input:
             self.file = BufferedReader(FileIO(descriptor), CHUNK)
         except OSError as error:
             raise BadTable(f"{quoted(path)}: {error.strerror}") from None
-        about = os.fstat(descriptor)
-        self.is_file = stat.S_ISREG(about.st_mode)
-        self.size, self.time = (about.st_size, about.st_mtime_ns) if self.is_file else (0, 0)
+        self.begun = os.fstat(descriptor)
+        self.is_file = stat.S_ISREG(self.begun.st_mode)
 
     def pieces(self, compression: str) -> Iterator[bytes]:
         """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time at most, of a pipe what there is.
@@ -180,20 +167,20 @@ class Input:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
         self.check_unchanged()
 
-    def position(self) -> int:
-        """Return the number of bytes read of a file; 0 of a pipe."""
-        return self.file.tell() if self.is_file else 0
+    def share_read(self) -> float:
+        """Return which part of a file is read; 0 of a pipe."""
+        return self.file.tell() / max(self.begun.st_size, 1) if self.is_file else 0.0
 
     def check_unchanged(self) -> None:
         """Raise BadTable if a file was changed after it was opened."""
-        about = os.fstat(self.file.fileno())
-        if self.is_file and (about.st_size, about.st_mtime_ns) != (self.size, self.time):
+        now = os.fstat(self.file.fileno())
+        if self.is_file and (now.st_size, now.st_mtime_ns) != (self.begun.st_size, self.begun.st_mtime_ns):
             raise BadTable(f"{quoted(self.path)} was changed while it was read; begin anew")
 
     def check_output(self, target: str) -> None:
         """Refuse to write over the input."""
         with suppress(OSError):
-            if self.is_file and os.path.samestat(os.fstat(self.file.fileno()), os.stat(target)):
+            if self.is_file and os.path.samestat(self.begun, os.stat(target)):
                 raise BadRequest(f"-o: {quoted(target)} is the input; it is not overwritten")
 
     def close(self) -> None:
@@ -201,15 +188,21 @@ class Input:
         self.file.close()
 
 
-def lines_of(given: Input, form: FileFormat, job: Job) -> Source:
-    """Return a table whose records are lines."""
-    dialect = DELIMITED[job.settings.delimiter] if job.settings.delimiter else LINES[form.kind]
-    every = blocks(given.pieces(form.compression), dialect.cut)
+class Source(NamedTuple):
+    """A table that is read in blocks."""
+
+    form: Any  # its format, which has read the header, and takes blocks apart
+    blocks: Iterator[Any]
+    share: Callable[[int], float]  # which part of it was read, when so many rows are written; 0 if it is unknown
+
+
+def lines_of(given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool) -> Source:
+    """Return a table whose records are lines. `is_read`, `excel_safe`: as Delimited has them."""
+    lines = Ndjson() if form.kind == "ndjson" else Delimited(form.separator, excel_safe=excel_safe)
+    every = map(lines.prepared, blocks(given.pieces(form.compression), lines.cut))
     first = next(every, b"")
-    head = dialect.head(first, job.reads, excel_safe=job.settings.excel_safe)
-    return Source(
-        dialect, head, filter(None, chain([first[head.size :]], every)), given.size, lambda _: given.position()
-    )
+    rows = first[lines.begin(first, is_read) :]
+    return Source(lines, filter(None, chain([rows], every)), lambda _: given.share_read())
 
 
 def blocks(pieces: Iterable[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:
@@ -251,19 +244,3 @@ def _end_of_lines(text: bytes) -> int:
     if not end and len(text) >= MAX_RECORD:
         raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")
     return end or len(text)
-
-
-@contextmanager
-def output_to(target: str) -> Iterator[BinaryIO]:
-    """Open the output of `-o`: stdout, a device or a pipe, or a file that appears when it is whole."""
-    if target == "-":
-        sys.stdout.flush()
-        with open(os.dup(sys.stdout.fileno()), "wb") as stream:
-            yield stream
-        return
-    if os.path.isdir(target):
-        raise BadRequest(
-            f"-o: {quoted(target)} is a directory; name a file in it, such as {quoted(os.path.join(target, 'x.csv'))}"
-        )
-    with whole_file(target) as stream:
-        yield stream

@@ -1,49 +1,51 @@
-"""The parts that formats whose records are lines have in common."""
+"""CSV, TSV and NDJSON: formats whose records are lines. What passes through keeps its bytes.
 
-from collections.abc import Callable, Iterator
+A block of cells without a quote is cut at its separators. One with a quote is read by the csv module, which knows the
+lines of each record. A quote that is not closed, or a cell too many or too few, spoils its own line only.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from itertools import chain, compress, islice, takewhile
 from typing import Any, NamedTuple
 
+import orjson
+
 from ..errors import BadTable
-from ..rows.reasons import Tally
+from ..output.writers import Lines, Objects, in_quotes
+from ..rows.header import is_input, meaning_of
+from ..rows.table import Records, Table
+from ..rows.words import MATERIALS
+from ..text import quoted
 
 BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
 SAMPLE = 200  # rows that decide how a table is read
+DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
 _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+_MISTAKEN = {
+    ";": "has semicolons between its columns; write --delimiter semicolon",
+    "\t": "has tabs between its columns; write --format tsv",
+    ",": "has commas between its columns; write --format csv",
+    "|": "has bars between its columns; write --delimiter bar",
+    " ": "has blanks between its columns; write --delimiter blank",
+}
+_COMMENT = re.compile(r"\A[ \t]*#+ *")
+BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
+_OPEN = "a quote is not closed"
+_MISQUOTED = "a quote is not closed, or text stands behind it"
+_CARRIAGE_RETURN = "a carriage return stands outside quotes"
+_NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
-
-class Head(NamedTuple):
-    """The beginning of a table: the names of its columns, and what decides how they are read."""
-
-    names: tuple[str, ...]
-    sample: list[list[str]]  # the cells of the first rows
-    writer: Any  # of the table with its results
-    size: int = 0  # bytes, up to the end of the header
-    lines: int = 0  # up to the end of the header
-    preamble: int = 0  # lines above the header
-    header: Any = b""  # as it is written, without its end
-    has_decimal_commas: bool = False
-    excel_safe: bool = False  # whether cells are written so that a spreadsheet takes no text for a formula
-
-
-class Source(NamedTuple):
-    """A table that is read in blocks."""
-
-    form: Any  # which takes blocks apart, and writes them
-    head: Head
-    blocks: Iterator[Any]
-    size: int  # of the input, 0 if it is unknown
-    position: Callable[[int], int]  # how much of it was read, when so many rows are written
-
-
-class Converted(NamedTuple):
-    """A converted block, the number of lines that it was, and its counts."""
-
-    output: Any
-    lines: int
-    tally: Tally = Tally()
-    size: int = 0  # bytes of the output, where another process holds it
+csv.field_size_limit(MAX_RECORD)  # 128 KiB unless it is raised
 
 
 def check_encoding(text: bytes, name: str) -> None:
@@ -54,3 +56,419 @@ def check_encoding(text: bytes, name: str) -> None:
             raise BadTable(f"the table is compressed; give it a name that ends in .{ends}, or write --format {ends}")
     if text.startswith(_UTF_16) or b"\0" in text.partition(b"\n")[0]:
         raise BadTable("the table is not UTF-8; save it as UTF-8")
+
+
+class Record(NamedTuple):
+    """A record: the places of its first line and of the line behind it, and its cells, or why it has none."""
+
+    start: int
+    stop: int
+    cells: list[str]
+    problem: str = ""
+
+
+class Delimited:
+    """A table of cells with a separator between them."""
+
+    def __init__(self, mark: str, *, excel_safe: bool = False) -> None:
+        """`mark`: the separator; any number of blanks are read as a tab.
+
+        `excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula.
+        """
+        self.is_of_blanks, self.excel_safe = mark == " ", excel_safe
+        self.separator = "\t" if self.is_of_blanks else mark
+        self.blanks = " \t\r\n".replace(self.separator, "")  # a line of these is no record
+        self.has_decimal_commas = False
+
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole records at the beginning of a text."""
+        end = text.rfind(b"\n") + 1
+        if b'"' not in text:
+            return end
+        lines = as_lines(text[:end])
+        last = next((record.start for record in self.records(lines) if record.problem == _OPEN), len(lines))
+        return sum(map(len, lines[:last]))
+
+    def prepared(self, block: bytes) -> bytes:
+        """Return a block with tabs in place of blanks. Raises BadTable for quotes, as blanks would divide a cell."""
+        if not self.is_of_blanks:
+            return block
+        if b'"' in block:
+            raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
+        return b"\n".join(b"\t".join(line.split()) for line in block.split(b"\n"))
+
+    def records(self, lines: Sequence[str]) -> Iterator[Record]:
+        """Iterate over records. Their cells have a character for each byte. A line that is no record has none."""
+        start = 0
+        while start < len(lines):
+            reader = csv.reader(lines[start:], delimiter=self.separator, strict=True)
+            begin = start
+            try:
+                for cells in reader:
+                    yield Record(start, begin + reader.line_num, cells)
+                    start = begin + reader.line_num
+            except csv.Error as error:
+                yield Record(start, start + 1, [], _problem(str(error)))
+                start += 1
+
+    def _is_blank(self, line: str) -> bool:
+        """Return whether a line is no record."""
+        return not line.strip(self.blanks)
+
+    def _line(self, cells: Sequence[str]) -> str:
+        """Return the line of some cells, in quotes where they need them."""
+        return self.separator.join(in_quotes(cell, self.separator) for cell in cells)
+
+    def _safe(self, cells: Sequence[str], line: str) -> str:
+        """Return the line of some cells as it is written."""
+        if not (self.excel_safe and any(map(_is_formula, cells))):
+            return line
+        return self._line([f"'{cell}" if _is_formula(cell) else cell for cell in cells])
+
+    # --- The header ---------------------------------------------------------------------------------------------------
+
+    def begin(self, block: bytes, is_read: Callable[[str], bool] = is_input) -> int:
+        """Read the beginning of a table; return the number of bytes up to the end of the header. Raises BadTable.
+
+        `block`: the first one; `is_read`: tells of a header whether its column is one of those that are read.
+        """
+        check_encoding(block, "tsv" if self.separator == "\t" else "csv")
+        mark = BOM if block.startswith(BOM) else b""
+        every = as_lines(block.removeprefix(mark))
+        self.preamble = self._preamble(every, is_read)
+        lines = every[self.preamble :]
+        if not any(map(str.strip, lines)):
+            raise BadTable("the table is empty: it has no header")
+        lines[0] = self._uncommented(lines[0])
+        records = self.records(lines)
+        first = next(records)
+        header = "".join(lines[: first.stop])
+        self.names = self._names(first, header)
+        self.header = mark + self._safe(first.cells, header).rstrip("\r\n").encode(BYTES)
+        self.lines = self.preamble + first.stop
+        rows = (record.cells for record in records if not self._is_blank("".join(lines[record.start : record.stop])))
+        whole = [
+            [cell.encode(BYTES) for cell in cells] for cells in islice(rows, SAMPLE) if len(cells) == len(self.names)
+        ]
+        if self.separator != ",":
+            columns = [*zip(*whole, strict=True)]
+            are_read = [*map(is_read, self.names)]
+            self.has_decimal_commas = has_decimal_commas(are_read, columns, by_all=self.separator == ";")
+        rows_read = map(with_points, whole) if self.has_decimal_commas else whole
+        self.sample = [[cell.decode("utf-8", "replace") for cell in row] for row in rows_read]
+        end = "\r\n" if header.endswith("\r\n") else "\n"
+        self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
+        return len(mark) + sum(map(len, every[: self.lines]))
+
+    def _preamble(self, lines: Sequence[str], is_read: Callable[[str], bool]) -> int:
+        """Return the number of lines above the header, which begin with #.
+
+        The last of them that names columns that are read is the header itself, unless the line below all of them names
+        some.
+        """
+        comments = [*takewhile(_COMMENT.match, lines[:SAMPLE])]
+
+        def names_inputs(line: str) -> bool:
+            cells = self._uncommented(line).strip().split(self.separator)
+            return any(is_read(cell.encode(BYTES).decode("utf-8", "replace").strip('"')) for cell in cells)
+
+        headers = [place for place, line in enumerate(comments) if names_inputs(line)]
+        is_below = not headers or any(map(names_inputs, lines[len(comments) : len(comments) + 1]))
+        return len(comments) if is_below else headers[-1]
+
+    def _uncommented(self, line: str) -> str:
+        """Return a line without the mark of a comment in front of it."""
+        line = _COMMENT.sub("", line)
+        return line.lstrip("\t") if self.is_of_blanks else line
+
+    def _names(self, first: Record, header: str) -> tuple[str, ...]:
+        """Return the names of columns. Raises BadTable."""
+        if first.problem == _CARRIAGE_RETURN:
+            raise BadTable("the lines end in carriage returns alone; save the table with line feeds")
+        if self._is_blank(header):
+            raise BadTable("header: is empty")
+        try:
+            line, *names = (cell.encode(BYTES).decode() for cell in (header, *(first.cells or [header])))
+        except UnicodeDecodeError:
+            raise BadTable("header: is not UTF-8; save the table as UTF-8") from None
+        if line.casefold().startswith("sep="):
+            remedy = "delete this line, and write --delimiter semicolon if the columns have semicolons between them"
+            raise BadTable(f"header: {quoted(line.strip())} is for a spreadsheet; {remedy}")
+        if not any(map(is_input, names)):
+            self._check_separator(line, is_single=len(names) == 1)
+        if first.problem:
+            raise BadTable("header: has a quote that is not closed")
+        return tuple(names)
+
+    def _check_separator(self, line: str, *, is_single: bool) -> None:
+        """Refuse a header that another separator divides into inputs; blanks into two at least."""
+        for mark, problem in _MISTAKEN.items():
+            is_of_blanks = mark == " "
+            cells = line.replace('"', "").split(None if is_of_blanks else mark)
+            if mark != self.separator and is_single >= is_of_blanks and sum(map(is_input, cells)) > is_of_blanks:
+                raise BadTable(f"header: {quoted(line.strip())} {problem}")
+
+    # --- Rows ---------------------------------------------------------------------------------------------------------
+
+    def read(self, text: bytes, table: Table) -> Records:
+        """Return whole records, taken apart."""
+        records = self._cut(text, table.places) or self._read(text, table.places)
+        if not self.has_decimal_commas:
+            return records
+        cells = {name: column for name, column in records.cells.items() if name not in MATERIALS}
+        odd = {**dict(points_among_commas(cells.values())), **records.odd}
+        points = {name: with_points(column) for name, column in cells.items()}
+        return records._replace(cells={**records.cells, **points}, odd=odd)
+
+    def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
+        """Cut lines without quotes that have the right width at their separators; None if there are others."""
+        width, separator = len(self.names), self.separator.encode()
+        if b'"' in text or self.excel_safe:
+            return None
+        if b"\r" in text:  # to search for two bytes takes 100 times as long
+            text = text.replace(b"\r\n", b"\n")
+        if b"\r" in text or not text.endswith(b"\n"):
+            return None
+        lines = text.split(b"\n")
+        lines.pop()
+        cells = text.replace(b"\n", separator + b"\n" + separator).split(separator)
+        # Behind each line's last cell, and there only, stands a line feed.
+        if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
+            return None
+        columns = {name: cells[place : -1 : width + 1] for name, place in places.items()}
+        return Records(lines, columns, {}, range(len(lines)), len(lines))
+
+    def _read(self, text: bytes, places: Mapping[str, int]) -> Records:
+        """Read records of any kind."""
+        width = len(self.names)
+        texts: list[str] = []
+        rows: list[list[str]] = []
+        odd: dict[int, str] = {}
+        starts: list[int] = []
+        blank = ""
+        lines = as_lines(text)
+        for record in self.records(lines):
+            line = "".join(lines[record.start : record.stop])
+            if self._is_blank(line):
+                blank += line
+                continue
+            cells, line = record.cells, line.rstrip("\r\n")
+            if len(cells) != width:
+                odd[len(rows)] = record.problem or _of_other_width(len(cells), width)
+                cells = self._squared(cells or [line])
+                line = self._line(cells)
+            starts.append(record.start)
+            texts.append(blank + self._safe(cells, line))
+            rows.append(cells)
+            blank = ""
+        columns = {name: [row[place].encode(BYTES) for row in rows] for name, place in places.items()}
+        return Records([text.encode(BYTES) for text in texts], columns, odd, starts, len(lines), blank.encode(BYTES))
+
+    def _squared(self, cells: list[str]) -> list[str]:
+        """Return as many cells as the header has: what is too much stays in the last."""
+        last = len(self.names) - 1
+        rest = [self._line(cells[last:])] if len(cells) > last + 1 else cells[last:]
+        return [*cells[:last], *rest, *[""] * (last + 1 - len(cells))]
+
+
+def as_lines(text: bytes) -> list[str]:
+    """Return the lines of a text with their ends, a character for each byte."""
+    return io.StringIO(text.decode(BYTES), newline="\n").readlines()
+
+
+def _problem(error: str) -> str:
+    """Return the words for an error of the csv module."""
+    if error.startswith(("unexpected end", "field larger")):
+        return _OPEN
+    return _CARRIAGE_RETURN if error.startswith("new-line") else _MISQUOTED
+
+
+def _is_formula(cell: str) -> bool:
+    """Return whether a spreadsheet may take a cell of text for a formula."""
+    return cell.startswith(("=", "+", "-", "@", "\t", "\r")) and not _NUMBER.fullmatch(cell)
+
+
+def _of_other_width(count: int, width: int) -> str:
+    size, cells = "short" if count < width else "long", "cell" if count == 1 else "cells"
+    return f"row is {size}: {count} {cells} for {width}"
+
+
+# --- Decimal commas ---------------------------------------------------------------------------------------------------
+
+_NUMERIC = re.compile(rb"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
+_MARKED = re.compile(rb"([\d.,]*)([.,])(\d+)([eE][-+]?\d+)?")  # a number with a point or a comma
+
+
+def has_decimal_commas(are_read: Sequence[bool], columns: Sequence[Sequence[bytes]], *, by_all: bool) -> bool:
+    """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
+
+    The columns that are read decide; all columns where the marks of these may be either. If they have none, all decide
+    if `by_all`, as between semicolons. Where nothing decides, points are decimal.
+    """
+    read, every = (
+        Counter(chain.from_iterable(map(_decimal_marks, some))) for some in (compress(columns, are_read), columns)
+    )
+    unclear = [number.decode() for number in read if len(number) > 1]
+    for marks in (read, every) if unclear or (not read and by_all) else (read,):
+        if marks[b","] != marks[b"."]:
+            return marks[b","] > marks[b"."]
+    if number := next((number for number in unclear if "," in number or by_all), ""):
+        digits = number.replace(",", "").replace(".", "")
+        remedy = "write decimal points, and no marks of thousands"
+        if "," not in number:
+            remedy = "leave marks of thousands out, or save the table with commas between its columns"
+        raise BadTable(f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: {remedy}")
+    return False
+
+
+def _decimal_marks(cells: Sequence[bytes]) -> Iterator[bytes]:
+    """Iterate over the decimal marks of the numbers of a column.
+
+    A mark that stands in a number more than once is of thousands or of a list, and is left out. Where a mark may be of
+    thousands, the number itself comes in its place.
+
+    >>> [*_decimal_marks((b"0,125", b"1,200e3", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3"))]
+    [b',', b',', b',', b'1,200']
+    """
+    for number in _MARKED.finditer(b";".join(filter(_NUMERIC.match, cells))):
+        whole, mark, fraction, power = number.groups()
+        may_be_of_thousands = (
+            len(fraction) == 3 and whole.isdigit() and len(whole) <= 3 and whole[:1] != b"0" and not power
+        )
+        if mark not in whole:
+            yield number[0] if may_be_of_thousands else mark
+
+
+def points_among_commas(columns: Iterable[Sequence[bytes]]) -> Iterator[tuple[int, str]]:
+    """Iterate over the rows in which a number has a point, decimal or of thousands, and what is wrong with that."""
+    for column in columns:
+        for row, cell in enumerate(column if b"." in b"".join(column) else ()):
+            if any(b"." in number[0] for number in _MARKED.finditer(cell)):
+                text = quoted(cell.decode("utf-8", "replace"))
+                remedy = "write numbers without marks of thousands"
+                yield row, f"{text} has a point, and this table has decimal commas: {remedy}"
+
+
+def with_points(cells: Iterable[bytes]) -> list[bytes]:
+    """Return cells with decimal points in place of commas."""
+    return [cell.replace(b",", b".") for cell in cells]
+
+
+# --- NDJSON -----------------------------------------------------------------------------------------------------------
+
+Object = dict[str, Any]
+_UNWRITTEN = "[...]"  # stands for a value that is nested too deeply
+
+
+class Ndjson:
+    """A table whose lines are JSON objects; the names in the first of them are the columns."""
+
+    preamble = lines = 0  # there is no header
+    writer = Objects()
+
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole lines."""
+        return text.rfind(b"\n") + 1
+
+    def prepared(self, block: bytes) -> bytes:
+        """Return a block as it is."""
+        return block
+
+    def begin(self, block: bytes, is_read: Callable[[str], bool] = bool) -> int:  # noqa: ARG002
+        """Read the names in the first object, and the values of the first objects. Raises BadTable.
+
+        Return the number of bytes in front of them.
+        """
+        check_encoding(block, "ndjson")
+        self.header = BOM if block.startswith(BOM) else b""
+        lines = [line for line in block.removeprefix(BOM).split(b"\n")[:SAMPLE] if line.strip()]
+        if not lines:
+            raise BadTable("the table is empty")
+        first = _object(lines[0])
+        if not first:
+            raise BadTable("the first line is not a JSON object with members")
+        if (name := _twice(lines[0], first)) is not None:
+            raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
+        self.names = tuple(first)
+        self.sample = [[_text(row.get(name)) for name in first] for row in map(_object, lines) if row is not None]
+        return len(self.header)
+
+    def read(self, text: bytes, table: Table) -> Records:
+        """Return whole lines, taken apart."""
+        every = text.removesuffix(b"\n").split(b"\n")
+        starts = [place for place, line in enumerate(every) if line.strip()]
+        lines = [every[place] for place in starts]
+        objects = [*map(_object, lines)]
+        known = {*self.names}
+        problems = (_problem_of(line, members, known, table) for line, members in zip(lines, objects, strict=True))
+        odd = {row: problem for row, problem in enumerate(problems) if problem}
+        members = [each or {} for each in objects]
+        cells = {name: _cells([row.get(self.names[place]) for row in members]) for name, place in table.places.items()}
+        blank = [every[stop + 1 : start] for stop, start in zip([-1, *starts], [*starts, len(every)], strict=True)]
+        *above, rest = (b"".join(line + b"\n" for line in lines) for lines in blank)
+        before = [*map(bytes.__add__, above, map(_beginning, lines, objects))]
+        return Records(before, cells, odd, starts, len(every), rest)
+
+
+def _problem_of(line: bytes, members: Object | None, known: set[str], table: Table) -> str:
+    """Return why a line is no row; an empty text if it is one.
+
+    It is none without an object, with a member twice, or with an input or result that the first line lacks. `known`:
+    the names in the first line.
+    """
+    if members is None:
+        return "is not a JSON object"
+    if (name := _twice(line, members)) is not None:
+        return f"has {quoted(name)} twice"
+    for name in members.keys() - known:
+        if name in table.added or meaning_of(name, [_text(members[name]).strip()], table.meanings).name:
+            return f"has {quoted(name)}, which the first line does not have"
+    return ""
+
+
+def _beginning(line: bytes, members: Object | None) -> bytes:
+    """Return the object of a line without its end; one that holds the line as a text where it is no object."""
+    if members is None:
+        return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
+    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
+
+
+def _object(line: bytes) -> Object | None:
+    """Return the object that a line holds by itself, or None."""
+    try:
+        value = orjson.loads(line)
+    except orjson.JSONDecodeError:
+        return None
+    return value if isinstance(value, dict) else None
+
+
+def _twice(line: bytes, read: Object) -> str | None:
+    """Return the name of a member that stands twice in the object of a line, or None. orjson keeps the last one."""
+    if line.count(b":") == len(read):  # each member has a colon
+        return None
+    members: list[tuple[str, Any]] = []
+    with suppress(RecursionError):
+        members = json.loads(line, object_pairs_hook=list)
+    return next((name for name, count in Counter(name for name, _ in members).items() if count > 1), None)
+
+
+def _text(value: object) -> str:
+    """Return a value as a cell of a table; an empty one for null."""
+    if value is None:
+        return ""
+    try:
+        return value if isinstance(value, str) else orjson.dumps(value).decode()
+    except orjson.JSONEncodeError:  # it does not write all that it reads: a nesting of 300
+        return _UNWRITTEN
+
+
+def _cells(values: Sequence[Any]) -> list[bytes]:
+    """Return values as cells."""
+    try:
+        text = orjson.dumps(values)
+    except orjson.JSONEncodeError:
+        return [_text(value).encode() for value in values]
+    if b'"' in text or b"{" in text or text.count(b"[") > 1:
+        return [_text(value).encode() for value in values]
+    cells = text[1:-1].split(b",")
+    return [b"" if cell == b"null" else cell for cell in cells] if b"null" in text else cells

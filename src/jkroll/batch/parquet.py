@@ -16,9 +16,8 @@ from ..rows.columns import BLOCK, DOUBT, STATUS
 from ..rows.header import Reading, is_input
 from ..rows.table import Records, Table
 from ..text import quoted, shown
-from .files import FileFormat, Input
-from .job import Job
-from .lines import SAMPLE, Head, Source
+from .files import Input, Source
+from .lines import SAMPLE
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
@@ -38,13 +37,7 @@ class Batches:
         """Return the batch without rows. `before`: the schema of the columns that stand before these."""
         return pyarrow.RecordBatch.from_pylist([], schema=self._schema(heads, before[0] if before else ()))
 
-    def rows(
-        self,
-        heads: Sequence[str],
-        columns: Sequence[Any],
-        before: Any = None,
-        rest: bytes = b"",  # noqa: ARG002
-    ) -> Any:
+    def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any = None) -> Any:
         """Return rows. `before`: the batch of the columns that stand before these."""
         size = max(map(length, columns))
         every = [[column] * size if length(column) == 0 else column for column in divided(columns)]
@@ -86,17 +79,14 @@ class Batches:
 # --- A file as blocks -------------------------------------------------------------------------------------------------
 
 
-def source_of(given: Input, form: FileFormat, job: Job) -> Source:  # noqa: ARG001
-    """Return the table in a Parquet file."""
-    if "-" in (given.path, job.settings.target):
+def batches_of(given: Input, target: str, meanings: Callable[[Sequence[str]], Mapping[str, Reading]]) -> Source:
+    """Return the table in a Parquet file. `meanings`: returns those that options give to headers."""
+    if "-" in (given.path, target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
     with _readable(given.path):
         file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-        schema, metadata = file.schema_arrow, file.metadata
-        if not schema.names:
-            raise BadTable("the table has no columns")
-        rows = _first_rows(file, job.meanings(schema.names))
-        head = Head(tuple(schema.names), rows, Batches(), header=schema)
+        metadata = file.metadata
+        table = Arrow(file, meanings(file.schema_arrow.names))
     groups = [metadata.row_group(place) for place in range(metadata.num_row_groups)]
     width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + RESULTS
     size = max(min(BLOCK, int(BYTES / width)), 1)
@@ -106,7 +96,7 @@ def source_of(given: Input, form: FileFormat, job: Job) -> Source:  # noqa: ARG0
             yield from file.iter_batches(size)
         given.check_unchanged()
 
-    return Source(Arrow(), head, batches(), metadata.num_rows, lambda rows: rows)
+    return Source(table, batches(), lambda rows: rows / max(metadata.num_rows, 1))
 
 
 @contextmanager
@@ -119,16 +109,32 @@ def _readable(path: str) -> Iterator[None]:
         raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
 
 
-def _first_rows(file: Any, meanings: Mapping[str, Reading]) -> list[list[str]]:
-    """Return the cells of inputs in the first rows as texts. Raises BadTable for an input of another type."""
-    schema = file.schema_arrow
-    inputs = [field for field in schema if is_input(field.name, meanings)]
-    for field in inputs:
-        if not _is_cell(field.type):
-            raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")
-    first = next(file.iter_batches(SAMPLE, columns=[field.name for field in inputs], use_threads=False), None)
-    rows = first.to_pylist() if first is not None else []
-    return [[_text(row.get(name)) for name in schema.names] for row in rows]
+class Arrow:
+    """A table of columns that have types."""
+
+    preamble = lines = 0  # its names stand in no line
+
+    def __init__(self, file: Any, meanings: Mapping[str, Reading]) -> None:
+        """`meanings`: that options give to headers. Raises BadTable for an input that is neither numbers nor texts."""
+        self.header, self.writer = file.schema_arrow, Batches()
+        self.names = tuple(self.header.names)
+        if not self.names:
+            raise BadTable("the table has no columns")
+        inputs = [field for field in self.header if is_input(field.name, meanings)]
+        for field in inputs:
+            if not _is_cell(field.type):
+                raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")
+        first = next(file.iter_batches(SAMPLE, columns=[field.name for field in inputs], use_threads=False), None)
+        rows = first.to_pylist() if first is not None else []
+        self.sample = [[_text(row.get(name)) for name in self.names] for row in rows]
+
+    def read(self, batch: Any, table: Table) -> Records:
+        """Return a batch, taken apart."""
+        cells = {name: Cells(batch.column(place), name) for name, place in table.places.items()}
+        numbers = {reader.column.name: _numbers(batch, reader.column) for reader in table.readers}
+        known = {name: column for name, column in numbers.items() if column is not None}
+        texts = {name: column if name in known else column.texts() for name, column in cells.items()}
+        return Records(batch, texts, {}, range(batch.num_rows), batch.num_rows, numbers=known)
 
 
 def _is_cell(kind: Any) -> bool:
@@ -137,18 +143,6 @@ def _is_cell(kind: Any) -> bool:
     if types.is_dictionary(kind):
         return _is_cell(kind.value_type)
     return not (types.is_nested(kind) or types.is_temporal(kind) or isinstance(kind, pyarrow.BaseExtensionType))
-
-
-class Arrow:
-    """The format of batches."""
-
-    def read(self, batch: Any, head: Head, table: Table) -> Records:  # noqa: ARG002
-        """Return a batch, taken apart."""
-        cells = {name: Cells(batch.column(place), name) for name, place in table.places.items()}
-        numbers = {reader.column.name: _numbers(batch, reader.column) for reader in table.readers}
-        known = {name: column for name, column in numbers.items() if column is not None}
-        texts = {name: column if name in known else column.texts() for name, column in cells.items()}
-        return Records(batch, texts, {}, range(batch.num_rows), batch.num_rows, numbers=known)
 
 
 class Cells(Sequence[bytes]):

@@ -1,4 +1,4 @@
-"""A table in a file, or from a pipe, into another: blocks of records through a converter into the output, in order.
+"""A table in a file, or from a pipe, into another: blocks of records, converted and written in their order.
 
 This process reads the blocks and decides the order in which they are written. Where there are many blocks, others
 convert and write them; the output is the same for any number of them.
@@ -6,142 +6,276 @@ convert and write them; the output is the same for any number of them.
 
 import os
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
 from itertools import chain, islice
+from time import monotonic
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
-from ..errors import BadRow, missing_extra
+from ..answers.questions import EVERYTHING, quantities_named
+from ..errors import BadRow, BadTable, missing_extra
+from ..materials.library import Materials
+from ..output.files import whole_file
 from ..output.writers import WRITERS, columns_of, written
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted, remarks_of
+from ..rows.header import Reading, is_input, stated_meanings, understood
 from ..rows.reasons import Tally, worded
 from ..rows.rows import evaluated
-from ..rows.table import Table, TableBlock
-from ..text import say
-from .files import Input, compressed, format_of_name, input_format, lines_of, output_format, output_to, unnamed
-from .job import Job, said_of
-from .lines import Converted, Head, Source
-from .progress import Bar
+from ..rows.table import Fill, Table, TableBlock, idle_of, table_of
+from ..scene.failures import MissingInput
+from ..text import quoted, say, say_wrapped
+from .files import Input, Source, compressed, input_format, lines_of, output_format
+from .lines import Delimited, Ndjson
 
 if TYPE_CHECKING:
     from .workers import Worker
 
-ALONE = 4  # blocks that this process converts before it starts others
-MEANWHILE = 4  # blocks that it converts while they start
+MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
+ALONE = 8  # blocks that this process converts before it starts others
+WAIT, PAUSE = 0.5, 0.1  # seconds before progress is shown, and between two times
 
 
-class Converter(NamedTuple):
-    """A function of blocks of records, which processes share."""
+class Job(NamedTuple):
+    """What a run of `batch` is asked for: its options, the inputs that fill gaps of rows, and the known materials."""
 
-    form: Any
-    head: Head
-    table: Table
-    strict: bool  # whether the first row that fails is an error
-    compression: str
+    inputs: Mapping[str, str]
+    known: Materials
+    target: str = "-"
+    format: str = ""
+    delimiter: str = ""
+    quantities: str = ""
+    strict: bool = False
+    resume: bool = False  # of many files: whether those that are done stay
+    jobs: int = 0
+    excel_safe: bool = False
+    dask: str = ""
+    quiet: bool = False
+    columns: tuple[str, ...] = ()  # what headers mean, as `--column` has it
+    doubt: bool = True  # whether there is a column of doubts
+    alternatives: bool = False  # whether there are columns of the results under the other law
+    infer: str = ""  # the input that is sought
+    measured: str = ""  # the quantity from which it follows, whose measured values a column has
+    uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
 
-    def __call__(self, block: Any) -> Converted:
-        """Return the block with the results in each row."""
+    @property
+    def processes(self) -> int:
+        """Number of processes: `--jobs`, else one for each core that this process may use."""
+        return self.jobs or min(_cores(), MAX_PROCESSES)
+
+    def meanings(self, names: Sequence[str]) -> Mapping[str, Reading]:
+        """Return the meanings that options give to headers."""
+        return stated_meanings(self.columns, names, self.measured)
+
+    def is_read(self, name: str) -> bool:
+        """Return whether a header may be that of an input, or has a meaning by an option."""
+        return is_input(name, self.meanings([name]))
+
+    def table(self, names: tuple[str, ...], rows: list[list[str]], preamble: int = 0) -> Table:
+        """Return the table with this header, and say how it is read. `rows`: the cells of its first rows.
+
+        `preamble`: the number of lines before the header that are passed over.
+        """
+        fill = Fill.of(self.inputs, self.known, self.infer, self.measured)
+        columns = understood(names, rows, self.meanings(names), self.inputs)._replace(preamble=preamble)
+        asked = quantities_named(self.quantities) if self.quantities else ([], EVERYTHING)
+        try:
+            table = table_of(
+                columns,
+                rows,
+                fill,
+                asked,
+                doubt=self.doubt,
+                uncertainty=self.uncertainty,
+                alternatives=self.alternatives,
+            )
+        except MissingInput:
+            if not self.quiet:
+                say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
+            raise
+        notes = [f"note: {message}" for message in table.labels.values() if message]  # labels may be meant as materials
+        if "radius" not in {*columns.names, *fill.fixed} and not self.quantities:
+            notes.append("note: no column and no option gives a radius; what needs one is left out")
+        reading, *others = said_of(table)
+        for line in () if self.quiet else (reading, *notes, *others):
+            say_wrapped(line, sys.stderr)
+        return table
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def said_of(table: Table) -> tuple[str, ...]:
+    """Return the lines about a table as a whole.
+
+    They say how it is read, which inputs are assumed, which options change nothing, and what enters no error bar.
+    """
+    idle = idle_of(table)
+    if not (table.assumed or idle or table.left_out):
+        return (table.reading,)
+    from ..answers.notes import assumed_value, idle_in_words, left_out_in_words
+
+    notes = ["assumed " + ", ".join(map(assumed_value, table.assumed))] if table.assumed else []
+    notes += [idle_in_words(idle)] if idle else []
+    notes += left_out_in_words((source, "") for source in table.left_out)
+    return table.reading, *(f"note: {text}" for text in notes)
+
+
+# --- A table ----------------------------------------------------------------------------------------------------------
+
+
+class Converted(NamedTuple):
+    """A converted block, the size of the output, the number of lines that it was, and its counts."""
+
+    output: Any
+    size: int
+    lines: int
+    tally: Tally
+
+
+class Converter:
+    """Adds the results to blocks of a table.
+
+    Another process calls it with a block, and then with the place at which the output of that begins: to send a block
+    from one process to another takes a third as long as to make it.
+    """
+
+    def __init__(self, form: Any, table: Table, compression: str, *, strict: bool, path: str = "") -> None:
+        """`strict`: whether the first row that fails is an error; `path`: of the file that another process writes."""
+        self.form, self.table, self.compression, self.strict, self.path = form, table, compression, strict, path
+        self.output: Any = b""  # of the last block, if it is kept
+
+    def header(self) -> Any:
+        """Return what stands before the first row."""
+        return compressed(self.form.writer.header(self.table.added, [self.form.header]), self.compression)
+
+    def converted(self, block: Any) -> Converted:
+        """Return a block with the results in each row. Raises BadRow."""
         table = self.table
-        records = self.form.read(block, self.head, table)
+        records = self.form.read(block, table)
         columns = evaluated(table.wanted, TableBlock(table, records))
         if self.strict and columns.failed:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))
         added = [*table.said.values(), *columns_of(columns, Format({}), remarks_of(table.wanted))]
-        output = self.head.writer.rows(table.added, added, records.before, records.rest)
+        output = self.form.writer.rows(table.added, added, records.before)
+        if records.rest:
+            output += records.rest
+        output = compressed(output, self.compression)
         tally = Tally.of(columns)
         if table.fill.unknown:
             tally = tally._replace(inferred=(columns.column(table.fill.unknown).copy(),))
-        return Converted(compressed(output, self.compression), records.size, tally)
+        return Converted(output, len(output), records.size, tally)
+
+    def __call__(self, question: bytes | int) -> Converted | bytes:
+        """Return the converted block without its output; then write that at its place, or return it for a pipe."""
+        if isinstance(question, bytes):
+            converted = self.converted(question)
+            self.output = converted.output
+            return converted._replace(output=b"")
+        if not self.path:
+            return bytes(self.output)
+        with open(self.path, "r+b") as file:
+            file.seek(question)
+            file.write(self.output)
+        return b""
 
 
 def convert_one(path: str, job: Job) -> Tally:
     """Convert a table; return the counts of all of it."""
-    settings = job.settings
-    form = input_format(path, settings)
-    compression = output_format(settings, form).compression
-    for kind in (form.compression, compression):
-        compressed(b"\n", kind)  # a missing library is named before anything is opened
-    processes, source_of = settings.processes, lines_of
-    if form.kind == "parquet":
+    given = input_format(path, job.target, job.format, job.delimiter)
+    wanted = output_format(job.target, given.kind, quiet=job.quiet)
+    if wanted.kind != given.kind:
+        name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.kind}")
+        problem = f"the output has the format of the input, {given.kind}"
+        raise BadTable(f"-o: {problem}; write {name}, and convert it with another program")
+    for each in (given, wanted):
+        compressed(b"\n", each.compression)  # a missing library is named before anything is opened
+    if given.kind == "parquet":
         with missing_extra("parquet"):
-            from .parquet import source_of
-        processes = 1  # and threads
-    with closing(Input(path)) as given:
-        given.check_output(settings.target)
-        source = source_of(given, form, job)
-        table = job.table(source.head.names, source.head.sample, source.head.preamble)
-        convert = Converter(source.form, source.head, table, settings.strict, compression)
-        with output_to(settings.target) as output, Bar(source.size, quiet=settings.quiet) as bar:
-            tally = _convert(source, convert, output, processes, bar)
+            from .parquet import batches_of
+    with closing(Input(path)) as file:
+        file.check_output(job.target)
+        if given.kind == "parquet":
+            source = batches_of(file, job.target, job.meanings)
+        else:
+            source = lines_of(file, given, job.is_read, excel_safe=job.excel_safe)
+        table = job.table(source.form.names, source.form.sample, source.form.preamble)
+        with whole_file(job.target) as output:
+            is_file = isinstance(output.name, str) and os.path.isfile(output.name)
+            place = output.name if is_file else ""
+            convert = Converter(source.form, table, wanted.compression, strict=job.strict, path=place)
+            tally = _convert(source, convert, output, job)
     return tally._replace(said=said_of(table))
 
 
-def _convert(source: Source, convert: Converter, output: BinaryIO, processes: int, bar: Bar) -> Tally:
+def _convert(source: Source, convert: Converter, output: BinaryIO, job: Job) -> Tally:
     """Write a table; return the counts of all of it."""
-    head, tally = source.head, Tally()
-    header = compressed(head.writer.header(convert.table.added, [head.header]), convert.compression)
-    line, size = head.lines, len(header)
-    path = output.name if isinstance(output.name, str) and os.path.isfile(output.name) else ""
+    header, line, tally = convert.header(), source.form.lines, Tally()
+    size = len(header)
+    progress = Progress(is_shown=sys.stderr.isatty() and not job.quiet)
     try:
-        with head.writer.sink(output, header) as write:
-            for block, worker in _converted(convert, source.blocks, processes, path):
+        with source.form.writer.sink(output, header) as write:
+            for block, worker in _converted(source, convert, job.processes):
                 write(worker.answer_to(size) if worker else block.output)
-                size += block.size or len(block.output)
+                size += block.size
                 line += block.lines
                 tally = tally.plus(block.tally)
-                bar.show(source.position(tally.rows), tally.rows)
+                progress.show(source.share(tally.rows), tally.rows)
     except BadRow as error:
         raise BadRow(line + 1 + error.line, error.status) from None
     except KeyboardInterrupt:
         say(f"jkroll: interrupted after {tally.rows} rows", sys.stderr)
         raise
+    finally:
+        progress.clear()
     return tally
 
 
-def _converted(
-    convert: Converter, blocks: Iterator[Any], processes: int, path: str
-) -> "Iterator[tuple[Converted, Worker | None]]":
+def _converted(source: Source, convert: Converter, processes: int) -> "Iterator[tuple[Converted, Worker | None]]":
     """Iterate over converted blocks in their order, each with the process that holds its output, if another one does.
 
-    `path`: of the file into which they go, or an empty text.
+    A library that reads a table by itself has threads for it.
     """
-    for block in islice(blocks, ALONE) if processes > 1 else blocks:
-        yield convert(block), None
-    if (block := next(blocks, None)) is None:
+    is_alone = processes < 2 or not isinstance(source.form, Delimited | Ndjson)
+    for block in source.blocks if is_alone else islice(source.blocks, ALONE):
+        yield convert.converted(block), None
+    if (block := next(source.blocks, None)) is None:
         return
     # They come with multiprocessing, which a small table does not pay for.
     from .workers import answers_in_order, started
 
-    with started(processes, Answering(convert, path)) as workers:
-        for each in chain([block], islice(blocks, MEANWHILE)):
-            yield convert(each), None
-        yield from answers_in_order(workers, blocks)
+    with started(processes, convert) as workers:
+        yield from answers_in_order(workers, chain([block], source.blocks))
 
 
-class Answering:
-    """A function of a block, and then of the place at which its output begins.
+class Progress:
+    """A line on a terminal that says how much is done, and nothing elsewhere."""
 
-    It converts the block. When its turn comes, it writes the output there, or hands it over if there is no file: to
-    send a block to another process takes a third as long as to make it.
-    """
+    def __init__(self, *, is_shown: bool) -> None:
+        self.is_shown = is_shown
+        self.began = monotonic()
+        self.next, self.width = self.began + WAIT, 0
 
-    def __init__(self, convert: Converter, path: str) -> None:
-        self.convert, self.path, self.output = convert, path, b""
+    def show(self, share: float, rows: int) -> None:
+        """Show which part is done, if it is known, and the rows so far."""
+        if not self.is_shown or (now := monotonic()) < self.next:
+            return
+        self.next = now + PAUSE
+        left = f"{share:4.0%}, {(now - self.began) * (1 / share - 1):.0f} s left, " if share else ""
+        text = f"{left}{rows:,} rows"
+        self.width = max(self.width, len(text))
+        self._write(text)
 
-    def __call__(self, question: bytes | int) -> Converted | bytes:
-        """Return the converted block without its output, and then the output, if it is not written."""
-        if isinstance(question, bytes):
-            converted = self.convert(question)
-            self.output = converted.output
-            return converted._replace(output=b"", size=len(self.output))
-        if not self.path:
-            return self.output
-        with open(self.path, "r+b") as file:
-            file.seek(question)
-            file.write(self.output)
-        return b""
+    def clear(self) -> None:
+        """Take the line away."""
+        if self.width:
+            self._write("")
+
+    def _write(self, text: str) -> None:
+        sys.stderr.write(f"\r{text:{self.width}}\r")
+        sys.stderr.flush()
 
 
 # --- Lists and ranges -------------------------------------------------------------------------------------------------
@@ -151,7 +285,7 @@ def write_columns(
     wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool, quiet: bool
 ) -> None:
     """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""
-    form = format_of_name(target) or unnamed(target, "csv", quiet=quiet)
+    form = output_format(target, "csv", quiet=quiet)
     if form.kind == "parquet":
         with missing_extra("parquet"):
             from .parquet import Batches
@@ -159,6 +293,6 @@ def write_columns(
     else:
         writer = WRITERS[form.kind]
     texts = (compressed(text, form.compression) for text in written(writer, wanted, blocks, units, doubt=doubt))
-    with output_to(target) as stream, writer.sink(stream, next(texts)) as write:
+    with whole_file(target) as stream, writer.sink(stream, next(texts)) as write:
         for text in texts:
             write(text)

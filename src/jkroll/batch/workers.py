@@ -133,21 +133,3 @@ def answers_in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterato
         at_work.append(worker)
     for worker in at_work:
         yield worker.answer(), worker
-
-
-def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-    """Iterate over questions and their answers, each as soon as it is there."""
-    left = iter(questions)
-    at_work: dict[Any, tuple[Worker, Any]] = {}  # by the connection
-    free = [*workers]
-    while True:
-        for worker, question in zip(free, left, strict=False):
-            worker.ask(question)
-            at_work[worker.connection] = (worker, question)
-        if not at_work:
-            return
-        free = []
-        for ready in connection.wait([*at_work]):
-            worker, question = at_work.pop(ready)
-            free.append(worker)
-            yield question, worker.answer()

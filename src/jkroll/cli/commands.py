@@ -18,7 +18,7 @@ MAX_DIGITS = 9  # of a number
 
 
 class Option(NamedTuple):
-    """An option, by the name of its value in `Call`, in the settings of `batch`, or in the nomenclature.
+    """An option, by the name of its value in `Call`, in the Job of `batch`, or in the nomenclature.
 
     The help of an input is its sentence in the nomenclature, unless the option has a text of its own.
     """

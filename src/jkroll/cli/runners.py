@@ -55,7 +55,7 @@ def run_export(call: Call) -> int:
 def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
     from ..batch.command import run
-    from ..batch.job import Settings
+    from ..batch.run import Job
 
     if not call.subject:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
@@ -65,7 +65,9 @@ def run_batch(call: Call) -> int:
         if isinstance(value, str) and not value.strip():
             raise BadRequest(f"--{name} is empty")
     infer, measured = _inverse(call)
-    settings = Settings(
+    job = Job(
+        call.inputs,
+        call.materials,
         target=call.target or "-",
         quantities=call.quantities or "",
         quiet=call.quiet,
@@ -75,7 +77,7 @@ def run_batch(call: Call) -> int:
         measured=measured,
         **call.settings,
     )
-    return run(call.subject, settings, call.inputs, call.materials)
+    return run(call.subject, job)
 
 
 def _inverse(call: Call) -> tuple[str, str]:

@@ -8,6 +8,9 @@ from contextlib import contextmanager, suppress
 from io import TextIOWrapper
 from typing import BinaryIO, TextIO
 
+from ..errors import BadRequest
+from ..text import quoted
+
 MAX_KEPT = 50  # characters of a name that its temporary name has, too
 _STREAMS = ("stdin", "stdout", "stderr")
 _OPEN = rf"/dev/(?P<stream>{'|'.join(_STREAMS)})|/(?:dev|proc/self)/fd/(?P<number>\d+)"
@@ -25,7 +28,15 @@ def naming(path: str) -> Iterator[None]:
 
 @contextmanager
 def whole_file(path: str) -> Iterator[BinaryIO]:
-    """Open a temporary file that replaces `path` when it is complete; or a device, a pipe or an open file itself."""
+    """Open a temporary file that replaces `path` when it is complete; or stdout, a device, a pipe or an open file."""
+    if path == "-":
+        sys.stdout.flush()
+        with open(os.dup(sys.stdout.fileno()), "wb") as stream:
+            yield stream
+        return
+    if os.path.isdir(path):
+        file = quoted(os.path.join(path, "x.csv"))
+        raise BadRequest(f"-o: {quoted(path)} is a directory; name a file in it, such as {file}")
     with naming(path):
         descriptor = _descriptor(path)
         if descriptor is not None or (os.path.exists(path) and not os.path.isfile(path)):

@@ -48,10 +48,8 @@ class Lines:
         cells = [*before, *(self._text(head) for head in heads)]
         return self.separator.join(cells) + self.end if self.has_header else b"".join(before)
 
-    def rows(
-        self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = (), rest: bytes = b""
-    ) -> bytes:
-        """Return rows. `before`: the beginning of each, in the format; `rest`: what stands behind the last."""
+    def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = ()) -> bytes:
+        """Return rows. `before`: the beginning of each, in the format."""
         size = len(before) or max(map(length, columns), default=0)
         columns = self._divided(columns)
         leads = self._leads(heads, is_begun=bool(before))
@@ -65,7 +63,7 @@ class Lines:
             for each, column in enumerate(strip):
                 pieces[each :: len(strip) + 1] = column
             strips.append(b"".join(pieces))
-        return b"".join([*strips, rest])
+        return b"".join(strips)
 
     @contextmanager
     def sink(self, stream: BinaryIO, header: bytes) -> Iterator[Callable[[bytes], None]]:
