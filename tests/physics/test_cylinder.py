@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import MPContext  # type: ignore[import-untyped]
 
-from jkroll.physics import cylinder
+from jkroll.physics import cylinder, dimensions
 from scenes import strip_contacts
 
 Values = Mapping[str, Any]
@@ -189,7 +189,7 @@ UREG: Any = pint.UnitRegistry()
 
 @pytest.mark.parametrize("name", FORMULAS)
 def test_dimensions(name: str) -> None:
-    hints = get_type_hints(FORMULAS[name], include_extras=True)
+    hints = get_type_hints(FORMULAS[name], localns=vars(dimensions), include_extras=True)
     units = {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
     wanted = units.pop("return")
     quantities = {parameter: UREG.Quantity(strip_contacts(1)[0][parameter], unit) for parameter, unit in units.items()}

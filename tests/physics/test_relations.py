@@ -19,6 +19,7 @@ import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.errors import BadRequest
 from jkroll.output.sources import docstring_fields
+from jkroll.physics import dimensions
 from jkroll.quantities.errors import QuantityError, UnknownQuantity
 from jkroll.quantities.units import dimension_of, kind_of
 from jkroll.scene.failures import (
@@ -215,7 +216,7 @@ UREG: Any = pint.UnitRegistry()
 def test_dimensions(name: str) -> None:
     """A formula fed with pint Quantities gives one of the dimension that its annotation and the nomenclature say."""
     formula = FORMULAS[name]
-    hints = get_type_hints(formula, include_extras=True)
+    hints = get_type_hints(formula, localns=vars(dimensions), include_extras=True)
     units = {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
     wanted = units.pop("return")
     values = {

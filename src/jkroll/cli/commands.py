@@ -150,13 +150,6 @@ TABLE = (
     Option("dask", "--dask", "Convert many tables on a Dask cluster", "ADDRESS"),
     Option("excel_safe", "--excel-safe", "Escape text that a spreadsheet would run"),
     Option("material", "--material", "Material of rows whose cell is empty; the inputs below work likewise", "NAME"),
-    *(
-        Option(name, quantity.option or "--radius", metavar=quantity.example, hidden=True)
-        for name, quantity in NOMENCLATURE.items()
-        if quantity.example
-    ),
-    MATERIALS,
-    QUIET,
 )  # fmt: skip
 BENCH = (
     Option("quick", "--quick", "Measure fewer points"),
@@ -271,6 +264,15 @@ def _options_of_export() -> tuple[Option, ...]:
     return (*inputs, MODEL_OF_EXPORT, MATERIALS, QUIET)
 
 
+def _options_of_table() -> tuple[Option, ...]:
+    inputs = (
+        Option(name, quantity.option or "--radius", metavar=quantity.example, hidden=True)
+        for name, quantity in NOMENCLATURE.items()
+        if quantity.example
+    )
+    return (*TABLE, *inputs, MATERIALS, QUIET)
+
+
 _SCENE = "[MATERIAL] [RADIUS]..."
 
 
@@ -316,7 +318,7 @@ _COMMANDS = (
         lambda: (MEASURED, *_any_input(), *_OUTPUT), "infer:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN", CONTACT),
     Command("batch", "Results for each row of a table.", "IN",
-        lambda: TABLE, "runners:run_batch", "grains.csv -o forces.csv", ALL),
+        _options_of_table, "runners:run_batch", "grains.csv -o forces.csv", ALL),
     Command("map", "Draw a quantity over two inputs as a map, or over one as curves.",
         "QUANTITY [MATERIAL] [RADIUS]...", lambda: (*AXES, *_any_input(), *PICTURE), "map:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2"),

@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import (
-    aggregates,
     any_law,
     collision,
     contact,
@@ -49,7 +48,6 @@ FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     conventions,
     validity,
     tangential,
-    aggregates,
     any_law,
     dmt,
     maugis,

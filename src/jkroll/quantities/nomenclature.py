@@ -403,27 +403,14 @@ OPTION_WORDS = {
 }
 
 
-def canonical(word: str) -> str:
-    """Return the name for which a word stands: the name itself, with "-" for "_", or the word of its option.
-
-    A word that stands for nothing is returned as it is.
-
-    >>> canonical("surface_energy"), canonical("gamma"), canonical("--work-of-adhesion"), canonical("nonsense")
-    ('surface_energy', 'surface_energy', 'work_of_adhesion', 'nonsense')
-    """
-    if word in NOMENCLATURE:
-        return word
-    name = word.strip().lstrip("-").replace("-", "_")
-    return name if name in NOMENCLATURE else OPTION_WORDS.get(name, word)
-
-
 def as_input(word: str) -> str:
     """Return the name for which a word of an input stands: approach is that of an option, and else a result.
 
     >>> as_input("approach"), as_input("radius")
     ('approach_at_load', 'radius')
     """
-    return canonical(OPTION_WORDS.get(word, word))
+    name = word.strip().lstrip("-").replace("-", "_")
+    return OPTION_WORDS.get(name, name if name in NOMENCLATURE else word)
 
 
 XI = "yield_displacement"  # decides on every rolling quantity
@@ -455,11 +442,13 @@ def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
     """
     if word in names:
         return word
-    for spelt in (word, word.casefold()):
-        if (name := canonical(spelt)) in names:
-            return name
-    found = with_symbol(word, names)
-    return found[0] if len(found) == 1 else word
+    plain = word.strip().lstrip("-").replace("-", "_")
+    for spelt in (plain, plain.casefold()):
+        for name in (spelt, OPTION_WORDS.get(spelt, "")):
+            if name in names:
+                return name
+    several = with_symbol(word, names)
+    return several[0] if len(several) == 1 else word
 
 
 def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
@@ -473,8 +462,8 @@ def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
     for alike in (str, _spelt):
         for index in ("", "1"):
             wanted = alike(word.strip()) + index
-            if found := [name for name, symbol in symbols.items() if symbol and alike(symbol) == wanted]:
-                return found
+            if names_of_symbol := [name for name, symbol in symbols.items() if symbol and alike(symbol) == wanted]:
+                return names_of_symbol
     return []
 
 
