@@ -193,7 +193,7 @@ def test_a_plot_has_a_point_and_the_name_of_every_way() -> None:
     for quantity, panel in zip(PLOTTED, panels, strict=True):
         numbered = dict(key.split("  ", 1) for key in panel.keys)
         assert sorted(numbered.values()) == sorted(row.way for row in found if row.quantity == quantity)
-        for point in panel.points:
+        for point in panel.marks:
             row = rows()[quantity, numbered[point.text]]
             assert point.x is not None
             assert point.x == approx(row.cost * 1e-9)

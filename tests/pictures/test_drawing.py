@@ -6,10 +6,11 @@ import math
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from functools import cache
 from html import unescape
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -18,17 +19,19 @@ from doors import call_of
 from harness import Run
 from jkroll import known_materials, solve
 from jkroll.answers.curve import Loads, loads_of
-from jkroll.cli.map import MAX_CURVES, OF_PAPER, map_request
+from jkroll.cli.map import MAX_CURVES, map_request
 from jkroll.cli.process import main
-from jkroll.pictures.axes import described
 from jkroll.pictures.curves import curves_of_contact
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
-from jkroll.pictures.maps import Curve, Map, Picture
-from jkroll.pictures.request import map_of
+from jkroll.pictures.picture import Curve, Map, Picture, described
+from jkroll.pictures.request import curves_of, map_of
+from jkroll.quantities.laws import LAWS, routes
 from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
+from jkroll.scene.failures import NotInLaw
 from jkroll.scene.scene import Scene
+from jkroll.scene.wiring import plan_for
 from jkroll.text import wrapped
 from relative import approx
 
@@ -38,7 +41,7 @@ from matplotlib.mathtext import MathTextParser
 from matplotlib.text import Text
 
 from jkroll.pictures.page import FINE, figure_of, line_of, settings
-from jkroll.pictures.styles import DARK, PAPER, STYLES, Style
+from jkroll.pictures.styles import BORDER, DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
@@ -51,7 +54,7 @@ OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name != "8" else n
 @cache
 def in_a_column(name: str, width: int = 85) -> tuple[Map, Figure]:
     """Return a figure of the paper, and its page at the width of a journal's column in mm; drawn once for all tests."""
-    drawn = paper_map(name, known_materials(), OF_PAPER, as_printed=True)
+    drawn = paper_map(name, known_materials(), as_printed=True)
     with settings(PAPER):
         return drawn, figure_of(drawn, width / 25.4, PAPER, has_caption=True)
 
@@ -101,7 +104,7 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
 def test_a_contour_of_a_users_map_is_its_formula(
     words: list[str], axes: tuple[str, str], given: dict[str, Any]
 ) -> None:
-    drawn, _ = map_of(map_request(call_of(["map", *words, "--x", axes[0], "--y", axes[1]])), (201, 201))
+    drawn, _ = map_of(map_request(call_of(["map", *words, "--x", axes[0], "--y", axes[1]])))
     spacing = (drawn.levels()[-1].value - drawn.levels()[0].value) / len(drawn.levels())
     for value, (x, y) in contours(drawn, figure_of(drawn, 4.0, PAPER, has_caption=False)):
         values = solve(drawn.quantity, **given, **{drawn.x.name: x, drawn.y.name: y})
@@ -194,10 +197,10 @@ def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
         keys = {str(patch.get_label()): patch.get_hatch() for patch in legend.get_patches() if patch.get_hatch()}
         drawn = {hatch for one in page.axes[0].collections for hatch in getattr(one, "hatches", [None]) if hatch}
         assert drawn == {*keys.values()}
-        assert len(keys) == 3
+        assert len(keys) >= 3
         for text, hatch in keys.items():
             hatch_of.setdefault(text, set()).add(hatch)
-    assert [len(hatches) for hatches in hatch_of.values()] == [1] * 3
+    assert {len(hatches) for hatches in hatch_of.values()} == {1}
     both = {"x": "/\\", "+": "-|"}
     strokes = [{stroke for sign in hatch for stroke in both.get(sign, sign)} for (hatch,) in hatch_of.values()]
     assert sum(map(len, strokes)) == len(set.union(*strokes))
@@ -278,7 +281,6 @@ def test_labels_without_a_unit_have_it_in_the_title() -> None:
     """A mass takes no prefix, so that the numbers on the contours stand alone."""
     drawn, _ = map_of(
         map_request(call_of("map mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3".split())),
-        (20, 20),
     )
     assert {level.text for level in drawn.levels()} >= {"10", "1000"}
     assert drawn.title.endswith("⟦m1⟧ [kg]")
@@ -287,7 +289,6 @@ def test_labels_without_a_unit_have_it_in_the_title() -> None:
 def test_labels_of_speeds_have_prefixes() -> None:
     drawn, _ = map_of(
         map_request(call_of("map sticking-speed silica-dry --x radius=10nm:10um --y gamma=10mJ/m2:1J/m2".split())),
-        (20, 20),
     )
     assert {level.text for level in drawn.levels()} >= {"10 mm/s", "1 m/s"}
 
@@ -297,7 +298,7 @@ def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
     request = map_request(
         call_of("map contact-radius-at-load quartz --x radius=10nm:1um --y load=-20nN:50nN:lin".split())
     )
-    drawn, _ = map_of(request, (41, 41))
+    drawn, _ = map_of(request)
     (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
     (edge,) = (one for one in axes.collections if hasattr(one, "levels") and [*one.levels] == [0.5])
     radius, load = np.asarray(edge.get_paths()[0].vertices).T
@@ -311,6 +312,65 @@ def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
     """The margins of bounds have no value beyond the fold, as the quantity has none."""
     run("map load_at_factor quartz --x radius=10nm:1um --y approach_at_load=-0.3nm:1nm:lin -o load.svg --quiet")
     assert "no value" in SVG_TEXT.findall((tmp_path / "load.svg").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "pull-off --x radius=10nm:10um --y gamma=1mJ/m2:1J/m2 --young 10GPa --poisson 0.2",
+        "load quartz --x approach=-0.5nm:1nm --y radius=50nm:1um",
+        "contact_radius_at_load quartz --x radius=10nm:10um --y load=-50nN:5uN",
+    ],
+)
+def test_the_line_of_a_law_has_its_ticks_where_the_law_is_inexact(words: str) -> None:
+    """They are on the left of the line, as matplotlib draws it from its first point to its last."""
+    drawn, _ = map_of(map_request(call_of(["map", *words.split()])))
+    (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
+    (line,) = (drawing for drawing in axes.collections if drawing.get_path_effects())
+    (region,) = (region for region in drawn.regions if region.look == BORDER)
+    (path,) = line.get_paths()
+    points, codes = axes.transData.transform(path.vertices), np.asarray(path.codes)
+    places = [place for place in range(1, len(points)) if codes[place] == 2][5:-5:10]
+    assert len(places) > 3
+    for place in places:
+        start, end = points[place - 1], points[place]
+        across, up = end - start
+        x, y = axes.transData.inverted().transform((start + end) / 2 + np.array([-up, across]))
+        here = drawn.scene.replace(**drawn.x.inputs(float(x)), **drawn.y.inputs(float(y)))
+        assert region.excess(here) > 0
+
+
+def test_many_curves_have_a_legend_clear_of_the_caption() -> None:
+    drawn, _ = curves_of(map_request(call_of("map pull-off 1nm:1um:24 --x gamma=1mJ/m2:1J/m2".split())))
+    with settings(PAPER):
+        page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
+    legend: Any = page.axes[0].get_legend()
+    assert len(legend.get_texts()) == 24
+    assert not page.texts[-1].get_window_extent().overlaps(legend.get_window_extent())
+    assert not legend.get_window_extent().overlaps(page.axes[0].get_window_extent())
+
+
+@pytest.fixture
+def _dmt_without_pull_off(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """DMT's law without a pull-off force; plans are made anew before and after."""
+    with monkeypatch.context() as changed:
+        changed.setitem(cast(dict[str, str | None], LAWS["dmt"].routes), "pull_off_force", None)
+        routes.cache_clear()
+        plan_for.cache_clear()
+        yield
+    routes.cache_clear()
+    plan_for.cache_clear()
+
+
+@pytest.mark.usefixtures("_dmt_without_pull_off")
+def test_a_law_without_a_pull_off_force_has_no_force_curve() -> None:
+    """The panel asks the plan what the law has, and is left out."""
+    scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model="dmt")
+    with pytest.raises(NotInLaw, match="pull_off_force"):
+        curves_of_contact([scene], None, "force")
+    picture, notes = curves_of_contact([scene, scene.replace(model="jkr")], None, "force")
+    assert [curve.text for curve in picture.panels[0].curves][-1:] == ["unstable"]
+    assert any("pull_off_force: not in DMT" in note for note in notes)
 
 
 @pytest.mark.parametrize("name", OF_EACH_KIND)
@@ -327,7 +387,9 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
     paths = [path.transformed(axes.transData) for path in contour_sets(page)[0].get_paths()]
     for level, path in zip(drawn.levels(), paths, strict=True):
-        of_level = [box for text, box in zip(labels, boxes, strict=True) if text.get_text().strip() == level.text]
+        of_level = [
+            box for text, box in zip(labels, boxes, strict=True) if text.get_text().strip() == typeset(level.text)
+        ]
         own = [box for box in of_level if path.intersects_bbox(box, filled=False)]
         assert len(own) == 1, level.text
         assert [other for other in paths if other.intersects_bbox(own[0], filled=False)] == [path]
@@ -344,7 +406,7 @@ def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
     materials = known_materials()
     drawn: Map | Picture
     if name in PAPER_MAPS:
-        drawn = paper_map(name, materials, OF_PAPER)
+        drawn = paper_map(name, materials)
     elif name in PROFILES:
         drawn = PROFILES[name](materials, ())
     else:
@@ -360,7 +422,7 @@ def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
     request = map_request(
         call_of("map pull-off --x radius=100nm:1um --y gamma=1mJ/m2:1J/m2 --mark quartz@100nm".split())
     )
-    drawn, _ = map_of(request, (21, 21))
+    drawn, _ = map_of(request)
     (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
     dots = [line for line in axes.lines if line.get_marker() == "o"]
     assert [np.ravel(line.get_xdata()).tolist() for line in dots] == [[1e-7]]
@@ -411,7 +473,7 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert (ran.code, ran.err) == (0, "")
     shown = SVG_TEXT.findall((tmp_path / "contact.svg").read_text(encoding="utf-8"))
     assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
-    models = (typeset(text) for text in ("⟦M⟧:", "⟦M_0⟧:", "⟦M_half⟧:", "⟦M_δ⟧:"))
+    models = (typeset(text) for text in ("⟦M⟧:", "⟦M_half⟧:", "⟦M_δ⟧:"))
     assert all(any(model in text for text in shown) for model in models)
 
 
@@ -431,13 +493,6 @@ def test_a_page_of_curves_has_short_legends_and_titles_that_stay_together(width:
         assert all(
             frame.count_contains(text.get_window_extent().corners()) == 4 for text in axes.texts if text.get_text()
         )
-
-
-def test_curves_that_coincide_are_drawn_once() -> None:
-    """Without load the moment M is M_0."""
-    picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, "moment")
-    texts = [curve.text for curve in picture.panels[0].curves]
-    assert [len(re.findall(r"M\w*⟧:", text)) for text in texts] == [2, 1, 1]
 
 
 def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
@@ -483,12 +538,12 @@ def test_the_force_curve_of_one_law_has_its_branches_and_states(
     scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model=model)
     (panel,) = curves_of_contact([scene], None, "force")[0].panels
     curves = panel.curves[::-1]
-    assert ([curve.text for curve in curves], [point.text for point in panel.points]) == (branches, states)
+    assert ([curve.text for curve in curves], [point.text for point in panel.marks]) == (branches, states)
     for before, after in itertools.pairwise(curves):
         assert (before.x[-1], before.y[-1]) == (after.x[0], after.y[0])
     ends = {(x, y) for curve in curves for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True)}
-    assert {(point.x, point.y) for point in panel.points} <= ends
-    pull_off = panel.points[states.index("pull-off")]
+    assert {(point.x, point.y) for point in panel.marks} <= ends
+    pull_off = panel.marks[states.index("pull-off")]
     assert pull_off.y == min(y for _, y in ends) == approx(-scene["pull_off_force"])
 
 
@@ -623,7 +678,7 @@ def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
     )
     shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=tmp_path)
     assert shown.returncode == 0
-    assert "log₁₀ (P_c / N)" in shown.stdout
+    assert "Fig. 3a: P_c" in shown.stdout
     refused = subprocess.run(
         [sys.executable, "-c", code, "-o", "figure.svg"], capture_output=True, text=True, check=False, cwd=tmp_path
     )
@@ -695,7 +750,7 @@ def test_texts_of_marks_keep_apart() -> None:
     """From each other, from contours' and within the frame; where another dot is nearer, a line leads to its own."""
     marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"
     call = call_of(f"map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark {marks}".split())
-    drawn, _ = map_of(map_request(call), (80, 80))
+    drawn, _ = map_of(map_request(call))
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=False)
     axes: Any = page.axes[0]

@@ -16,8 +16,7 @@ from ..output.records import Cell, write_records
 from ..physics.contact import pull_off_force
 from ..physics.jkr import FOLD_APPROACH
 from ..physics.pair import reduced_radius
-from ..pictures.axes import Axis
-from ..pictures.maps import Curve, Mark, Panel, Picture
+from ..pictures.picture import Axis, Curve, Mark, Panel, Picture
 from ..quantities.formatting import significant
 from ..text import say
 from .equations import DECIMALS, Way, digits, exact, inputs_of

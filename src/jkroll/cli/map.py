@@ -9,10 +9,9 @@ from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
 from ..output.files import text_output, whole_file
 from ..output.records import write_columns
-from ..pictures.axes import Axis
 from ..pictures.curves import PANELS, curves_of_contact
 from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map
-from ..pictures.maps import Map, Picture
+from ..pictures.picture import Axis, Map, Picture
 from ..pictures.request import PlotRequest, curves_of, map_of, mark_at
 from ..pictures.styles import STYLES
 from ..quantities.errors import QuantityError
@@ -22,15 +21,11 @@ from ..quantities.markup import plain, symbol
 from ..quantities.nomenclature import as_input, header
 from ..quantities.units import BadUnit, dimension_of
 from ..quantities.values import between, error_about, parse_value
+from ..scene.limits import LIMITS
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from ..text import ending, listed, quoted, say, say_wrapped
 from .call import PICTURES, Call
-
-ON_SCREEN = (241, 121)  # points of a map that is written as numbers
-IN_FILE = (201, 201)
-OF_PAPER = (21, 21)
-ALONG = 1001  # points of a curve
 
 
 def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str = "--data FILE") -> None:
@@ -75,10 +70,7 @@ def run_map(call: Call) -> int:
     check_picture(call, call.target)
     request = map_request(call)
     drawn: Map | Picture
-    if request.y is None:
-        drawn, notes = curves_of(request, ALONG)
-    else:
-        drawn, notes = map_of(request, IN_FILE if call.target else ON_SCREEN)
+    drawn, notes = curves_of(request) if request.y is None else map_of(request)
     return _deliver(drawn, notes, call)
 
 
@@ -100,8 +92,7 @@ def run_figure(call: Call) -> int:
             if is_given:
                 raise BadRequest(f"figure {name} takes no {flag}")
         return _deliver(PROFILES[name](materials, marks_of(call.mark)), (), call)
-    size = OF_PAPER if call.target else ON_SCREEN
-    drawn = paper_map(name, materials, size, as_printed=call.as_printed, is_plain=call.plain)
+    drawn = paper_map(name, materials, as_printed=call.as_printed, is_plain=call.plain)
     if call.as_printed and not drawn.printed:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
     marks = [mark_at(text, materials, drawn.scene, drawn.x, drawn.y) for text in marks_of(call.mark)]
@@ -234,7 +225,8 @@ def map_request(call: Call) -> PlotRequest:
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
         raise BadRequest(f"{count} pairs are more than {most}")
     scenes = tuple((_distinction(scene, call), scene) for scene in call.sweep.scenes())
-    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), call.materials, call.plain)
+    limits = () if call.plain else LIMITS
+    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), call.materials, limits)
 
 
 def _distinction(scene: Scene, call: Call) -> str:

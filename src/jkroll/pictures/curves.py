@@ -1,6 +1,6 @@
 """Curves of one contact: force, pressure and moment, in JKR or by several laws of attraction."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby, pairwise
 from math import inf
 from typing import Any
@@ -9,7 +9,6 @@ import numpy
 
 from ..answers.answer import Answer
 from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, OF_CURVE, PULL_OFF, Loads, states
-from ..answers.notes import MOMENTS
 from ..answers.questions import Question
 from ..physics.contact import pressure
 from ..quantities.formatting import amount
@@ -17,18 +16,17 @@ from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import symbol
 from ..scene.failures import BEYOND_PULL_OFF, Failure, NotInLaw
 from ..scene.scene import Scene
-from .axes import Axis
-from .maps import SAME, Curve, Mark, Panel, Picture, axis_around, clipped, has_values, solved
+from ..scene.solver import values_of
+from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped, has_values
 from .request import fixed_inputs, inputs_as_texts, notes_on
 
 POINTS = 401
 AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
 _OF_MOMENT = Question(("yield_moment",), ("yield_moment",))
-# The models of the moment, in as few words as a legend below a panel has room for.
+# The models of the moment without load, in as few words as a legend below a panel has room for.
 _OF_MOMENTS = {
     "yield_moment": "exact",
-    "unloaded_moment": "without load",
     "half_circles_moment": "two half-circles",
     "fixed_approach_moment": "exact, at a fixed approach",
 }
@@ -64,7 +62,7 @@ def _path(scene: Scene, most: float) -> tuple[list[str], Any, Any]:
     """Return the names of the states of a force curve up to a load, their approaches, and their loads."""
     path = states(scene, Loads(-inf, most), POINTS)
     parts = [
-        solved(scene, _FORCE, {given: numpy.array([state.value for state in group])})
+        values_of(scene.replace(**{given: numpy.array([state.value for state in group])}), _FORCE)
         for given, group in groupby(path, key=lambda state: state.given)
     ]
     approaches, forces = (numpy.concatenate([part[name] for part in parts]) for name in _FORCE)
@@ -93,7 +91,7 @@ def _pressure(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     (scene,) = scenes
     curves = []
     for text, factor, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), ("pull-off", PULL_OFF, "fixed grips")):
-        state = solved(scene, AREA_AND_PRESSURES, {"load_factor": factor})
+        state = values_of(scene.replace(load_factor=factor), AREA_AND_PRESSURES)
         x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))
     law = f", {scene.law.title}" if scene.stated_model is not None else ""
@@ -106,8 +104,8 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     points: list[Mark] = []
     if len(scenes) == 1:
         (scene,) = scenes
-        models = [name for name in MOMENTS if not _lacking(scene, name)]
-        lines = [(f"{symbol(name)}: {_OF_MOMENTS[name]}", scene, name) for name in models]
+        models = {name: text for name, text in _OF_MOMENTS.items() if not _lacking(scene, name)}
+        lines = [(f"{symbol(name)}: {text}", scene, name) for name, text in models.items()]
         shift = float(scene["yield_displacement"])
         if shift <= limit:
             points = [Mark(f"⟦ξ⟧ = {amount('yield_displacement', shift)}", shift, scene["yield_moment"])]
@@ -115,11 +113,10 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
         lines = [(scene.law.title, scene, "yield_moment") for scene in scenes]
     shifts = numpy.linspace(0, limit, POINTS)
     first = 3 if len(scenes) == 1 else 0  # a colour that no branch of the force curve beside it has
-    distinct = once(
-        Curve(text, shifts[1:], solved(scene, (name,), {"yield_displacement": shifts[1:]})[name])
-        for text, scene, name in lines
-    )
-    curves = [curve._replace(colour=number) for number, curve in enumerate(distinct, first)]
+    curves = [
+        Curve(text, shifts[1:], values_of(scene.replace(yield_displacement=shifts[1:]), [name])[name], number)
+        for number, (text, scene, name) in enumerate(lines, first)
+    ]
     x = Axis("yield_displacement", 0.0, limit, is_log=False)
     y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], margin=0.0)
     return Panel(x, y, tuple(curves), tuple(points), _titled("moment, up to ⟦ξ_max⟧", "moment without load", scenes))
@@ -145,9 +142,9 @@ def _lacking(scene: Scene, *names: str) -> NotInLaw | None:
 # The panels of a contact, each with the quantities that a law must have, and those that one law shows, too.
 _Panel = tuple[Callable[[Sequence[Scene], Loads | None], Panel], tuple[str, ...], tuple[str, ...]]
 PANELS: Mapping[str, _Panel] = {
-    "force": (_force, _FORCE, ()),
+    "force": (_force, (*_FORCE, "pull_off_force"), ()),
     "pressure": (_pressure, AREA_AND_PRESSURES, ()),
-    "moment": (_moment, ("yield_moment",), (*MOMENTS, "displacement_limit")),
+    "moment": (_moment, ("yield_moment",), (*_OF_MOMENTS, "displacement_limit")),
 }
 
 
@@ -182,7 +179,7 @@ def curves_of_contact(
             notes |= dict.fromkeys(notes_on(scene, unloaded, inputs, names))
     if not panels:
         raise missing[0]
-    ends = [drawn.x.high for drawn in panels if is_one and drawn.x.name == "yield_displacement" and not drawn.points]
+    ends = [drawn.x.high for drawn in panels if is_one and drawn.x.name == "yield_displacement" and not drawn.marks]
     limits = (
         f"The moment is drawn up to ⟦ξ_max⟧ = {amount('yield_displacement', end)}, before this ⟦ξ⟧." for end in ends
     )
@@ -190,19 +187,6 @@ def curves_of_contact(
     about = _OF_MOMENT if panel == "moment" else OF_CURVE
     doubtful = [note.text for note in Answer(about, scenes[0]).doubts()] if is_one else []
     return Picture("", tuple(panels), caption), (*(f"no curve: {error}" for error in missing), *doubtful, *notes)
-
-
-def once(curves: Iterable[Curve]) -> list[Curve]:
-    """Return curves, of those that coincide the first with the texts of all."""
-    distinct: list[Curve] = []
-    for curve in curves:
-        for place, other in enumerate(distinct):
-            if numpy.allclose(curve.y, other.y, rtol=SAME, atol=0):
-                distinct[place] = other._replace(text=f"{other.text}; {curve.text}")
-                break
-        else:
-            distinct.append(curve)
-    return distinct
 
 
 def across(first: float, last: float) -> Any:

@@ -18,10 +18,10 @@ from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_hal
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import DEFAULTS, Scene
-from .axes import Axis
+from ..scene.solver import values_of
 from .curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
-from .maps import Curve, Map, Mark, Panel, Picture, Region, limits_of_paper, solved
-from .request import PlotRequest, map_of, mark_at
+from .picture import Axis, Curve, Map, Mark, Panel, Picture, Region
+from .request import DRAWN_LIMITS, PlotRequest, map_of, mark_at
 
 # --- Maps: Figs. 3, 6 and 8 -------------------------------------------------------------------------------------------
 
@@ -40,13 +40,17 @@ class PaperMap(NamedTuple):
     remark: str
     x: Axis = _ENERGIES
     given: Mapping[str, float] = _SOFT
-    has_log_labels: bool = True
-    guide: tuple[float, str] | None = None  # a radius that the text speaks of
-    point: tuple[float, float, str] | None = None  # (x, R1) that the text speaks of
-    printed: str = ""
-    shades_no_rolling: bool = False  # where spheres spring back
+    marks: tuple[Mark, ...] = ()  # points that the text speaks of
+    printed: str = ""  # the same quantity as the paper prints it
+    regions: tuple[Region, ...] = ()  # besides those of the limits
 
 
+def _beyond_rolling(here: Scene) -> Any:
+    """Return by how much the spin of Eq (47), (2/7)W0, falls short of W_yield, as the logarithm of a factor."""
+    return -numpy.log(2 / 7 * here["energy_over_yield"])
+
+
+NO_ROLLING = Region("⟦(2/7)W0 < W_yield⟧: it springs back", "energy_over_yield", _beyond_rolling)
 PAPER_MAPS: Mapping[str, PaperMap] = {
     "3a": PaperMap(
         "pull_off_force",
@@ -54,32 +58,29 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
     ),
     "3b": PaperMap(
         "yield_force_ratio",
-        "It does not depend on ⟦γ⟧. The forces are equal (contour 0) at ⟦R1 = 4ξ⟧ = 0.8 nm; the text has 1 nm. "
+        "It does not depend on ⟦γ⟧. The forces are equal (contour 1) at ⟦R1 = 4ξ⟧ = 0.8 nm; the text has 1 nm. "
         "There, as the text warns, elasticity holds no longer.",
-        guide=(1e-9, "1 nm"),
     ),
     "3c": PaperMap(
         "r_min",
-        "It does not depend on ⟦γ⟧: ⟦R1²/ξ⟧. At ⟦R1⟧ = 100 nm it is 50 µm (log: −4.3), 500 times the radius.",
-        guide=(1e-7, "100 nm"),
+        "It does not depend on ⟦γ⟧: ⟦R1²/ξ⟧. At ⟦R1⟧ = 100 nm it is 50 µm, 500 times the radius.",
     ),
     "3d": PaperMap(
         "n_grav",
-        "About a thousand (contour 3) spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 0) rolls "
+        "About a thousand spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 1) rolls "
         "from 8 µm (polystyrene) to 52 µm (iron) on; the text has about 100 µm.",
         given=_LIGHT,
-        guide=(1e-4, "100 µm"),
-        point=(0.025, 1e-7, "1071"),
+        marks=(Mark("1071", 0.025, 1e-7),),
     ),
     "6a": PaperMap(
         "vertical_frequency",
-        "GHz (contour 9) at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of ⟦γ⟧, which "
+        "GHz at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of ⟦γ⟧, which "
         "enters by its power 1/6.",
         given=_LIGHT,
     ),
     "6b": PaperMap(
         "rolling_frequency",
-        "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At ⟦R1⟧ = "
+        "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower. At ⟦R1⟧ = "
         "100 nm and ⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the vibration along the centres; the text has one to "
         "two orders.",
         given=_LIGHT,
@@ -90,45 +91,29 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
         "For ⟦W0 = P_cδ0⟧; in general these are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 of Eq (49). Below "
         "10 nm, spheres with ⟦E*/γ⟧ above 9·10¹¹ m⁻¹ do not roll; below 100 nm a full turn takes ⟦E*/γ⟧ below "
         "1.5·10⁹ m⁻¹.",
-        x=Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
+        x=Axis("modulus_over_energy", 1e9, 1e13, needs={"surface_energy": 1.0}),  # γ may be any
         given={},
-        has_log_labels=False,
-        guide=(1e-8, "10 nm"),
-        shades_no_rolling=True,
+        regions=(NO_ROLLING,),
     ),
 }
 
 
-def paper_map(
-    name: str, materials: Materials, size: tuple[int, int], *, as_printed: bool = False, is_plain: bool = False
-) -> Map:
-    """Return a map of the paper with `size` points across and up. `is_plain`: without the limits of the model."""
+def paper_map(name: str, materials: Materials, *, as_printed: bool = False, is_plain: bool = False) -> Map:
+    """Return a map of the paper. `is_plain`: without the limits of the model."""
     declared = PAPER_MAPS[name]
-    limits = limits_of_paper(declared.quantity)
     scenes = (("", Scene(declared.given)),)
-    drawn, _ = map_of(PlotRequest(declared.quantity, declared.x, RADII, scenes, (), materials, is_plain, limits), size)
-    shaded = (NO_ROLLING,) if declared.shades_no_rolling and not is_plain else ()
-    points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
+    limits = () if is_plain else DRAWN_LIMITS
+    drawn, _ = map_of(PlotRequest(declared.quantity, declared.x, RADII, scenes, (), materials, limits))
     printed = declared.printed if as_printed else ""
-    dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed.",) if printed else ()
+    dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed, each below its contour.",) if printed else ()
     return drawn._replace(
-        regions=(*shaded, *drawn.regions),
-        marks=(*drawn.marks, *points),
+        regions=drawn.regions if is_plain else (*declared.regions, *drawn.regions),
+        marks=(*drawn.marks, *declared.marks),
         caption=(*drawn.caption, *dashed),
         figure=name,
-        has_log_labels=declared.has_log_labels,
         printed=printed,
-        guides=(declared.guide,) if declared.guide else (),
         remarks=(declared.remark,),
     )
-
-
-def _beyond_rolling(here: Scene) -> Any:
-    """Return by how much the spin of Eq (47), (2/7)W0, falls short of W_yield, as the logarithm of a factor."""
-    return -numpy.log(2 / 7 * here["energy_over_yield"])
-
-
-NO_ROLLING = Region("⟦(2/7)W0 < W_yield⟧: it springs back", "energy_over_yield", _beyond_rolling)
 
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
@@ -141,7 +126,7 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     scene = Scene(SIZE, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
     names = (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment")
-    state = solved(scene, names, {})
+    state = values_of(scene, names)
     shift = float(scene["yield_displacement"])
     a = state["contact_radius_at_load"]
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)

@@ -1,7 +1,7 @@
 """Draw maps and curves into SVG, PDF and PNG files, for a journal's page or a dark slide.
 
-Only this module and `labels` import matplotlib, which lays out the page. The same picture gives the same bytes: no
-date, ids from the content, and nothing from the user's own matplotlib settings.
+Only this module imports matplotlib, which lays out the page. The same picture gives the same bytes: no date, ids from
+the content, and nothing from the user's own matplotlib settings.
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,20 +17,21 @@ from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ign
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
-from matplotlib.transforms import ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.path import Path  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.patheffects import withTickedStroke  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
 from .. import __version__
 from ..quantities.formatting import PREFIXABLE, engineering, pretty
 from ..quantities.markup import lines, plain, typeset
-from .axes import Axis, described, quantity_of
-from .labels import label_contours, label_points
-from .maps import Curve, Map, Panel, Picture, Region, evaluate, over
+from .picture import Axis, Curve, Map, Mark, Panel, Picture, Region, described, evaluate, over, quantity_of
 from .styles import DASHES, LETTER, LOOKS, SIZE, STYLES, Style
 
 FINE = 401  # points a side of a map, between which its lines are straight
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
+_HIGHEST = 5  # height of the sheet that a page is cut from, over the width of the page, for each row
 _GAP = 0.04  # around the parts of a page, in inches
 
 
@@ -39,40 +40,45 @@ def draw(drawn: Map | Picture, kind: str, inches: float | None, style: str, *, h
     with settings(STYLES[style]):
         figure = figure_of(drawn, inches, STYLES[style], has_caption=has_caption)
         buffer = BytesIO()
-        figure.savefig(buffer, format=kind, dpi=300, metadata=_metadata(drawn, kind))
+        box = figure.get_tightbbox().padded(_GAP)
+        page = Bbox.from_extents(0, box.y0, figure.get_figwidth(), box.y1)
+        figure.savefig(buffer, format=kind, dpi=300, metadata=_metadata(drawn, kind), bbox_inches=page)
     return buffer.getvalue()
 
 
 def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:
-    """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption."""
+    """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption; with paper to spare."""
     panels: Sequence[Any] = [drawn] if isinstance(drawn, Map) else drawn.panels
     inches = inches or (_ONE_PANEL if len(panels) == 1 else _MORE_PANELS)
     columns = _columns(len(panels), inches)
     rows = ceil(len(panels) / columns)
-    layout = ConstrainedLayoutEngine(w_pad=_GAP, h_pad=_GAP, wspace=0, hspace=0)
-    figure = Figure(figsize=(inches, 2 * inches * rows), layout=layout)
+    layout = ConstrainedLayoutEngine(w_pad=_GAP, h_pad=_GAP, wspace=0, hspace=0, compress=True)
+    figure = Figure(figsize=(inches, _HIGHEST * inches * rows), layout=layout)
     every = [*figure.subplots(rows, columns, squeeze=False).flat]
     for empty in every[len(panels) :]:
         empty.remove()
-    if has_caption:
-        figure.suptitle(typeset(drawn.title), fontsize=SIZE)
-        caption = "\n".join(lines(" ".join(drawn.caption), _letters(inches)))
-        figure.supxlabel(caption, x=0.015, ha="left", fontsize=SIZE, linespacing=1.2)
     letters = _letters(inches / columns - 0.4)  # of a line of a legend
     drawings = []
     for panel, axes, letter in zip(panels, every, "abcdef", strict=False):
         _set_axes(axes, panel, inches / columns, _ASPECT if columns == 1 else _ASPECT_BESIDE)
+        _mark_edge(axes, "x", [(mark.x, mark.text) for mark in panel.marks if mark.y is None])
+        _mark_edge(axes, "y", [(mark.y, mark.text) for mark in panel.marks if mark.x is None])
         if isinstance(panel, Map):
             drawings.append(_draw_map(axes, panel, style, letters))
         else:
             title = f"({letter}) {panel.title}" if len(panels) > 1 else panel.title
             axes.set_title(typeset(title), loc="left" if len(panels) > 1 else "center", fontsize=SIZE)
-            drawings.append(_draw_panel(axes, panel, style, letters))
-    _fit(figure, every[: len(panels)], [keys for keys, _ in drawings])
+            drawings.append((_draw_panel(axes, panel, style, letters), None))
+    _lay_out(figure, every[: len(panels)], [keys for keys, _ in drawings])
+    if has_caption:
+        box, height = figure.get_tightbbox(), figure.get_figheight()
+        figure.text(0.5, (box.y1 + 2 * _GAP) / height, typeset(drawn.title), ha="center", va="bottom")
+        caption = "\n".join(lines(" ".join(drawn.caption), _letters(inches)))
+        figure.text(0.015, (box.y0 - 2 * _GAP) / height, caption, va="top", linespacing=1.2)
     for panel, axes, (_, contours) in zip(panels, every, drawings, strict=False):
-        taken = label_points(axes, panel.marks if isinstance(panel, Map) else panel.points, style)
-        for drawing, texts, middle in contours:
-            label_contours(axes, drawing, texts, middle, taken, style)
+        taken = _label_marks(axes, panel.marks, style)
+        if contours is not None:
+            _label_contours(axes, contours, [level.text for level in panel.levels()], taken, style)
     return figure
 
 
@@ -88,31 +94,21 @@ def _letters(inches: float) -> int:
     return int(0.97 * inches * 72 / (LETTER * SIZE))
 
 
-def _fit(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> None:
-    """Put a legend below each of the axes, and set the height of a page to that of its parts."""
+def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> None:
+    """Put a legend below each of the axes, and give everything its final place, at which labels can be measured."""
     figure.draw_without_rendering()
-    dpi = figure.dpi
-    heights: dict[int, float] = {}
     for axes, handles in zip(every, keys, strict=True):
-        inner, outer = axes.get_window_extent(), axes.get_tightbbox()
-        corner = ScaledTranslation((outer.x0 - inner.x0) / dpi, (outer.y0 - inner.y0) / dpi, figure.dpi_scale_trans)
-        height = outer.height
         if handles:
+            inner, outer = axes.get_window_extent(), axes.get_tightbbox()
+            right, up = (outer.min - inner.min) / figure.dpi
+            corner = axes.transAxes + ScaledTranslation(right, up, figure.dpi_scale_trans)
             legend = axes.legend(
-                handles=handles, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=axes.transAxes + corner,
-                handlelength=2.4,
-            )  # fmt: skip
+                handles=handles, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=corner, handlelength=2.4
+            )
             for text in legend.get_texts():
                 text.set_linespacing(1.0)
-            height += legend.get_window_extent().height
-        row = axes.get_subplotspec().rowspan.start
-        heights[row] = max(heights.get(row, 0.0), height)
-    texts = (text.get_window_extent().height for text in figure.texts if text.get_text())
-    parts = [*heights.values(), *texts]
-    figure.set_size_inches(figure.get_figwidth(), sum(parts) / dpi + 2 * _GAP * len(parts))
-    for _ in range(2):  # the first time, the layout sets out from the places on the higher page
-        figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # the places of labels are measured in this layout
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
 
 
 @contextmanager
@@ -137,14 +133,12 @@ def settings(style: Style) -> Iterator[None]:
 
 def _metadata(drawn: Map | Picture, kind: str) -> dict[str, Any]:
     """Return what the file says of itself, without the time at which it was made."""
-    about, who = (
-        plain(" ".join((*drawn.caption, *drawn.remarks))),
-        f"jkroll {__version__}, matplotlib {mpl.__version__}",
-    )
+    about = plain(" ".join((*drawn.caption, *drawn.remarks)))
+    program = f"jkroll {__version__}, matplotlib {mpl.__version__}"
     named: dict[str, dict[str, Any]] = {
-        "svg": {"Description": about, "Creator": who, "Date": None},
-        "pdf": {"Subject": about, "Creator": who, "CreationDate": None},
-        "png": {"Description": about, "Software": who},
+        "svg": {"Description": about, "Creator": program, "Date": None},
+        "pdf": {"Subject": about, "Creator": program, "CreationDate": None},
+        "png": {"Description": about, "Software": program},
     }
     return {"Title": plain(drawn.title), **named[kind]}
 
@@ -184,70 +178,8 @@ def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> Non
     side.set_label_text("\n".join(lines(title, letters)), linespacing=1.0)
 
 
-# --- Maps and panels --------------------------------------------------------------------------------------------------
-
-Contours = tuple[Any, Sequence[str], tuple[float, float]]  # with their labels, and the place that these stand near
-
-
-def _draw_map(axes: Any, drawn: Map, style: Style, letters: int) -> tuple[list[Any], list[Contours]]:
-    """Draw all of a map but the texts inside; return the keys of a legend, and contours to label."""
-    x, y = (axis._replace(size=FINE) for axis in (drawn.x, drawn.y))
-    scale = numpy.ma.log10 if drawn.is_log else numpy.ma.asarray
-
-    def field(quantity: str) -> Any:
-        return scale(numpy.ma.masked_invalid(evaluate(drawn.scene, quantity, x, y)))
-
-    values, levels = field(drawn.quantity), drawn.levels()
-    mask = numpy.ma.getmaskarray(values)
-    heights = [float(scale(level.value)) for level in levels]
-    colours = [style.band(place / max(1, len(heights))) for place in range(len(heights) + 1)]
-    across, up = x.values(), y.values()
-    axes.contourf(across, up, values, levels=[values.min() - 1, *heights, values.max() + 1], colors=colours)
-    here = over(drawn.scene, x, y)
-    keys = [_draw_region(axes, region, (across, up, mask, here), style, letters) for region in drawn.regions]
-    texts = [level.text for level in levels]
-    labelled: list[Contours] = []
-    if heights:
-        look = {"levels": heights, "colors": style.ink}
-        contours = axes.contour(across, up, values, linewidths=0.7, linestyles="solid", **look)
-        labelled.append((contours, texts, (0.5, 0.5)))
-        if drawn.printed:
-            contours = axes.contour(across, up, field(drawn.printed), linewidths=0.6, linestyles="dashed", **look)
-            labelled.append((contours, texts, (0.75, 0.5)))
-            keys.append(Line2D([], [], color=style.ink, linewidth=0.6, linestyle="dashed", label="as printed"))
-    if mask.any():
-        axes.contour(across, up, mask, levels=[0.5], colors=style.ink, linewidths=0.8)
-        keys.append(Patch(label="no value", facecolor=style.paper, edgecolor=style.ink, linewidth=0.8))
-    for value, _ in drawn.guides:
-        axes.axhline(value, color=style.ink, linewidth=0.6, linestyle=(0, (1, 2)))
-    _mark_edge(axes, "x", [(mark.x, mark.text) for mark in drawn.marks if mark.y is None])
-    _mark_edge(axes, "y", [*drawn.guides, *((mark.y, mark.text) for mark in drawn.marks if mark.x is None)])
-    return keys, labelled
-
-
-def _draw_region(axes: Any, region: Region, where: tuple[Any, Any, Any, Any], style: Style, letters: int) -> Any:
-    """Draw a region with its border, or the border alone, where the map has values; return its key."""
-    text = "\n".join(lines(f"{region.text} {region.side}".strip(), letters))
-    if region.look is None:
-        return Patch(label=text, facecolor="none", edgecolor="none")
-    look, (x, y, mask, here) = LOOKS[region.look], where
-    excess = numpy.ma.masked_array(numpy.broadcast_to(region.excess(here), mask.shape), mask)
-    excess = numpy.ma.masked_invalid(excess)
-    width, dashes = look.line
-    axes.contour(x, y, excess, levels=[0], colors=style.ink, linewidths=width, linestyles=dashes)
-    if look.is_line:
-        return Line2D([], [], color=style.ink, linewidth=width, linestyle=dashes, label=text)
-    colours = (
-        {"colors": [style.ink], "alpha": look.shade} if look.shade else {"colors": "none", "hatches": [look.hatch]}
-    )
-    axes.contourf(x, y, excess, levels=[0, max(1.0, float(excess.max()) + 1)], **colours)
-    if look.shade:
-        return Patch(label=text, facecolor=style.ink, alpha=look.shade)
-    return Patch(label=text, facecolor="none", hatch=look.hatch, edgecolor=style.hatch, linewidth=0.4)
-
-
-def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[float | None, str]]) -> None:
-    """Put ticks with texts on the upper or the right edge of a map."""
+def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[float, str]]) -> None:
+    """Put ticks with texts on the upper or the right edge of axes."""
     if not marks:
         return
     side = axes.secondary_xaxis("top") if which == "x" else axes.secondary_yaxis("right")
@@ -257,17 +189,63 @@ def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[float | None, str]])
     side.tick_params(direction="inout", length=6)
 
 
-def _draw_panel(axes: Any, panel: Panel, style: Style, letters: int) -> tuple[list[Any], list[Contours]]:
+# --- Maps and panels --------------------------------------------------------------------------------------------------
+
+
+def _draw_map(axes: Any, drawn: Map, style: Style, letters: int) -> tuple[list[Any], Any]:
+    """Draw all of a map but the texts inside; return the keys of a legend, and the contours, if there are any."""
+    x, y = (axis._replace(size=FINE) for axis in (drawn.x, drawn.y))
+    scale = numpy.ma.log10 if drawn.is_log else numpy.ma.asarray
+
+    def field(quantity: str) -> Any:
+        return scale(numpy.ma.masked_invalid(evaluate(drawn.scene, quantity, x, y)))
+
+    values = field(drawn.quantity)
+    mask = numpy.ma.getmaskarray(values)
+    heights = [float(scale(level.value)) for level in drawn.levels()]
+    colours = [style.band(place / max(1, len(heights))) for place in range(len(heights) + 1)]
+    across, up = x.values(), y.values()
+    axes.contourf(across, up, values, levels=[values.min() - 1, *heights, values.max() + 1], colors=colours)
+    here = over(drawn.scene, x, y)
+    keys = []
+    for region in drawn.regions:
+        excess = numpy.ma.masked_array(numpy.broadcast_to(region.excess(here), mask.shape), mask)
+        keys.append(_draw_region(axes, region, (across, up, numpy.ma.masked_invalid(excess)), style, letters))
+    contours = None
+    if heights:
+        look = {"levels": heights, "colors": style.ink}
+        contours = axes.contour(across, up, values, linewidths=0.7, linestyles="solid", **look)
+        if drawn.printed:
+            axes.contour(across, up, field(drawn.printed), linewidths=0.6, linestyles="dashed", **look)
+            keys.append(Line2D([], [], color=style.ink, linewidth=0.6, linestyle="dashed", label="as printed"))
+    if mask.any():
+        axes.contour(across, up, mask, levels=[0.5], colors=style.ink, linewidths=0.8)
+        keys.append(Patch(label="no value", facecolor=style.paper, edgecolor=style.ink, linewidth=0.8))
+    return keys, contours
+
+
+def _draw_region(axes: Any, region: Region, excess: tuple[Any, Any, Any], style: Style, letters: int) -> Any:
+    """Draw a region by its hatch, or by a line with ticks on its side; return its key. `excess`: x, y and values."""
+    hatch = LOOKS[region.look].hatch
+    if not hatch:
+        line = {"linewidths": 0.8, "path_effects": [withTickedStroke(spacing=8, angle=90, length=0.6)]}
+        axes.contour(*excess, levels=[0], colors=style.ink, **line)
+        text = "\n".join(lines(f"{region.text}, on the side of the ticks", letters))
+        return Line2D([], [], color=style.ink, linewidth=0.8, path_effects=line["path_effects"], label=text)
+    axes.contour(*excess, levels=[0], colors=style.ink, linewidths=0.5, linestyles="dotted")
+    axes.contourf(*excess, levels=[0, max(1.0, float(excess[2].max()) + 1)], colors="none", hatches=[hatch])
+    text = "\n".join(lines(region.text, letters))
+    return Patch(label=text, facecolor="none", hatch=hatch, edgecolor=style.hatch, linewidth=0.4)
+
+
+def _draw_panel(axes: Any, panel: Panel, style: Style, letters: int) -> list[Any]:
     """Draw curves, which differ in colour and in their dashes; return the keys of a legend."""
     handles = [
         axes.plot(curve.x, curve.y, label="\n".join(lines(curve.text, letters)), **line_of(curve, number, style))[0]
         for number, curve in enumerate(panel.curves)
     ]
-    for mark in panel.points:
-        if mark.x is None or mark.y is None:
-            _mark_edge(axes, "y" if mark.x is None else "x", [(mark.y if mark.x is None else mark.x, mark.text)])
     texts = [Patch(label=typeset(text), facecolor="none", edgecolor="none") for text in panel.keys]
-    return texts or (handles if len(handles) > 1 else []), []
+    return texts or (handles if len(handles) > 1 else [])
 
 
 def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
@@ -275,3 +253,114 @@ def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
     turn = number // len(DASHES)  # after which the colours come again, with other dashes
     dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": style.lines[curve.colour % len(style.lines)], "linestyle": dashes, "linewidth": 1.1}
+
+
+# --- Texts inside the axes: what is free is measured in pixels --------------------------------------------------------
+
+_EDGE = 4.0  # points of the page inside the frame that its ticks take
+_ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
+_DIRECTIONS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
+_REACH = (4.0, 8.0, 14.0, 20.0, 30.0, 42.0)  # from a point to its text, in points of the page
+_NEAR = 8.0  # a text that is farther, or nearer to another point, has a line to its point
+_PATCH = {"boxstyle": "square,pad=0", "linewidth": 0}  # of paper, behind a text on lines
+
+
+def _label_marks(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
+    """Draw marked points with their texts, where these cover least; return boxes that keep other texts off."""
+    scale, covered = axes.figure.dpi / 72, _points_of_lines(axes)
+    frame = axes.get_window_extent()
+    points = [(mark.text, (mark.x, mark.y)) for mark in marks if mark.x is not None and mark.y is not None]
+    points.sort(key=lambda point: point[1], reverse=True)  # those on the right have the least room
+    dots = [_box(axes.transData.transform(place), 3 * scale) for _, place in points]
+    taken, leaders = [*dots], list[Path]()
+    for (label, place), dot in zip(points, dots, strict=True):
+        axes.plot(*place, "o", color=style.ink, markeredgecolor=style.paper, markersize=3.5, clip_on=False, zorder=4)
+        text = axes.annotate(typeset(label), place, xytext=(0, 0), textcoords="offset points", zorder=5)
+        others = [box for box in taken if box is not dot]
+
+        def faults(
+            reach: float, way: tuple[float, float], text: Any = text, dot: Any = dot, others: Any = others
+        ) -> tuple[Any, ...]:
+            """Put the text at a distance and in a direction; return what speaks against it, the weightiest first."""
+            _move(text, (reach * way[0], reach * way[1]), frame.padded(-_EDGE * scale))
+            box, leader = text.get_window_extent(), _leader(dot, text)
+            overlaps = sum(box.padded(scale).overlaps(other) for other in others) + box.overlaps(dot)
+            crossings = sum(leader.intersects_bbox(other, filled=False) for other in others)
+            crossings += sum(other.intersects_bbox(box, filled=False) for other in leaders)
+            return frame.count_contains(box.corners()) < 4, overlaps + crossings, _count(box.padded(1), covered) > 0
+
+        reach, way = min(((reach, way) for reach in _REACH for way in _DIRECTIONS), key=lambda place: faults(*place))
+        if any(faults(reach, way)):  # no free place
+            text.set_bbox({**_PATCH, "facecolor": style.paper})
+        taken.append(text.get_window_extent())
+        if reach > _NEAR or _length(_leader(dot, text)) > min(_length(_leader(other, text)) for other in dots):
+            leaders.append(_leader(dot, text))
+            arrow = {"arrowstyle": "-", "linewidth": 0.4, "color": style.ink, "shrinkA": 2, "shrinkB": 2}
+            axes.annotate("", place, xytext=text.get_position(), textcoords="offset points", arrowprops=arrow)
+    return [box.padded(3 * scale) for box in taken]
+
+
+def _leader(dot: Any, text: Any) -> Path:
+    """Return the line from a point to its text."""
+    box, centre = text.get_window_extent(), (dot.min + dot.max) / 2
+    return Path([centre, numpy.clip(centre, box.min, box.max)])
+
+
+def _length(line: Path) -> float:
+    """Return the length of a straight line."""
+    start, end = numpy.asarray(line.vertices)
+    return float(numpy.hypot(*(end - start)))
+
+
+def _move(text: Any, way: tuple[float, float], frame: Any) -> None:
+    """Put a text so far from its point, in points of the page, and to the side into the frame."""
+    sides = [(step > 0) - (step < 0) for step in way]
+    text.set(position=way, ha=("center", "left", "right")[sides[0]], va=("center", "bottom", "top")[sides[1]])
+    box = text.get_window_extent()
+    shift = max(frame.x0 - box.x0, 0) or min(frame.x1 - box.x1, 0)
+    text.set_position((way[0] + shift * 72 / text.figure.dpi, way[1]))
+
+
+def _label_contours(axes: Any, contours: Any, texts: Sequence[str], taken: list[Any], style: Style) -> None:
+    """Write each label horizontally onto its contour, at the free place nearest to the middle.
+
+    It stands on a patch of paper, so that no hatch runs through it and its minus sign cannot be taken for the contour.
+    Where it must be, for the frame, the line runs through it beside its middle. A contour without room has no label.
+    """
+    frame, lines = axes.get_window_extent(), _points_of_lines(axes)
+    paths = [axes.transData.transform(path.vertices) for path in contours.get_paths()]
+    for number, (label, path) in enumerate(zip(texts, paths, strict=True)):
+        text = axes.text(0.5, 0.5, f" {typeset(label)} ", ha="center", va="center", zorder=3)
+        text.set_bbox({**_PATCH, "facecolor": style.paper})
+        half = text.get_window_extent().size / 2
+        inside = numpy.clip(path, frame.min + half, frame.max - half)
+        is_on_line = (abs(path - inside) < half).all(axis=1)
+        cost = numpy.hypot(*(inside - (frame.min + frame.max) / 2).T) + _ASIDE * numpy.hypot(*(inside - path).T)
+        places = [_box(place, half) for place in inside[is_on_line][cost[is_on_line].argsort(kind="stable")]]
+        others = numpy.concatenate([*paths[:number], *paths[number + 1 :], numpy.empty((0, 2))])
+        free = [box for box in places if not _count(box, others) and not any(map(box.overlaps, taken))]
+        clear = (box for box in free if _count(box, lines) <= _count(box, path))  # of other lines, such as borders
+        if (box := next(clear, free[0] if free else None)) is None:
+            text.remove()
+        else:
+            text.set_position(axes.transData.inverted().transform((box.min + box.max) / 2))
+            taken.append(box)
+
+
+def _points_of_lines(axes: Any) -> Any:
+    """Return points along all lines on axes, in pixels. Those of contours are close to each other as they are."""
+    paths = [line.get_transform().transform_path(line.get_path()) for line in axes.lines]
+    parts = [path.interpolated(200 // max(1, len(path.vertices)) + 1).vertices for path in paths]
+    contours = (drawing for drawing in axes.collections if not getattr(drawing, "filled", False))
+    parts += [axes.transData.transform(path.vertices) for drawing in contours for path in drawing.get_paths()]
+    return numpy.concatenate([*parts, numpy.empty((0, 2))])
+
+
+def _count(box: Any, points: Any) -> int:
+    """Return how many points a box covers."""
+    return int(((points > box.min) & (points < box.max)).all(axis=1).sum())
+
+
+def _box(place: Any, half: Any) -> Any:
+    """Return the box around a place."""
+    return Bbox([place - half, place + half])

@@ -1,7 +1,8 @@
-"""A user's request for a plot as a map or curves with caption and notes."""
+"""A user's request for a plot as a map or curves: with caption, notes, and limits of the model that are exceeded."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from math import isclose, nan
+from functools import partial
+from math import isclose, log, nan
 from operator import itemgetter
 from typing import Any, NamedTuple
 
@@ -12,36 +13,35 @@ from ..answers.notes import about_given, about_idle, about_middles, symbol_of
 from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
-from ..quantities.formatting import Format, amount, in_words
+from ..quantities.formatting import AS_USUAL, Format, amount, in_words
+from ..quantities.laws import Law
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
 from ..scene.failures import RESTS_ON_SPACING, MissingInput, NotInLaw, reason_of
-from ..scene.limits import OF_LAW, Limit, judged
+from ..scene.limits import LIMITS, OF_LAW, Doubt, Limit, judged, percent, touched
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
-from .axes import Axis
-from .maps import (
+from .picture import (
     SAME,
+    Axis,
     Curve,
     Map,
     Mark,
     Panel,
     Picture,
+    Region,
     axis_around,
-    beyond,
     evaluate,
     extent,
     has_values,
-    is_drawn,
     is_flat,
-    lacking,
-    limits_of,
-    limits_on_map,
-    material_marks,
     over,
 )
+from .styles import BORDER
 
+SIDE = 201  # points a side of a map, unless its axes say another number
+ALONG = 1001  # points of a curve
 MAX_POINTS = 4_000_000  # of a map
 MAX_ALONG = 1_000_000  # points of all curves together
 _EVERYWHERE = "everywhere"  # the part of a curve that is all of it
@@ -56,8 +56,7 @@ class PlotRequest(NamedTuple):
     scenes: tuple[tuple[str, Scene], ...]  # a curve each, with its label
     marks: tuple[str, ...]
     materials: Materials
-    is_plain: bool = False  # without the limits of the model
-    limits: Sequence[Limit] | None = None  # to be drawn on a map; None: those that concern the quantity
+    limits: Sequence[Limit] = LIMITS  # of which those that concern the quantity are drawn or told
 
 
 class NothingToDraw(NoResult):
@@ -66,12 +65,13 @@ class NothingToDraw(NoResult):
     def __init__(self, quantity: str, scene: Scene) -> None:
         """`scene`: one on these axes, which may say why."""
         super().__init__(quantity, scene)
-        outcome = scene.evaluate([quantity])[quantity]
-        has_reason = isinstance(outcome, NoResult | MissingInput)
-        self.quantity, self.because = quantity, f": {reason_of(quantity, outcome)}" if has_reason else ""
+        self.quantity, self.outcome = quantity, scene.evaluate([quantity])[quantity]
 
     def __str__(self) -> str:
-        return f"{self.quantity} has no value anywhere on these axes{self.because}"
+        problem = f"{self.quantity} has no value anywhere on these axes"
+        if isinstance(self.outcome, NoResult | MissingInput):
+            return f"{problem}: {reason_of(self.quantity, self.outcome)}"
+        return problem
 
 
 def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
@@ -109,11 +109,11 @@ def _own_values(request: PlotRequest, marks: Iterable[Mark]) -> Iterator[str]:
             yield f"{mark.text} has other inputs than are fixed here: its {value}."
 
 
-def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str, ...]]:
-    """Return the map of a request, by default with `size` points across and up, and notes on it."""
+def map_of(request: PlotRequest) -> tuple[Map, tuple[str, ...]]:
+    """Return the map of a request, and notes on it."""
     assert request.y is not None
     quantity, scene = request.quantity, request.scenes[0][1]
-    x, y = (axis._replace(size=axis.size or most) for axis, most in zip((request.x, request.y), size, strict=True))
+    x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, request.y))
     if x.size * y.size > MAX_POINTS:
         raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
     at_an_end = {**x.inputs(x.high), **y.inputs(y.high)}  # what a quantity needs is the same all along an axis
@@ -136,9 +136,25 @@ def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str,
     return Map(quantity, scene, x, y, values, tuple(regions), (*of_materials, *chosen), caption), context.notes
 
 
-def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
-    """Return the curves of a request, by default of `size` points, and notes on them."""
-    x = request.x._replace(size=request.x.size or size)
+def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, ...], tuple[str, ...]]:
+    """Return a mark for each material that has a place on an axis, and the sentence of a caption on the others.
+
+    Materials with a state are not asked: several of one substance would crowd the edge.
+    """
+    marks = []
+    for material in materials.materials.values():
+        if not material.state:
+            numbers = Scene({}, material).numbers(x.name, y.name)
+            places = [numbers[axis.name] if axis.has(numbers.get(axis.name, nan)) else None for axis in (x, y)]
+            marks.append(Mark(material.name, *places))
+    placed = tuple(mark for mark in marks if mark.x is not None or mark.y is not None)
+    others = [mark.text for mark in marks if mark not in placed]
+    return placed, (f"Not shown: {', '.join(others)}.",) if placed and others else ()
+
+
+def curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
+    """Return the curves of a request, and notes on them."""
+    x = request.x._replace(size=request.x.size or ALONG)
     if x.size * len(request.scenes) > MAX_ALONG:
         raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MAX_ALONG}")
     contexts: list[Context] = []
@@ -147,35 +163,30 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     for text, scene in request.scenes:
         try:
             context = Context(request, scene, x.inputs(x.high))
-        except MissingInput as error:
+            values = evaluate(scene, request.quantity, x)
+            if not has_values(values):
+                raise NothingToDraw(request.quantity, context.scene)
+        except (MissingInput, NothingToDraw) as error:
             missing[text] = error
-            continue
-        values = evaluate(scene, request.quantity, x)
-        if not has_values(values):
-            missing[text] = NothingToDraw(request.quantity, context.scene)
             continue
         curves.append(Curve(text, x.values(), values, len(contexts)))
         contexts.append(context)
     if not curves:
         raise next(iter(missing.values()))
     y = axis_around(request.quantity, [curve.y for curve in curves], may_be_log=True)
-    points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
+    marks = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
-    lost = [
-        text + (lacking(error) if isinstance(error, MissingInput) else error.because) for text, error in missing.items()
-    ]
     caption = (
         _first_sentence(request.quantity, [context.scene for context in contexts]),
         *fixed_inputs(shared),
         *(text for curve in curves for text in _flat(request.quantity, curve.text, curve.y)),
-        *((f"No curve: {'; '.join(lost)}.",) if lost else ()),
         *_gaps(request.quantity, contexts, [curve.y for curve in curves]),
         *_doubts_along(x, curves, contexts),
         *_farthest_off(request.quantity, x, curves, contexts),
     )
-    notes = [f"no curve: {error}" for error in missing.values()]
+    notes = [f"no curve: {text}: {error}" for text, error in missing.items()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
-    return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
+    return Picture("", (Panel(x, y, tuple(curves), tuple(marks)),), caption), tuple(notes)
 
 
 def _flat(quantity: str, text: str, values: Any) -> Iterator[str]:
@@ -194,16 +205,30 @@ def _gaps(quantity: str, contexts: "Iterable[Context]", values: Iterable[Any]) -
 
 def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:
     """Iterate over sentences on the parts of curves where the model has no meaning or is not exact."""
-    doubts: dict[str, list[tuple[str, str]]] = {}  # the curves and their parts, by the doubt
+    unjudged = [curve.text for curve, context in zip(curves, contexts, strict=True) if not context.is_judged]
+    if unjudged:
+        which = f" for {', '.join(unjudged)}" if len(unjudged) < len(curves) else ""
+        yield f"Limits are not judged{which}."
+    places: dict[str, list[tuple[str, str]]] = {}  # the curves and their parts, by what holds there
     for curve, context in zip(curves, contexts, strict=True):
-        for doubt, where in context.doubts(x, curve.y):
-            doubts.setdefault(doubt, []).append((curve.text, where))
-    for doubt, places in doubts.items():
-        if places == [(curve.text, _EVERYWHERE) for curve in curves]:
-            yield f"Everywhere {doubt}."
+        has_value = numpy.isfinite(curve.y)
+        for doubt in judged(context.limits, over(context.given, x), [context.quantity]):
+            for _, text, is_beyond in beyond(doubt, context.given.law, has_value):
+                places.setdefault(text, []).append((curve.text, _part(x, is_beyond, has_value)))
+    for text, parts in places.items():
+        if parts == [(curve.text, _EVERYWHERE) for curve in curves]:
+            yield f"Everywhere {text}."
         else:
-            where = "; ".join(filter(None, (", ".join(filter(None, place)) for place in places)))
-            yield f"{where}: {doubt}." if where else f"{capitalized(doubt)}."
+            yield f"{'; '.join(', '.join(filter(None, part)) for part in parts)}: {text}."
+
+
+def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:
+    """Return the part of a curve on which something holds."""
+    if (is_beyond == has_value).all():
+        return _EVERYWHERE
+    where = x.values()[is_beyond]
+    ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
+    return f"{symbol(x.name)} = {' to '.join(ends)}"
 
 
 def _farthest_off(quantity: str, x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:
@@ -239,10 +264,7 @@ class Context:
         self.scene = scene.replace(**values)
         self.limits: list[Limit] = []
         notes = []
-        limits = request.limits
-        if limits is None and not self.scene.missing([quantity]):
-            limits = limits_of(self.scene, quantity)
-        for limit in () if request.is_plain else limits or ():
+        for limit in touched(self.scene, [quantity], request.limits):
             try:
                 self.scene.plan(limit.name)
                 self.limits.append(limit)
@@ -262,25 +284,6 @@ class Context:
         idle = [note.text for note in about_idle(self.scene, inputs)]
         data = notes_on(scene, self.scene, shown, names)
         self.notes = tuple(dict.fromkeys([*notes[:1], *idle, *data, *remarks]))
-
-    def doubts(self, x: Axis, y: Any) -> Iterable[tuple[str, str]]:
-        """Iterate over clauses on limits that are exceeded, each with the part of a curve where that is so."""
-        if not self.is_judged:
-            yield "limits are not judged", ""
-        has_value = numpy.isfinite(y)
-        here = self.given.replace(**x.inputs(x.values()))
-        for doubt in judged(self.limits, here, [self.quantity]):
-            for _, text, is_beyond in beyond(doubt, here.law, has_value):
-                yield text, _part(x, is_beyond, has_value)
-
-
-def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:
-    """Return the part of a curve on which something holds."""
-    if (is_beyond == has_value).all():
-        return _EVERYWHERE
-    where = x.values()[is_beyond]
-    ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
-    return f"{symbol(x.name)} = {' to '.join(ends)}"
 
 
 def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
@@ -317,3 +320,72 @@ def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
 def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
     """Return the sentence of a caption about fixed inputs, if there are any."""
     return (f"Fixed: {', '.join(inputs)}.",) if inputs else ()
+
+
+# --- Limits of the model ----------------------------------------------------------------------------------------------
+
+_DRAWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
+_COARSE = 200  # points a side at which limits are judged, to say where they are exceeded
+_FARTHEST = log(1e3)  # excess of a limit that has a place on a map
+
+
+def is_drawn(limit: Limit) -> bool:
+    """Return whether a limit has a place on a map."""
+    return limit.name in _DRAWN and bool(limit.codes) and not limit.conclusion
+
+
+DRAWN_LIMITS = tuple(filter(is_drawn, LIMITS))
+
+
+def beyond(doubt: Doubt, law: Law, known: Any) -> Iterator[tuple[float, str, Any]]:
+    """Iterate over the thresholds that known elements pass: the excess there, the text, and the elements beyond.
+
+    Of a law it is the last threshold, then the first, unless all elements are beyond the last.
+    """
+    thresholds, steps = [*doubt.limit.codes], doubt.limit.steps
+    excess = numpy.broadcast_to(doubt.excess, known.shape)
+    for place in dict.fromkeys((len(thresholds) - 1, 0)) if thresholds else ():
+        is_beyond = known & (excess > steps[place])
+        if not is_beyond.any():
+            continue
+        yield steps[place], _beyond(doubt.limit, thresholds[place], law), is_beyond
+        if (is_beyond == known).all():
+            return
+
+
+def _beyond(limit: Limit, threshold: float, law: Law) -> str:
+    """Return what holds beyond a threshold."""
+    if limit.bits & OF_LAW:
+        return f"{law.title} is off by more than {percent(threshold)}"
+    number, unit = AS_USUAL.rounded(limit.name, threshold)
+    meaning = limit.consequence.partition(";")[0]
+    return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧{unit and f' {unit}'}: {meaning}"
+
+
+def limits_on_map(
+    scene: Scene, quantity: str, x: Axis, y: Axis, limits: Sequence[Limit]
+) -> tuple[list[Region], list[str]]:
+    """Return the regions of a map in which limits are exceeded, and sentences on limits that are not drawn.
+
+    What counts is where the map has values; a region that would hold all of them is a sentence.
+    """
+    x, y = (axis._replace(size=min(axis.size, _COARSE)) for axis in (x, y))
+    known = numpy.isfinite(evaluate(scene, quantity, x, y))
+    regions, sentences = [], []
+    for doubt in judged(limits, over(scene, x, y), [quantity]):
+        for step, text, is_beyond in beyond(doubt, scene.law, known):
+            if (is_beyond == known).all():
+                sentences.append(f"Everywhere {text}.")
+            elif not is_drawn(doubt.limit):
+                sentences.append(f"In part of the map {text}.")
+            else:
+                is_border = doubt.limit.factor is not None and step == doubt.limit.steps[0]
+                excess = partial(_excess_over, doubt.limit, step, quantity)
+                regions.append(Region(text, BORDER if is_border else doubt.limit.name, excess))
+    return regions, sentences
+
+
+def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
+    """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
+    (doubt,) = judged([limit], here, [quantity])
+    return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)

@@ -1,7 +1,7 @@
 """Looks of regions, and of a page: colours of paper, ink and bands, and sizes of letters."""
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 SIZE = 8.6  # of letters in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
 LETTER = 0.42  # width of a letter over its size, on average
@@ -12,17 +12,10 @@ Colour = tuple[float, float, float]
 
 
 class Look(NamedTuple):
-    """Look of a region: its sign in a terminal; on a page its hatch or shade, and the line around it."""
+    """Look of a region: its sign in a terminal; on a page its hatch, or, without one, a line with ticks on its side."""
 
     sign: str
     hatch: str = ""
-    shade: float = 0.0  # opacity of the ink
-    line: tuple[float, Literal["dotted", "dashdot"]] = (0.5, "dotted")  # width and dashes
-
-    @property
-    def is_line(self) -> bool:
-        """True if only the line around the region is drawn."""
-        return not (self.hatch or self.shade)
 
 
 BORDER = "border"
@@ -31,8 +24,8 @@ LOOKS: Mapping[str, Look] = {
     "contact_radius_in_spacings": Look("x", hatch="...."),
     "displacement_ratio": Look("/", hatch="////"),
     "tabor_parameter": Look("|", hatch="||||"),
-    "energy_over_yield": Look("^", shade=0.25),
-    BORDER: Look("'", line=(0.9, "dashdot")),
+    "energy_over_yield": Look("^", hatch="----"),
+    BORDER: Look("'"),
 }
 
 

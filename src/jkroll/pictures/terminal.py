@@ -14,8 +14,7 @@ from rich.text import Text
 from ..quantities.formatting import amount, in_units
 from ..quantities.markup import plain, symbol
 from ..text import fitting, say, terminal_width, wrapped
-from .axes import Axis, bracketed, described, quantity_of
-from .maps import Map, Panel, Picture, evaluate, extent, over
+from .picture import Axis, Map, Panel, Picture, bracketed, described, evaluate, extent, over, quantity_of
 from .styles import LOOKS, PAPER
 
 ROWS, COLUMNS = 13, 9  # of a map
@@ -39,8 +38,8 @@ def write_map(drawn: Map, out: TextIO) -> None:
     (_, of_x), (_, of_y) = _texts(x), _texts(y)
     _say([drawn.titled(unit), f"Down: {described(y.name, of_y)}. Across: {described(x.name, of_x)}."], out)
     console.print(table)
-    signs = ((region, LOOKS[region.look].sign if region.look else "") for region in drawn.regions)
-    key = [f"{sign} {region.text}".strip() for region, sign in signs if not sign or sign in seen]
+    signs = ((LOOKS[region.look].sign, region.text) for region in drawn.regions)
+    key = [f"{sign} {text}" for sign, text in signs if sign in seen]
     gaps = [f"{NO_VALUE} no value"] if NO_VALUE in seen else []
     _say([*key, *gaps, "; ".join(_marks(drawn)), *drawn.caption, *drawn.remarks], out)
 
@@ -57,8 +56,7 @@ def _map_table(drawn: Map, x: Axis, y: Axis, out: TextIO) -> tuple[Table, str, s
         printed, _ = drawn.in_words(evaluate(drawn.scene, drawn.printed, x, y)[known].tolist(), DIGITS)
         texts[known] += [f" ({text})" for text in printed]
     for region in drawn.regions:
-        if region.look is not None:
-            signs[known & numpy.broadcast_to(region.excess(here) > 0, values.shape)] += LOOKS[region.look].sign
+        signs[known & numpy.broadcast_to(region.excess(here) > 0, values.shape)] += LOOKS[region.look].sign
     for column in range(x.size):  # numbers stand below each other, whichever signs they have
         if width := max(map(len, signs[:, column])):
             texts[:, column] += [f" {sign:{width}}" for sign in signs[:, column]]
@@ -113,7 +111,7 @@ def _panel_table(panel: Panel, out: TextIO) -> Table:
         points = [(x, y) for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True) if panel.shows(x, y)]
         last, steps = len(points) - 1, min(CURVE_ROWS, len(points)) - 1
         rows += [(plain(curve.text), *points[round(last * step / max(steps, 1))]) for step in range(steps + 1)]
-    rows += [(plain(mark.text), mark.x, mark.y) for mark in panel.points if mark.x is not None and mark.y is not None]
+    rows += [(plain(mark.text), mark.x, mark.y) for mark in panel.marks if mark.x is not None and mark.y is not None]
     names, *numbers = zip(*rows, strict=True)
     heads, cells = [""], [[*names]]
     for axis, values in zip((panel.x, panel.y), numbers, strict=True):

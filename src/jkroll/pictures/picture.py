@@ -1,0 +1,291 @@
+"""Pictures as data: axes, curves in panels, and maps of a quantity over two inputs. Nothing is drawn here."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from math import ceil, floor, log10
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..quantities.formatting import in_units
+from ..quantities.markup import symbol
+from ..quantities.nomenclature import NOMENCLATURE, Quantity, header
+from ..scene.scene import Scene
+from ..scene.solver import values_of
+
+MAX_CONTOURS = 12
+_WIDE = 30.0  # ratio of the ends from which contours are logarithmic
+SAME = 1e-9  # relative difference of values that are the same but for rounding
+_FIRST, _LAST = -323, 308  # decades of the doubles
+
+# The axes of figures that are no quantities of a scene.
+_OF_FIGURES: Mapping[str, Quantity] = {
+    "position_across": Quantity("x", "m", "position from the contact point"),
+    "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction"),
+    "pressure_across": Quantity("p", "Pa", "pressure, tension negative"),
+    "time_of_a_point": Quantity("t", "s", "time of a point"),
+    "error": Quantity("", "1", "error in ulp/(1+κ)"),
+}
+
+
+class Axis(NamedTuple):
+    """A quantity of the nomenclature, or one that only figures have, between two values."""
+
+    name: str
+    low: float
+    high: float
+    is_log: bool = True
+    size: int = 0  # number of values; 0: the picture's default
+    needs: Mapping[str, float] = MappingProxyType({})  # further inputs of a scene at a value
+    chosen: tuple[float, ...] = ()  # the values, where they are not equally spaced
+
+    def inputs(self, values: Any) -> dict[str, Any]:
+        """Return the inputs of a scene at values on the axis."""
+        return {**self.needs, self.name: values}
+
+    def has(self, value: float) -> bool:
+        """Return whether a value lies between the ends."""
+        return self.low <= value <= self.high
+
+    def header(self) -> str:
+        """Return the column header of the values: name and unit."""
+        return header(self.name, quantity_of(self.name).unit)
+
+    def values(self) -> Any:
+        """Return the values as an array, equally spaced along the axis unless they were chosen."""
+        if self.chosen:
+            return numpy.array(self.chosen)
+        spaced = numpy.geomspace if self.is_log else numpy.linspace
+        return spaced(self.low, self.high, self.size)
+
+    def at_round_values(self, most: int) -> "Axis":
+        """Return the axis with at most `most` values: its own if they are so few, else round ones."""
+        if 0 < self.size <= most:
+            return self
+        digits = ((1, 2, 5), (1, 3), (1,))
+        chosen = tuple(round_values(self.low, self.high, most, is_log=self.is_log, digits=digits))
+        return self._replace(chosen=chosen, size=len(chosen))
+
+
+class Mark(NamedTuple):
+    """A point of a picture, or a place on one of its axes."""
+
+    text: str
+    x: float | None
+    y: float | None
+
+
+class Level(NamedTuple):
+    """A contour: its value and its label."""
+
+    value: float
+    text: str
+
+
+class Curve(NamedTuple):
+    """A line through points. Curves that belong together share a colour."""
+
+    text: str
+    x: Any
+    y: Any
+    colour: int = 0
+    is_dashed: bool = False
+
+
+class Panel(NamedTuple):
+    """Curves over common axes."""
+
+    x: Axis
+    y: Axis
+    curves: tuple[Curve, ...]
+    marks: tuple[Mark, ...] = ()
+    title: str = ""
+    is_true_to_scale: bool = False
+    keys: tuple[str, ...] = ()  # lines below it, where its marks have numbers
+
+    def shows(self, x: float, y: float) -> bool:
+        """Return True for a point between the ends of both axes."""
+        return self.x.has(x) and self.y.has(y)
+
+
+class Picture(NamedTuple):
+    """Panels beside each other, with a title and a caption."""
+
+    title: str
+    panels: tuple[Panel, ...]
+    caption: tuple[str, ...]
+    remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
+
+
+class Region(NamedTuple):
+    """Part of a map: the points with a value at which an excess is positive. `look` is a key of `styles.LOOKS`."""
+
+    text: str
+    look: str
+    excess: Callable[[Scene], Any]  # of a scene of arrays
+
+
+class Map(NamedTuple):
+    """A quantity over two inputs."""
+
+    quantity: str
+    scene: Scene  # what is the same all over the map
+    x: Axis
+    y: Axis
+    values: Any  # a row for each value of y; nan where there is no value
+    regions: tuple[Region, ...]  # in which the model has no meaning or is not exact
+    marks: tuple[Mark, ...]
+    caption: tuple[str, ...]
+    figure: str = ""  # the number of a figure of the paper
+    printed: str = ""  # the same quantity as the paper prints it
+    remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
+
+    @property
+    def is_log(self) -> bool:
+        """True if contours are those of the logarithm."""
+        return is_wide(self.values)
+
+    def levels(self) -> list[Level]:
+        """Return the contours: round values within the extent of the map."""
+        if is_flat(self.values):
+            return []
+        low, high = extent(self.values)
+        rounded = round_values(low, high, MAX_CONTOURS, is_log=self.is_log)
+        inside = [value for value in rounded if low <= value <= high]
+        return [Level(value, text) for value, text in zip(inside, self.in_words(inside)[0], strict=True)]
+
+    def in_words(self, values: Sequence[float], digits: int = 12) -> tuple[list[str], str]:
+        """Return values of the quantity as texts, and their common unit, which is empty where each has its own."""
+        return in_units(NOMENCLATURE[self.quantity].unit, values, digits, is_log=self.is_log)
+
+    @property
+    def title(self) -> str:
+        """The title, with the unit of the contours if they have none."""
+        return self.titled(self.in_words([level.value for level in self.levels()])[1])
+
+    def titled(self, unit: str) -> str:
+        """Return the title over numbers of a unit."""
+        if not self.figure:
+            return described(self.quantity, unit)
+        return f"Fig. {self.figure}: {symbol(self.quantity)}{bracketed(unit)}"
+
+
+# --- Axes -------------------------------------------------------------------------------------------------------------
+
+
+def quantity_of(name: str) -> Quantity:
+    """Return the meaning of the name of an axis."""
+    return _OF_FIGURES.get(name) or NOMENCLATURE[name]
+
+
+def described(name: str, unit: str = "") -> str:
+    """Return a quantity as the title of an axis, with its symbol marked as mathematics.
+
+    >>> described("load", "nN")
+    'load; a pull is negative, ⟦P⟧ [nN]'
+    """
+    quantity = quantity_of(name)
+    return quantity.sentence + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)
+
+
+def bracketed(unit: str) -> str:
+    """Return a unit as it stands behind a symbol, in brackets; empty for a number."""
+    return f" [{unit}]" if unit not in ("", "1") else ""
+
+
+def round_values(
+    low: float, high: float, most: int, *, is_log: bool, digits: Sequence[Sequence[int]] = ((1, 2, 5), (1,))
+) -> list[float]:
+    """Return at most `most` round values between two: as many as fit of 1, 2 and 5 times powers of ten, or equal steps.
+
+    `digits`: those of each decade of a logarithmic scale, the most first.
+
+    >>> round_values(1e-9, 1e-8, 12, is_log=True), round_values(1e-9, 1e-6, 5, is_log=True)
+    ([1e-09, 2e-09, 5e-09, 1e-08], [1e-09, 1e-08, 1e-07, 1e-06])
+    >>> round_values(-1.0, 1.0, 5, is_log=False), round_values(-300.0, 600.0, 5, is_log=False)
+    ([-1.0, -0.5, 0.0, 0.5, 1.0], [-200.0, 0.0, 200.0, 400.0, 600.0])
+    """
+    if is_log:
+        decades = range(floor(log10(low)), ceil(log10(high)) + 1)
+        step, least = ceil(len(decades) / most), 2 if high > 50 * low else 3
+        some_decades = [decade for decade in decades if decade % step == 0]
+        every = [*((several, decades) for several in digits), ((1,), some_decades)]
+        for several, of_decades in every:
+            values = [float(f"{digit}e{decade}") for decade in of_decades for digit in several]
+            inside = [value for value in values if low * (1 - 1e-9) <= value <= high * (1 + 1e-9)]
+            if least <= len(inside) <= most:
+                return inside
+    if not high > low:
+        return [low]
+    decade = floor(log10((high - low) / most))
+    widths = (float(f"{digit}e{place}") for place in (decade, decade + 1) for digit in (1, 2, 5))
+    for width in widths:
+        places = range(ceil(low / width - 1e-9), floor(high / width + 1e-9) + 1)
+        if 1 < len(places) <= most:
+            return [float(f"{place * width:.12g}") for place in places]
+    return [low, high]
+
+
+def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
+    """Return an axis that holds all finite values; logarithmic if it may be and they are of different orders."""
+    known = numpy.concatenate([numpy.ravel(array) for array in values])
+    low, high = extent(known)
+    if may_be_log and is_wide(known):
+        room = log10(high / low) * margin
+        return Axis(name, 10.0 ** max(log10(low) - room, _FIRST), 10.0 ** min(log10(high) + room, _LAST))
+    if is_flat(known):  # no rounding errors as large as the picture
+        return Axis(name, low - (abs(low) * margin or 1.0), high + (abs(high) * margin or 1.0), is_log=False)
+    room = (high - low) * margin
+    return Axis(name, low - room, high + room, is_log=False)
+
+
+# --- Values -----------------------------------------------------------------------------------------------------------
+
+
+def over(scene: Scene, x: Axis, y: Axis | None = None) -> Scene:
+    """Return a scene of arrays along one axis, or over two, with a row for each value of y."""
+    if y is None:
+        return scene.replace(**x.inputs(x.values()))
+    return scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
+
+
+def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis | None = None) -> Any:
+    """Return a quantity along one axis, or over two; nan where it has no value."""
+    shape = (x.size,) if y is None else (y.size, x.size)
+    return numpy.broadcast_to(values_of(over(scene, x, y), [quantity])[quantity], shape)
+
+
+def extent(values: Any) -> tuple[float, float]:
+    """Return the least and the largest of the finite values."""
+    known = values[numpy.isfinite(values)]
+    return (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
+
+
+def has_values(values: Any) -> bool:
+    """Return True if any of the values is finite."""
+    return bool(numpy.isfinite(values).any())
+
+
+def is_flat(values: Any) -> bool:
+    """Return True if all finite values are the same but for rounding."""
+    low, high = extent(values)
+    return high - low <= SAME * max(abs(low), abs(high))
+
+
+def is_wide(values: Any) -> bool:
+    """Return True if values are positive and of different orders of magnitude."""
+    low, high = extent(values)
+    return low > 0 and high > _WIDE * low
+
+
+def clipped(curve: Curve, low: float, high: float) -> Curve:
+    """Return the parts of a curve between two values of y, up to where it crosses them, each with a nan behind it."""
+    x, y = curve.x, curve.y
+    for end in (low, high):
+        before = numpy.flatnonzero((y[:-1] < end) != (y[1:] < end))
+        share = (end - y[before]) / (y[before + 1] - y[before])
+        x = numpy.insert(x, before + 1, x[before] + share * (x[before + 1] - x[before]))
+        y = numpy.insert(y, before + 1, end)
+    is_inside = (y >= low) & (y <= high)
+    kept = is_inside | numpy.concatenate([[False], is_inside[:-1]])
+    return curve._replace(x=numpy.where(is_inside, x, numpy.nan)[kept], y=numpy.where(is_inside, y, numpy.nan)[kept])
