@@ -25,7 +25,7 @@ from jkroll.pictures.curves import curves_of_contact
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
 from jkroll.pictures.picture import Curve, Map, Picture, described
 from jkroll.pictures.request import curves_of, map_of
-from jkroll.quantities.laws import LAWS, routes
+from jkroll.quantities.laws import ALWAYS, LAWS, routes
 from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
@@ -354,7 +354,7 @@ def test_many_curves_have_a_legend_clear_of_the_caption() -> None:
 def _dmt_without_pull_off(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """DMT's law without a pull-off force; plans are made anew before and after."""
     with monkeypatch.context() as changed:
-        changed.setitem(cast(dict[str, str | None], LAWS["dmt"].routes), "pull_off_force", None)
+        changed.setitem(cast(dict[str, str | None], LAWS["dmt"].tables[ALWAYS]), "pull_off_force", None)
         routes.cache_clear()
         plan_for.cache_clear()
         yield
