@@ -256,7 +256,7 @@ STATUS = {
         "no material 'unobtainium'; did you mean aluminium? jkroll materials lists all",
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),
-    "x,quartz,0,0": ("bad radius", "radius: '0 nm' must be positive; expected a length such as 100nm"),
+    "x,quartz,0,0": ("bad radius", "radius: '0' must be positive; expected a length such as 100nm"),
     "x,quartz,1N,0": ("bad radius", "radius: '1N' is a force; expected a length such as 100nm"),
     "x,quartz,one,0": ("bad radius", "radius: 'one' does not begin with a number; expected a length such as 100nm"),
     "x,quartz,100,-20": (
@@ -267,7 +267,7 @@ STATUS = {
     "x,quartz,100,0,": ("row is long: 5 cells for 4", "row is long: 5 cells for 4"),
     'x,"quartz,100,0': ("a quote is not closed", "a quote is not closed"),
     "x,quartz\ry,100,0": ("a carriage return stands outside quotes", "a carriage return stands outside quotes"),
-    "x,quartz,1e400,0": ("bad radius", "radius: '1e400 nm' is too large for a double; expected a length such as 100nm"),
+    "x,quartz,1e400,0": ("bad radius", "radius: '1e400' is too large for a double; expected a length such as 100nm"),
     "x,quartz,1\x1b[31m,0": (
         "bad radius",
         "radius: '1?[31m' is not a number and a unit; expected a length such as 100nm",
@@ -312,11 +312,11 @@ def test_strict_stops_with_the_line(run: Run) -> None:
     ran = run("batch", name, "--strict", "-o", "out.csv", "--jobs", "1", "--quiet")
     assert (ran.code, ran.err) == (
         1,
-        "jkroll: line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n",
+        "jkroll: line 6: radius: '0' must be positive; expected a length such as 100nm\n",
     )
     assert not [*Path().glob("out.csv*")]
     assert run("batch", name, "--strict", "-o", "out/").err == (
-        f"jkroll: '{name}': line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n"
+        f"jkroll: '{name}': line 6: radius: '0' must be positive; expected a length such as 100nm\n"
     )
     assert [*Path("out").iterdir()] == []
 

@@ -123,6 +123,15 @@ def test_a_cell_is_read_or_refused_with_the_true_reason(cell: str) -> None:
         assert found == expected
 
 
+@pytest.mark.parametrize("cell", ["1e-7", "1E−07", "1×10⁻⁷", "１e-7", "1.0 x 10^-7"])
+def test_a_value_keeps_the_unit_of_its_column_where_its_error_bar_has_another(cell: str) -> None:
+    """However its power of ten is written."""
+    (column,) = understood(["load [N]", "load_err [nN]"]).inputs
+    load = column.read(column.joined(cell, "5"))
+    assert isinstance(load, Measured)
+    assert [*load[:3]] == approx([1e-7, 5e-9, 5e-9])
+
+
 @pytest.mark.parametrize(
     ("rows", "is_refused"), [(["1.200;25"], True), (["1.200;25.5"], False), (["1.200;25", "2.5;25"], False)]
 )

@@ -6,7 +6,8 @@ mJ/m2. There are lists and ranges of values: "1nm,1um" and "1nm:1um:50".
 """
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
+from functools import partial
 from math import isnan, nan
 from typing import Any, Literal, NamedTuple, Self, TypeGuard
 
@@ -29,186 +30,6 @@ from .units import (
     parse_unit,
     power_of_ten,
 )
-
-# --- Texts to numbers -------------------------------------------------------------------------------------------------
-
-_NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
-_MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
-
-
-def parse_quantity(text: str, name: str) -> float:
-    """Read the value of a quantity of the nomenclature, in SI units, correctly rounded.
-
-    >>> parse_quantity("0.1 µm", "radius")
-    1e-07
-
-    Raises a `QuantityError` that names the quantity, quotes the text and shows the right form.
-    """
-    quantity = NOMENCLATURE[name]
-    word = quantity.infinity
-    if word and text.strip().lower() in (word, "inf", "infinity", "∞"):
-        return INFINITY
-    try:
-        value = parse_value(written(text), dimension_of(quantity.unit))
-    except BadUnit as error:
-        raise error_about(name, text, error) from None
-    if not quantity.range.admits(value):
-        raise QuantityError(name, text, quantity.range.words)
-    return value
-
-
-# Compiled where a text has them: few do, and each takes as long as to read a material.
-_POWER_OF_TEN = r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![0-9])"
-_POWER_LOST = r"[0-9.)] ?[*x] ?10 ?[-+0-9]"
-_TWO_POWERS = r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)"
-
-
-def written(text: str) -> str:
-    """Return a value with one spelling for signs, error bars and powers of ten. Raises a `BadUnit` for two readings.
-
-    >>> written("1.2×10⁻⁷ m"), written("1E−07"), written("(1.00+/-0.05)e-07")
-    ('1.2e-7 m', '1E-07', '(1.00±0.05)e-07')
-    """
-    text = normalized(text).replace("+/-", "±").replace("+-", "±")
-    if "x" in text or "*" in text:
-        text = re.sub(_POWER_OF_TEN, lambda power: f"e{power[1] or power[2].translate(SUPERSCRIPTS)}", text)
-        if re.search(_POWER_LOST, text):
-            raise BadUnit("has a power of ten without its mark", "write 1.2e-7")
-    has_power = "e" in text or "E" in text
-    if has_power and has_uncertainty(text) and (match := re.match(_TWO_POWERS, text)):
-        value, mark, uncertainty, power = match.groups()
-        plain = f"{value}{mark}{uncertainty}"
-        raise BadUnit(
-            f"can be read as ({plain}){power} or as {value}{mark}({uncertainty}{power})", "write the one that is meant"
-        )
-    return text
-
-
-def unit_of(text: str, name: str) -> Unit:
-    """Read a unit for a quantity of the nomenclature.
-
-    Raises a `QuantityError`; a unit of another dimension is not an error.
-    """
-    try:
-        return _unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
-    except BadUnit as error:
-        raise error_about(name, text, error) from None
-
-
-def _unit_meant(text: str, dimension: Dimension) -> Unit:
-    """Read a unit. Of an acceleration, g is standard gravity and not the gram."""
-    return parse_unit("standard_gravity" if text == "g" and dimension == dimension_of("m/s^2") else text)
-
-
-def parse_value(text: str, dimension: Dimension) -> float:
-    """Read a number with a unit of a dimension, in SI units, correctly rounded. Raises a `BadUnit`.
-
-    >>> parse_value("36 km/h", dimension_of("m/s"))
-    10.0
-    """
-    number, unit_text = split_number(normalized(text))
-    return rounded(*ratio(number, unit_in(unit_text, dimension)))
-
-
-def unit_in(text: str, dimension: Dimension) -> Unit:
-    """Read a unit of a dimension. Raises a `BadUnit`."""
-    if not text and any(dimension):
-        raise BadUnit(NO_UNIT)
-    unit = _unit_meant(text, dimension)
-    if unit.dimension != dimension:
-        raise BadUnit(f"is {kind_of(unit.dimension)}")
-    return unit
-
-
-def has_uncertainty(text: str) -> bool:
-    """Return whether a text may state an uncertainty or a range.
-
-    >>> [has_uncertainty(text) for text in ("25±5 mJ/m2", "20 to 30 nm", "25 mJ/m2", "1e+3 nm")]
-    [True, True, False, False]
-    """
-    return any(mark in text for mark in _MARKS)
-
-
-def is_uncertain(value: Any) -> "TypeGuard[Uncertain]":
-    """Return whether a value has an uncertainty."""
-    return isinstance(value, (Measured, Interval))
-
-
-def error_about(
-    name: str, text: str, error: BadUnit, dimensions: Collection[Dimension] = (), expected: str = ""
-) -> QuantityError:
-    """Return the error that says what is wrong with the text of a quantity, or of an option that is none.
-
-    For an option, `dimensions` are those that its unit may have, and `expected` is the right form.
-    """
-    remedy = error.remedy(dimensions or [dimension_of(NOMENCLATURE[name].unit)])
-    return QuantityError(name, text[:MAX_TEXT], str(error), remedy or expected)
-
-
-_Decimal = tuple[int, int]  # an integer and a power of ten
-
-
-def split_number(text: str) -> tuple[_Decimal, str]:
-    """Split a text into the number at its head and the unit after it."""
-    text = text.strip(" ")
-    match = _NUMBER.match(text)
-    assert match is not None  # every part of the pattern is optional
-    sign, whole, fraction, exponent = match.groups()
-    rest = text[match.end() :]
-    digits = whole + (fraction or "")
-    if not digits:
-        raise BadUnit("does not begin with a number")
-    if rest.startswith(","):
-        raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
-    if has_uncertainty(rest):
-        raise BadUnit("has an uncertainty: give the value alone")
-    second = rest.lstrip(" -–—")
-    if second[:1].isdigit() and second != rest.lstrip(" "):
-        raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
-    if exponent and len(exponent.lstrip("+-")) > 3:
-        raise BadUnit("has an exponent of more than 3 digits")
-    return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
-
-
-# A number, which may have an uncertainty in its own unit, and its unit.
-_TYPED_NUMBER = r"[+-]?[0-9.]+(?: ?\+[0-9.]+ ?/ ?-[0-9.]+| ?\([0-9.]+\))?\)?(?:[eE][+-]?[0-9]+)?"
-_TYPED = rf"({_TYPED_NUMBER}) ?(?!to )([^±]*?)(?= ±| to |$)"
-
-
-def as_typed(text: str) -> str:
-    """Return a value as it was typed, with its units as they are written. A word is unchanged.
-
-    >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
-    ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
-    >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
-    ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
-    """
-    spaced = re.sub(" ?± ?", " ± ", written(text))
-    return re.sub(_TYPED, lambda match: f"{match[1]} {_unit_as_written(match[2])}".strip(), spaced)
-
-
-def _unit_as_written(unit: str) -> str:
-    unit = re.sub(r"\bu(?=[mgsNJP])", "µ", re.sub("angstroms?", "Å", unit))
-    return re.sub(r"(?<=[A-Za-z])(?:\^|\*\*)?([-0-9]+)", lambda power: power[1].translate(RAISED), unit)
-
-
-def ratio(number: _Decimal, unit: Unit) -> tuple[int, int]:
-    """Return numerator and denominator of a number with a unit, in SI units."""
-    mantissa, exponent = number
-    above, below = power_of_ten(exponent)
-    return mantissa * unit.numerator * above, unit.denominator * below
-
-
-def rounded(numerator: int, denominator: int) -> float:
-    """Return the double nearest to a ratio: one division of integers, which Python rounds correctly."""
-    try:
-        value = numerator / denominator
-    except OverflowError:
-        raise BadUnit("is too large for a double") from None
-    if numerator and not value:
-        raise BadUnit("is too small for a double")
-    return value
-
 
 # --- Values with an uncertainty ---------------------------------------------------------------------------------------
 
@@ -311,6 +132,11 @@ class Interval(_Interval):
 Uncertain = Measured | Interval
 
 
+def is_uncertain(value: Any) -> TypeGuard[Uncertain]:
+    """Return whether a value has an uncertainty."""
+    return isinstance(value, (Measured, Interval))
+
+
 def middle(value: Any) -> Any:
     """Return the middle of a value that has an uncertainty; any other value as it is."""
     return value.value if is_uncertain(value) else value
@@ -343,7 +169,28 @@ def _checked_number(owner: str, value: object) -> float:
     raise BadRequest(f"{owner}: {quoted(str(value))} is not a number in SI units; a text with a unit needs no {owner}")
 
 
-def value_of(text: str, name: str) -> float | Uncertain:
+# --- Texts to numbers -------------------------------------------------------------------------------------------------
+
+UnitIn = Callable[[str], Unit]  # the unit that a text means; for an empty text that of texts without one
+_NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
+_MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
+
+
+def parse_quantity(text: str, name: str) -> float:
+    """Read the value of a quantity of the nomenclature that states no uncertainty, in SI units, correctly rounded.
+
+    >>> parse_quantity("0.1 µm", "radius")
+    1e-07
+
+    Raises a `QuantityError` that names the quantity, quotes the text and shows the right form.
+    """
+    value = value_of(text, name)
+    if isinstance(value, float):
+        return value
+    raise QuantityError(name, text, "has an uncertainty: give the value alone")
+
+
+def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertain:
     """Read the value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units.
 
     >>> value_of("25±5 mJ/m2", "surface_energy")
@@ -351,31 +198,189 @@ def value_of(text: str, name: str) -> float | Uncertain:
     >>> value_of("20 to 30 nm", "radius")
     Interval(value=2.5e-08, low=2e-08, high=3e-08, kind='range')
 
-    Raises a `QuantityError` that names the quantity, quotes the text and shows the right form.
+    `unit`: of a text that has none. Raises a `QuantityError` that names the quantity, quotes the text and shows the
+    right form.
     """
-    if not has_uncertainty(text):
-        return parse_quantity(text, name)
+    quantity = NOMENCLATURE[name]
+    if quantity.infinity and text.strip().lower() in (quantity.infinity, "inf", "infinity", "∞"):
+        return INFINITY
     try:
-        found = _read(written(text), dimension_of(NOMENCLATURE[name].unit))
+        value = _read(written(text), partial(_unit_in, dimension=dimension_of(quantity.unit), otherwise=unit))
     except BadUnit as error:
         raise error_about(name, text, error) from None
-    return parse_quantity(text, name) if found is None else checked(found, name, text)
+    return checked(value, name, text)
 
 
-def checked(found: Uncertain, name: str, text: str) -> float | Uncertain:
-    """Return a value with an uncertainty if the quantity can have it, and a value alone if the uncertainty is 0."""
+def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain:
+    """Return a value if the quantity can have it, and without its uncertainty if that is 0."""
     limits = NOMENCLATURE[name].range
-    if not limits.admits(found.value):
+    if not limits.admits(middle(value)):
         raise QuantityError(name, text, limits.words)
-    is_positive = limits.low == 0
-    if isinstance(found, Measured) and is_positive and 2 * found.minus >= found.value:
+    if isinstance(value, float):
+        return value
+    if isinstance(value, Measured) and limits.low == 0 and 2 * value.minus >= value.value:
         raise QuantityError(name, text, "has an uncertainty of half the value or more", "give a range: FROM to TO")
-    if not (limits.admits(found.low) and limits.admits(found.high)):
+    if not (limits.admits(value.low) and limits.admits(value.high)):
         raise QuantityError(name, text, f"{limits.words} at both ends")
-    if isinstance(found, Measured) and found.minus == found.plus == 0:
-        return found.value
-    return found
+    return value.value if isinstance(value, Measured) and value.minus == value.plus == 0 else value
 
+
+# Compiled where a text has them: few do, and each takes as long as to read a material.
+_POWER_OF_TEN = r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![0-9])"
+_POWER_LOST = r"[0-9.)] ?[*x] ?10 ?[-+0-9]"
+_TWO_POWERS = r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)"
+
+
+def written(text: str) -> str:
+    """Return a value with one spelling for signs, error bars and powers of ten. Raises a `BadUnit` for two readings.
+
+    >>> written("1.2×10⁻⁷ m"), written("1E−07"), written("(1.00+/-0.05)e-07")
+    ('1.2e-7 m', '1E-07', '(1.00±0.05)e-07')
+    """
+    text = normalized(text).replace("+/-", "±").replace("+-", "±")
+    if "x" in text or "*" in text:
+        text = re.sub(_POWER_OF_TEN, lambda power: f"e{power[1] or power[2].translate(SUPERSCRIPTS)}", text)
+        if re.search(_POWER_LOST, text):
+            raise BadUnit("has a power of ten without its mark", "write 1.2e-7")
+    has_power = "e" in text or "E" in text
+    if has_power and has_uncertainty(text) and (match := re.match(_TWO_POWERS, text)):
+        value, mark, uncertainty, power = match.groups()
+        plain = f"{value}{mark}{uncertainty}"
+        raise BadUnit(
+            f"can be read as ({plain}){power} or as {value}{mark}({uncertainty}{power})", "write the one that is meant"
+        )
+    return text
+
+
+def unit_of(text: str, name: str) -> Unit:
+    """Read a unit for a quantity of the nomenclature.
+
+    Raises a `QuantityError`; a unit of another dimension is not an error.
+    """
+    try:
+        return _unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
+    except BadUnit as error:
+        raise error_about(name, text, error) from None
+
+
+def _unit_meant(text: str, dimension: Dimension) -> Unit:
+    """Read a unit. Of an acceleration, g is standard gravity and not the gram."""
+    return parse_unit("standard_gravity" if text == "g" and dimension == dimension_of("m/s^2") else text)
+
+
+def parse_value(text: str, dimension: Dimension) -> float:
+    """Read a number with a unit of a dimension, in SI units, correctly rounded. Raises a `BadUnit`.
+
+    >>> parse_value("36 km/h", dimension_of("m/s"))
+    10.0
+    """
+    return _value(written(text), partial(_unit_in, dimension=dimension))
+
+
+def _value(text: str, unit_in: UnitIn) -> float:
+    """Read a number with a unit."""
+    number, unit_text = split_number(text)
+    return rounded(*ratio(number, unit_in(unit_text)))
+
+
+def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> Unit:
+    """Read a unit of a dimension; an empty text is another unit. Raises a `BadUnit`."""
+    if not text and otherwise is not None:
+        return otherwise
+    if not text and any(dimension):
+        raise BadUnit(NO_UNIT)
+    unit = _unit_meant(text, dimension)
+    if unit.dimension != dimension:
+        raise BadUnit(f"is {kind_of(unit.dimension)}")
+    return unit
+
+
+def has_uncertainty(text: str) -> bool:
+    """Return whether a text may state an uncertainty or a range.
+
+    >>> [has_uncertainty(text) for text in ("25±5 mJ/m2", "20 to 30 nm", "25 mJ/m2", "1e+3 nm")]
+    [True, True, False, False]
+    """
+    return any(mark in text for mark in _MARKS)
+
+
+def error_about(
+    name: str, text: str, error: BadUnit, dimensions: Collection[Dimension] = (), expected: str = ""
+) -> QuantityError:
+    """Return the error that says what is wrong with the text of a quantity, or of an option that is none.
+
+    For an option, `dimensions` are those that its unit may have, and `expected` is the right form.
+    """
+    remedy = error.remedy(dimensions or [dimension_of(NOMENCLATURE[name].unit)])
+    return QuantityError(name, text[:MAX_TEXT], str(error), remedy or expected)
+
+
+_Decimal = tuple[int, int]  # an integer and a power of ten
+
+
+def split_number(text: str) -> tuple[_Decimal, str]:
+    """Split a text into the number at its head and the unit after it."""
+    text = text.strip(" ")
+    match = _NUMBER.match(text)
+    assert match is not None  # every part of the pattern is optional
+    sign, whole, fraction, exponent = match.groups()
+    rest = text[match.end() :]
+    digits = whole + (fraction or "")
+    if not digits:
+        raise BadUnit("does not begin with a number")
+    if rest.startswith(","):
+        raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
+    if has_uncertainty(rest):
+        raise BadUnit("has an uncertainty: give the value alone")
+    second = rest.lstrip(" -–—")
+    if second[:1].isdigit() and second != rest.lstrip(" "):
+        raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
+    if exponent and len(exponent.lstrip("+-")) > 3:
+        raise BadUnit("has an exponent of more than 3 digits")
+    return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
+
+
+# A number, which may have an uncertainty in its own unit, and its unit.
+_TYPED_NUMBER = r"[+-]?[0-9.]+(?: ?\+[0-9.]+ ?/ ?-[0-9.]+| ?\([0-9.]+\))?\)?(?:[eE][+-]?[0-9]+)?"
+_TYPED = rf"({_TYPED_NUMBER}) ?(?!to )([^±]*?)(?= ±| to |$)"
+
+
+def as_typed(text: str) -> str:
+    """Return a value as it was typed, with its units as they are written. A word is unchanged.
+
+    >>> as_typed("2angstrom"), as_typed("0.03 J/m^2"), as_typed("1um"), as_typed("40%"), as_typed("plane")
+    ('2 Å', '0.03 J/m²', '1 µm', '40 %', 'plane')
+    >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
+    ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
+    """
+    spaced = re.sub(" ?± ?", " ± ", written(text))
+    return re.sub(_TYPED, lambda match: f"{match[1]} {_unit_as_written(match[2])}".strip(), spaced)
+
+
+def _unit_as_written(unit: str) -> str:
+    unit = re.sub(r"\bu(?=[mgsNJP])", "µ", re.sub("angstroms?", "Å", unit))
+    return re.sub(r"(?<=[A-Za-z])(?:\^|\*\*)?([-0-9]+)", lambda power: power[1].translate(RAISED), unit)
+
+
+def ratio(number: _Decimal, unit: Unit) -> tuple[int, int]:
+    """Return numerator and denominator of a number with a unit, in SI units."""
+    mantissa, exponent = number
+    above, below = power_of_ten(exponent)
+    return mantissa * unit.numerator * above, unit.denominator * below
+
+
+def rounded(numerator: int, denominator: int) -> float:
+    """Return the double nearest to a ratio: one division of integers, which Python rounds correctly."""
+    try:
+        value = numerator / denominator
+    except OverflowError:
+        raise BadUnit("is too large for a double") from None
+    if numerator and not value:
+        raise BadUnit("is too small for a double")
+    return value
+
+
+# --- Forms of an uncertainty ------------------------------------------------------------------------------------------
 
 _SIGNED_NUMBER = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)"
 _UNIT = r" ?([^±()]*)"
@@ -385,63 +390,62 @@ _LAST_DIGITS = rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER}{_UNIT}"  # 25.0(50) mJ/m2
 _TWO_SIDES = rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_UNIT}"  # 25 +6/-4 mJ/m2
 
 
-def _read(text: str, dimension: Dimension) -> Uncertain | None:
-    """Read a text in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2; None for any other."""
-    if "(" in text and (found := _with_brackets(text, dimension)):
-        return found
+def _read(text: str, unit_in: UnitIn) -> float | Uncertain:
+    """Read a value alone or in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2."""
+    if not has_uncertainty(text):
+        return _value(text, unit_in)
+    if "(" in text and (value := _with_brackets(text, unit_in)):
+        return value
     if "+" in text and (match := re.fullmatch(_TWO_SIDES, text)):
-        value, plus, minus, unit = match.groups()
-        return _measured(_decimal(value), unit_in(unit, dimension), _decimal(minus), _decimal(plus))
+        number, plus, minus, unit = match.groups()
+        return _measured(_decimal(number), unit_in(unit), _decimal(minus), _decimal(plus))
     left, _, right = text.partition("±")
     if left and right and "±" not in right and not {"(", ")"}.intersection(text):
-        return _plus_minus(left, right, dimension)
+        return _plus_minus(left, right, unit_in)
     if " to " in text:
-        return _interval(text, dimension)
+        return _interval(text, unit_in)
     if "(" in text and re.search(r"[^\d\s]\s*\(", text):
         raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
-    if has_uncertainty(text):
-        raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
-    return None
+    raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
 
 
-def _with_brackets(text: str, dimension: Dimension) -> Measured | None:
+def _with_brackets(text: str, unit_in: UnitIn) -> Measured | None:
     """Read a text in one of the forms with brackets; None for any other."""
     if match := re.fullmatch(_IN_BRACKETS, text):
         value, uncertainty, power, unit = match.groups()
-        return _measured(_decimal(value, power), unit_in(unit, dimension), _decimal(uncertainty, power))
+        return _measured(_decimal(value, power), unit_in(unit), _decimal(uncertainty, power))
     if match := re.fullmatch(_LAST_DIGITS, text):
         value, digits, power, unit = match.groups()
         places = len(value.partition(".")[2])
-        nominal, uncertainty = _decimal(value, power), _decimal(f"{digits}e-{places}", power)
         if not power and 2 * int(digits) > abs(float(value)):
             plain = f"{value}±{int(digits) / 10**places:.{places}f}"
             raise BadUnit(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
-        return _measured(nominal, unit_in(unit, dimension), uncertainty)
+        return _measured(_decimal(value, power), unit_in(unit), _decimal(f"{digits}e-{places}", power))
     return None
 
 
-def _plus_minus(left: str, right: str, dimension: Dimension) -> Measured:
+def _plus_minus(left: str, right: str, unit_in: UnitIn) -> Measured:
     """Read a value, with or without a unit, and its uncertainty with a unit or in percent of the value."""
     value, unit_text = split_number(left)
-    uncertainty, own_text = split_number(right)
-    if own_text.startswith("%"):
-        if own_text != "%" or unit_text == "%":
+    uncertainty, unit_of_error = split_number(right)
+    if unit_of_error.startswith("%"):
+        if unit_of_error != "%" or unit_text == "%":
             raise BadUnit("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
         share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
-        return _measured(value, unit_in(unit_text, dimension), share)
-    if unit_text and not own_text:
+        return _measured(value, unit_in(unit_text), share)
+    if unit_text and not unit_of_error:
         raise BadUnit(NO_UNIT_OF_BAR)
-    own = unit_in(own_text, dimension)
-    return _measured(value, unit_in(unit_text, dimension) if unit_text else own, uncertainty, other=own)
+    other = unit_in(unit_of_error)
+    return _measured(value, unit_in(unit_text) if unit_text else other, uncertainty, other=other)
 
 
-def _interval(text: str, dimension: Dimension) -> Interval:
+def _interval(text: str, unit_in: UnitIn) -> Interval:
     """Read a range of which the first end may leave its unit to the second."""
     left, _, right = text.partition(" to ")
     first, first_unit = split_number(left)
     last, last_unit = split_number(right)
-    unit = unit_in(last_unit, dimension)
-    low = ratio(first, unit_in(first_unit, dimension) if first_unit else unit)
+    unit = unit_in(last_unit)
+    low = ratio(first, unit_in(first_unit) if first_unit else unit)
     high = ratio(last, unit)
     middle = rounded(low[0] * high[1] + high[0] * low[1], 2 * low[1] * high[1])
     ends = rounded(*low), rounded(*high)
@@ -528,10 +532,10 @@ def spreads_of(text: str, name: str) -> list[Spread]:
 
 def _single(text: str, name: str) -> Spread:
     """Read a value, with its uncertainty if it states one."""
-    found = value_of(text, name)
-    if isinstance(found, float):
-        return Spread(found, found)
-    return Spread(found.value, found.value, uncertainty=found)
+    value = value_of(text, name)
+    if isinstance(value, float):
+        return Spread(value, value)
+    return Spread(value.value, value.value, uncertainty=value)
 
 
 def _range(text: str, name: str) -> Spread:

@@ -20,8 +20,8 @@ from ..errors import JkrollError
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..quantities.units import BadUnit, Unit, dimension_of, exponent_of
-from ..quantities.values import Uncertain, error_about, has_uncertainty, unit_of, value_of, written
+from ..quantities.units import Unit, dimension_of, exponent_of
+from ..quantities.values import Uncertain, has_uncertainty, unit_of, value_of
 from ..scene.alternatives import measured_solid
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
@@ -32,9 +32,7 @@ _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2}
 _CELL = re.compile(rb"\s*(" + _NUMBER + rb")( ?[^\s0-9.,][^,]*)?\s*")
 _POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
-_PLUS_MINUS = re.compile(r"±|\+/?[-−]")
-_OF_VALUE = re.compile(r"(?:(?:±|\+/?-)[^±]*%)?$", re.DOTALL)  # as in 25±20 %
-_BARE = re.compile(r"(?:[-+±()/.0-9\s]|(?<=[0-9.)])[eE](?=[-+0-9])|\bto\b)*")  # numbers without a unit
+_HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
 _NO_END = "?"  # of a range
 _NO_SIDES: Mapping[str, int] = {}  # which can be pickled
 _NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
@@ -70,25 +68,16 @@ class Column(NamedTuple):
         is_single = _are_equal(first, *others) if self.is_range else not any(others)
         if is_single:
             return first
-        are_bare = all(map(_BARE.fullmatch, (first, *others)))
+        is_bare = not self.error_unit and not any(map(_HAS_UNIT.search, (first, *others)))
+        if not is_bare:
+            first = _in_unit(first, self.unit_text)
+            others = [_in_unit(cell, self.error_unit or self.unit_text) for cell in others]
         if "both" in self.sides:
-            if are_bare and not self.error_unit:
-                return f"({first}±{others[0]})"
-            return f"{self._with_unit(first)}±{_in_unit(others[0], self.error_unit or self.unit_text)}"
-        if not are_bare:
-            first, *others = map(self._with_unit, (first, *others))
+            return f"({first}±{others[0]})" if is_bare else f"{first}±{others[0]}"
         if self.is_range:
             return f"{first or _NO_END} to {others[0] or _NO_END}"
         minus, plus = others[0].removeprefix("-") or "0", others[1].removeprefix("+") or "0"
         return f"{first} +{plus}/-{minus}"
-
-    def _with_unit(self, text: str) -> str:
-        """Return numbers with the unit of the column, unless they have one."""
-        of_value = _OF_VALUE.search(text)
-        assert of_value is not None  # it matches any text
-        number = text[: of_value.start()].strip()
-        is_pair = bool(_PLUS_MINUS.search(number)) and not number.startswith("(")
-        return _in_unit(number, self.unit_text, is_pair=is_pair) + of_value[0]
 
     @property
     def exponent(self) -> int | None:
@@ -108,21 +97,12 @@ class Column(NamedTuple):
             raise QuantityError(self.name, text, "is an error bar without a value")
         if has_no_value(text):
             raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
-        try:
-            return value_of(self._with_unit(written(text)), self.name)
-        except BadUnit as error:
-            raise error_about(self.name, text, error) from None
-        except QuantityError as error:
-            if self.unit is None or not error.is_bare:
-                raise
-            raise QuantityError(self.name, text, f"is not a number of {self.unit_text}") from None
+        return value_of(text, self.name, self.unit)
 
 
-def _in_unit(number: str, unit_text: str, *, is_pair: bool = False) -> str:
-    """Return a number with a unit, unless it has one. `is_pair`: whether it is a value and its error bar."""
-    if not number or not unit_text or not _BARE.fullmatch(number):
-        return number
-    return f"({number}) {unit_text}" if is_pair else f"{number} {unit_text}"
+def _in_unit(number: str, unit_text: str) -> str:
+    """Return the text of a number with a unit, unless it has one."""
+    return f"{number} {unit_text}" if number and unit_text and not _HAS_UNIT.search(number) else number
 
 
 def _are_equal(first: str, second: str) -> bool:
