@@ -25,7 +25,7 @@ from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.rows.columns import SIDES, Columns, Row, Wanted
 from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import Block, evaluated
-from jkroll.rows.table import table_of
+from jkroll.rows.table import Table
 from jkroll.scene.alternatives import at_least_measured, at_most_measured, by_law
 from jkroll.scene.failures import Failure
 from jkroll.scene.limits import LIMITS, NOT_JUDGED, Limit
@@ -182,11 +182,11 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
         return arrays[-1]
 
     def of_sample(columns: Any, rows: Any, *others: Any, **options: Any) -> Any:
-        return table_of(columns, rows[:sample], *others, **options)
+        return Table(columns, rows[:sample], *others, **options)
 
     with ExitStack() as stack:
         stack.enter_context(patch.object(jkroll.batch.run, "evaluated", observed))
-        stack.enter_context(patch.object(jkroll.batch.run, "table_of", of_sample))
+        stack.enter_context(patch.object(jkroll.batch.run, "Table", of_sample))
         ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
     if ran.code == 2:
         raise Refused(ran.err)

@@ -118,7 +118,8 @@ def test_a_run_that_was_ended_goes_on(run: Run, monkeypatch: pytest.MonkeyPatch,
 
     with monkeypatch.context() as patch:
         patch.setattr("jkroll.batch.command.convert_one", until)
-        assert run(*words, "-o", "forces/").code == 130
+        with pytest.raises(KeyboardInterrupt):
+            run(*words, "-o", "forces/")
     before = times("forces")
     assert sorted(before) == [Path(name).name for name in grains[:2]]
     assert run(*words, "-o", "forces/", "--resume").code == 1

@@ -421,7 +421,7 @@ def _problem_of(line: bytes, members: Object | None, known: set[str], table: Tab
     if (name := _twice(line, members)) is not None:
         return f"has {quoted(name)} twice"
     for name in members.keys() - known:
-        if name in table.added or meaning_of(name, [_text(members[name]).strip()], table.meanings).name:
+        if name in table.added or meaning_of(name, [_text(members[name]).strip()], table.columns.meanings).name:
             return f"has {quoted(name)}, which the first line does not have"
     return ""
 

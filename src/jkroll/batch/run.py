@@ -22,7 +22,7 @@ from ..rows.columns import Columns, Wanted, remarks_of
 from ..rows.header import Reading, is_input, stated_meanings, understood
 from ..rows.reasons import Tally, worded
 from ..rows.rows import evaluated
-from ..rows.table import Fill, Table, TableBlock, idle_of, table_of
+from ..rows.table import Table, TableBlock
 from ..scene.failures import MissingInput
 from ..text import quoted, say, say_wrapped
 from .files import Input, Source, compressed, input_format, lines_of, output_format
@@ -76,15 +76,16 @@ class Job(NamedTuple):
 
         `preamble`: the number of lines before the header that are passed over.
         """
-        fill = Fill.of(self.inputs, self.known, self.infer, self.measured)
         columns = understood(names, rows, self.meanings(names), self.inputs)._replace(preamble=preamble)
-        asked = quantities_named(self.quantities) if self.quantities else ([], EVERYTHING)
         try:
-            table = table_of(
+            table = Table(
                 columns,
                 rows,
-                fill,
-                asked,
+                self.inputs,
+                self.known,
+                quantities_named(self.quantities) if self.quantities else ([], EVERYTHING),
+                unknown=self.infer,
+                measured=self.measured,
                 doubt=self.doubt,
                 uncertainty=self.uncertainty,
                 alternatives=self.alternatives,
@@ -94,7 +95,7 @@ class Job(NamedTuple):
                 say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
             raise
         notes = [f"note: {message}" for message in table.labels.values() if message]  # labels may be meant as materials
-        if "radius" not in {*columns.names, *fill.fixed} and not self.quantities:
+        if "radius" not in table.given and not self.quantities:
             notes.append("note: no column and no option gives a radius; what needs one is left out")
         reading, *others = said_of(table)
         for line in () if self.quiet else (reading, *notes, *others):
@@ -111,15 +112,15 @@ def said_of(table: Table) -> tuple[str, ...]:
 
     They say how it is read, which inputs are assumed, which options change nothing, and what enters no error bar.
     """
-    idle = idle_of(table)
+    reading, idle = table.columns.reading(), table.idle
     if not (table.assumed or idle or table.left_out):
-        return (table.reading,)
+        return (reading,)
     from ..answers.notes import assumed_value, idle_in_words, left_out_in_words
 
     notes = ["assumed " + ", ".join(map(assumed_value, table.assumed))] if table.assumed else []
     notes += [idle_in_words(idle)] if idle else []
     notes += left_out_in_words((source, "") for source in table.left_out)
-    return table.reading, *(f"note: {text}" for text in notes)
+    return reading, *(f"note: {text}" for text in notes)
 
 
 # --- A table ----------------------------------------------------------------------------------------------------------
@@ -164,8 +165,8 @@ class Converter:
             output += records.rest
         output = compressed(output, self.compression)
         tally = Tally.of(columns)
-        if table.fill.unknown:
-            tally = tally._replace(inferred=(columns.column(table.fill.unknown).copy(),))
+        if table.unknown:
+            tally = tally._replace(inferred=(columns.column(table.unknown).copy(),))
         return Converted(output, len(output), records.size, tally)
 
     def __call__(self, question: bytes | int) -> Converted | bytes:
