@@ -311,15 +311,15 @@ def fill_sides(
                 numbers[of_side] = value.sides[side]
 
 
-def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Collection[str] = ()) -> OddRow | None:
+def left_out(wanted: Wanted, scene: Any, sources: "Sources") -> OddRow | None:
     """Return the remark on uncertainties without columns, if there are some. Raises OddRow if a cell has one.
 
-    `stated`: what has an uncertainty in a cell, beside the inputs of the scene.
+    `scene`: a scene, or a problem of infer.
     """
     if sources.sides <= wanted.known_sides:
         return None
     names = [*sources.given]
-    if in_cells := [name for name in names if name in scene.uncertain or name in stated]:
+    if in_cells := [name for name in names if name in scene.uncertain]:
         problem = f"{in_cells[0]}: the cell has an uncertainty, {_NO_COLUMNS}"
         raise OddRow(problem, "error bar without a column")
     materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))

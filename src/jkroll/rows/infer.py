@@ -50,7 +50,7 @@ class Unknowns(Wanted):
         numbers = dict(solved.values)
         reasons: dict[str, JkrollError] = {}
         if sources is not None:
-            if (remark := left_out(self, scene.scene, sources, scene.uncertain)) is not None:
+            if (remark := left_out(self, scene, sources)) is not None:
                 reasons[UNCERTAINTY] = remark
             else:
                 fill_sides(self, measures_of(uncertainties_of_unknowns(solved)[0]), numbers, reasons)
@@ -63,7 +63,7 @@ class Unknowns(Wanted):
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
             raise OddRow("of which spheres an unknown is")  # solids of many rows have no name: each row by itself says
         sources = self.sources_in(scene) if self.uncertainties else None
-        remark = left_out(self, scene.scene, sources, scene.uncertain) if sources is not None else None
+        remark = left_out(self, scene, sources) if sources is not None else None
         size = len(rows)
         solved, inputs = solutions(scene, size), scene.echo()
         of_rows = {name: repeated(inputs.get(name), size) for name in self.inputs}

@@ -3,10 +3,9 @@
 Here stand the inputs that can be unknown, the problem, its solution, and why it may have none; `unknowns` solves it.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import product
 from math import inf
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
@@ -14,7 +13,7 @@ from ..materials.library import Material
 from ..quantities.errors import nearest
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
-from ..quantities.values import Uncertain, is_uncertain
+from ..quantities.values import Uncertain, is_uncertain, middle
 from ..text import listed, quoted
 from .failures import MAX_DIGITS, Contradiction, MissingInput
 from .scene import EXCLUSIVE, Scene
@@ -38,7 +37,7 @@ PER_DECADE = 8  # values of a scan
 AS_SHOWN = 1e-3  # relative difference of a quantity at a solution, or at the digits of one, from its measured value
 
 
-# --- Errors -----------------------------------------------------------------------------------------------------------
+# --- Why there is no one solution -------------------------------------------------------------------------------------
 
 
 class CannotInfer(JkrollError):
@@ -101,7 +100,7 @@ class SeveralSolutions(Unsolved):
         texts = [", ".join(amount(name, value, form) for name, value in values.items()) for values in self.values]
         if len(self.problem.unknowns) > 1:
             texts = [f"the pairs ({texts[0]})", *(f"({text})" for text in texts[1:])]
-        return f"{listed(texts)} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.measured)}"
+        return f"{listed(texts)} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
 
     def _may_be_typed(self, digits: int) -> bool:
         """Return whether the values with so many digits give the measured ones."""
@@ -109,7 +108,7 @@ class SeveralSolutions(Unsolved):
         return all(
             abs(forward.get(name, inf) - level) <= AS_SHOWN * abs(level)
             for forward in (self.problem.with_values(values).numbers(*self.problem.measured) for values in typed)
-            for name, level in self.problem.measured.items()
+            for name, level in self.problem.levels.items()
         )
 
 
@@ -160,15 +159,14 @@ def equal(values: Mapping[str, float]) -> str:
 
 
 class Problem(NamedTuple):
-    """A scene that lacks the unknowns, and the measured values of as many of its quantities; all may be arrays.
+    """A scene that lacks the unknowns, and the measured values of as many of its quantities.
 
-    A value that a material has of an unknown is replaced.
+    Both may have uncertainties, and may be arrays. A value that a material has of an unknown is replaced.
     """
 
     unknowns: tuple[str, ...]
     measured: Values  # by quantity
     scene: Scene
-    uncertain: Mapping[str, Uncertain] = MappingProxyType({})  # the measured values that have an uncertainty, with it
 
     @classmethod
     def of(
@@ -180,10 +178,18 @@ class Problem(NamedTuple):
         model: str | None,
     ) -> "Problem":
         """Return the problem, given the inputs and, among them, the measured values of quantities."""
-        uncertain = {name: given[name] for name in quantities if is_uncertain(given[name])}
-        measured = {name: uncertain[name].value if name in uncertain else given[name] for name in quantities}
         others = {name: value for name, value in given.items() if name not in quantities}
-        return cls(tuple(unknowns), measured, Scene(others, *spheres, model=model), uncertain)
+        return cls(tuple(unknowns), {name: given[name] for name in quantities}, Scene(others, *spheres, model=model))
+
+    @property
+    def levels(self) -> Values:
+        """The measured values without their uncertainties."""
+        return {name: middle(value) for name, value in self.measured.items()}
+
+    @property
+    def uncertain(self) -> dict[str, Uncertain]:
+        """The inputs and measured values that have an uncertainty."""
+        return self.scene.uncertain | {name: value for name, value in self.measured.items() if is_uncertain(value)}
 
     @property
     def is_uncertain(self) -> bool:
@@ -205,17 +211,21 @@ class Problem(NamedTuple):
         """Return the scene with placeholders for the unknowns, the largest values."""
         return self.with_values({name: SIZES[name][1] for name in self.unknowns})
 
-    def rows(self, rows: Any, changed: Values = MappingProxyType({})) -> "Problem":
-        """Return the problem of some elements of the arrays, with other values of some inputs and measured quantities.
+    def replace(self, **values: Any) -> "Problem":
+        """Return the problem with other values of some inputs and measured quantities."""
+        measured = {name: values.pop(name, value) for name, value in self.measured.items()}
+        return Problem(self.unknowns, measured, self.scene.replace(**values) if values else self.scene)
 
-        None of them has an uncertainty.
-        """
-        middles = {name: given.value for name, given in self.scene.uncertain.items()}
-        values = {**self.measured, **self.scene.arrays}
-        arrays = {name: value[rows] for name, value in values.items() if getattr(value, "shape", ())}
-        given = {**middles, **arrays, **changed}
-        measured = {name: given.pop(name, value) for name, value in self.measured.items()}
-        return Problem(self.unknowns, measured, self.scene.replace(**given) if given else self.scene)
+    def rows(self, rows: Any) -> "Problem":
+        """Return the problem of some elements of the arrays, without uncertainties."""
+        middles = {name: value.value for name, value in self.scene.uncertain.items()}
+        values = {**middles, **self.scene.arrays, **self.levels}
+        of_rows = {name: value[rows] if getattr(value, "shape", ()) else value for name, value in values.items()}
+        return self.replace(**of_rows)
+
+    def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
+        """Return the materials of the scene and those of their properties that are inputs."""
+        return self.scene.data_used(inputs)
 
     def missing(self, names: Sequence[str]) -> Iterable[str]:
         """Return the unknowns if the scene lacks an input without which the measured quantities have no value."""
@@ -229,7 +239,7 @@ class Problem(NamedTuple):
 
     def echo(self) -> dict[str, Any]:
         """Return these inputs as they were understood, and the measured values."""
-        return {**self.filled().echo(self.used()), **self.measured}
+        return {**self.filled().echo(self.used()), **self.levels}
 
     def check(self) -> None:
         """Raise the error of a problem that has no solution whatever the measured values are."""
@@ -284,14 +294,3 @@ class Solution(NamedTuple):
     def forward(self) -> Values:
         """The measured quantities in this scene."""
         return self.scene.numbers(*self.problem.measured)
-
-    def put(self, rows: Sequence[int], solution: "Solution") -> None:
-        """Take the solution of some rows."""
-        for name in self.values:
-            self.values[name][rows] = solution.values[name]
-            self.growths[name][rows] = solution.growths[name]
-        self.condition[rows] = solution.condition
-        for place, row in enumerate(rows):
-            self.failures.pop(row, None)
-            if place in solution.failures:
-                self.failures[row] = solution.failures[place]

@@ -8,7 +8,7 @@ value among the places along the edges of their box: within 1 % of the distance 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import product
-from math import erfc, fsum, isfinite, isnan, sqrt
+from math import erfc, fsum, inf, isfinite, sqrt
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
@@ -133,8 +133,8 @@ def sides_of_results(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
 
 # --- Error bars -------------------------------------------------------------------------------------------------------
 
-Place = Mapping[str, Any]  # by input; the others have the middles of their uncertainties
-Evaluate = Callable[[Sequence[Place]], Mapping[str, list[Any]]]  # quantities at places; an error where one has no value
+Place = Mapping[str, Any]  # values of inputs; the others have the middles of their uncertainties
+Outcomes = Callable[[Place], Mapping[str, Any]]  # quantities at a place, or the errors that say why they have no value
 
 
 class Propagated(NamedTuple):
@@ -173,30 +173,25 @@ def uncertainties_of(
     alternative: Callable[[Scene], Scene] | None = None,
 ) -> Bars:
     """Return the uncertainties of known values, numbers or arrays, of a scene or of one that is made of it."""
-    middles = {name: given.value for name, given in scene.uncertain.items()}
 
     def outcomes(place: Place) -> Mapping[str, Any]:
-        changed = scene.replace(**{**middles, **place})
-        return (changed if alternative is None else alternative(changed)).evaluate([*values])
+        moved = scene.replace(**place)
+        return (moved if alternative is None else alternative(moved)).evaluate([*values])
 
-    def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
-        if len(places) <= FEW or scene.shape:
-            rows = [outcomes(place) for place in places]
-            return {name: [row[name] for row in rows] for name in values}
-        import numpy
+    return _propagated(outcomes, values, sources, one_by_one=inf if scene.shape else FEW)
 
-        arrays = {name: numpy.array([place[name] for place in places]) for name in places[0]}
-        columns: dict[str, list[Any]] = {}
-        for name, outcome in outcomes(arrays).items():
-            is_error = isinstance(outcome, JkrollError)
-            columns[name] = [outcome] if is_error else numpy.broadcast_to(outcome, len(places)).tolist()
-            for number, value in enumerate(columns[name]):
-                if not is_error and isnan(value):  # the place by itself has the reason
-                    columns[name][number] = outcomes(places[number])[name]
-                    is_error = isinstance(columns[name][number], JkrollError)
-        return columns
 
-    return propagated(evaluate, values, sources)
+def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
+    """Return the uncertainties of the unknowns that solve a problem of numbers, or of arrays, and their sources."""
+    from .unknowns import solved_near
+
+    problem, sources = solution.problem, sources_of_results(solution.problem, solution.problem.unknowns)
+
+    def outcomes(place: Place) -> Mapping[str, Any]:
+        return solved_near(problem.replace(**place), solution)
+
+    one_by_one = 0 if isinstance(solution.condition, float) else inf
+    return _propagated(outcomes, solution.values, sources.entering, one_by_one), sources
 
 
 def measures_of(bars: Bars) -> dict[str, Uncertain | JkrollError]:
@@ -219,20 +214,31 @@ def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
     return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
 
 
-def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Bars:
-    """Return the uncertainties of numbers or arrays, from sources of one kind."""
+def _propagated(outcomes: Outcomes, values: Mapping[str, Any], sources: Sequence[Source], one_by_one: float) -> Bars:
+    """Return the uncertainties of numbers or arrays, from sources of one kind.
+
+    `one_by_one`: so many places are computed one by one, more of them as an array.
+    """
     if not (sources and values):
         return {}
     given = sources[0].given
     is_range = isinstance(given, Interval)
-    outcomes = evaluate([*(_on_edges if is_range else _at_ends)(sources)])
+    places = [
+        {name: value for source, value in zip(sources, ends, strict=True) for name in source.names}
+        for ends in (_on_edges if is_range else _at_ends)([source.given for source in sources])
+    ]
+    size = len(places) // len(sources)
+    if len(places) <= one_by_one:
+        rows = [*map(outcomes, places)]
+        columns = {name: [row[name] for row in rows] for name in values}
+    else:
+        columns = _as_arrays(outcomes, places)
     bars: Bars = {}
     for name, value in values.items():
-        if errors := [outcome for outcome in outcomes[name] if isinstance(outcome, JkrollError)]:
+        if errors := [outcome for outcome in columns[name] if isinstance(outcome, JkrollError)]:
             bars[name] = errors[0]
             continue
-        size = len(outcomes[name]) // len(sources)
-        of_sources = [outcomes[name][size * axis : size * (axis + 1)] for axis in range(len(sources))]
+        of_sources = [columns[name][start : start + size] for start in range(0, len(places), size)]
         sides, parts = (_range if is_range else _quadrature)(value, of_sources)
         is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
         if not isinstance(is_still, bool):
@@ -244,11 +250,29 @@ def propagated(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[
     return bars
 
 
-def _at_ends(sources: Sequence[Source]) -> Iterator[Place]:
-    """Iterate over places at the lower and the upper end of each uncertainty in turn."""
-    for source in sources:
-        for end in (source.given.low, source.given.high):
-            yield dict.fromkeys(source.names, end)
+def _as_arrays(outcomes: Outcomes, places: Sequence[Place]) -> dict[str, list[Any]]:
+    """Return quantities at places that are computed together; the first one without a value has the reason."""
+    import numpy
+
+    columns: dict[str, list[Any]] = {}
+    for name, outcome in outcomes({name: numpy.array([place[name] for place in places]) for name in places[0]}).items():
+        if isinstance(outcome, JkrollError):
+            columns[name] = [outcome]
+            continue
+        columns[name] = numpy.broadcast_to(outcome, len(places)).tolist()
+        for number in numpy.flatnonzero(numpy.isnan(outcome)).tolist():
+            columns[name][number] = outcomes(places[number])[name]
+            if isinstance(columns[name][number], JkrollError):
+                break
+    return columns
+
+
+def _at_ends(given: Sequence[Uncertain]) -> Iterator[Sequence[Any]]:
+    """Iterate over places at the lower and the upper end of each uncertainty in turn, at the middles of the others."""
+    middles = [value.value for value in given]
+    for axis, value in enumerate(given):
+        for end in (value.low, value.high):
+            yield [*middles[:axis], end, *middles[axis + 1 :]]
 
 
 def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
@@ -262,22 +286,21 @@ def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
     return sides, [hypot(low, high) for low, high in changes]
 
 
-def _on_edges(sources: Sequence[Source]) -> Iterator[Place]:
+def _on_edges(given: Sequence[Uncertain]) -> Iterator[Sequence[Any]]:
     """Iterate over places along the edges of the box of ranges: by ratio, or by difference where a range has 0 in it.
 
     The largest value of a quantity that has no turning point is that of a corner. One that is that of the weaker body,
     and falls off where the other becomes the weaker, has it at a corner or where such a ridge meets an edge.
     """
-    for axis, source in enumerate(sources):
-        low, high = source.given.low, source.given.high
+    ends = [(value.low, value.high) for value in given]
+    for axis, (low, high) in enumerate(ends):
         is_by_ratio = low * high > 0
         ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
         shares = [step / STEPS for step in range(1, STEPS)]
         between = [where(is_by_ratio, low * ratio**share, low + share * (high - low)) for share in shares]
-        for corner in product(*(_at_ends([other]) for other in (*sources[:axis], *sources[axis + 1 :]))):
-            others = {name: end for place in corner for name, end in place.items()}
+        for corner in product(*ends[:axis], *ends[axis + 1 :]):
             for value in (low, *between, high):
-                yield others | dict.fromkeys(source.names, value)
+                yield [*corner[:axis], value, *corner[axis:]]
 
 
 def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
@@ -297,28 +320,3 @@ def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, floa
     sizes = [(part / max(parts)) ** power for part in parts]  # squares of the parts may leave the doubles
     shares = {source.names[0]: size / fsum(sizes) for source, size in zip(sources, sizes, strict=True) if size}
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
-
-
-def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
-    """Return the uncertainties of the unknowns that solve a problem of numbers, or of arrays, and their sources."""
-    import numpy
-
-    from .unknowns import solutions
-
-    problem, sources = solution.problem, sources_of_results(solution.problem, solution.problem.unknowns)
-    size = numpy.size(solution.condition)
-
-    def evaluate(places: Sequence[Place]) -> Mapping[str, list[Any]]:
-        rows = numpy.tile(numpy.arange(size), len(places))
-        inputs = {
-            name: numpy.concatenate([numpy.broadcast_to(place.get(name, given.value), size) for place in places])
-            for name, given in sources.given.items()
-        }
-        near = {name: numpy.resize(values, len(rows)) for name, values in solution.values.items()}
-        ends = solutions(problem.rows(rows, inputs), len(rows), near)
-        if numpy.ndim(solution.condition) == 0:
-            failures = [*ends.failures.values()]
-            return {name: failures or values.tolist() for name, values in ends.values.items()}
-        return {name: [*values.reshape(len(places), size)] for name, values in ends.values.items()}
-
-    return propagated(evaluate, solution.values, sources.entering), sources

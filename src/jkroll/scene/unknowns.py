@@ -1,5 +1,6 @@
 """The solver of the inverse problem, of numbers and arrays: one unknown by scans, two by a grid and Newton's method."""
 
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from math import inf, nan
 from typing import Any
@@ -10,6 +11,7 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from .inverse import (
+    AS_SHOWN,
     PER_DECADE,
     SIZES,
     NoDependence,
@@ -23,14 +25,21 @@ from .inverse import (
     equal,
     sizes_in_words,
 )
-from .scans import ROUNDING, Rows, Scan, bisected, slopes
 from .scene import LEAST, MOST
 
-STEP = 1e-6  # relative, of the differences that give a slope
+Rows = Any  # an array of the numbers of rows
 
-_TOGETHER = 1 << 17  # values of a scan that are computed at once
+_STEP = 1e-6  # relative, of the differences that give a slope
+_ROUNDING = 1e-12  # of a function: a change as small as this comes from rounding, and not from the variable
+
+# Of scans.
+_TOGETHER = 1 << 17  # values that are computed at once
 _WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among the usual ones
+_HALVINGS = 120  # more than lead from a value of a scan to neighbouring doubles, or to 0
+_SLOPE = 1e-7  # of an interval, the step whose change tells the side of a maximum or minimum in it
+_NEAR_END = (0.0, 1e-6, 1e-4, 1e-2, 0.1, 0.3)  # of the way from an end to the next value: there a function may turn
 
+# Of pairs.
 MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
 _LOADS = numpy.linspace(-14.0, 46.0, 209)  # coordinates that are scanned: from 1e-6 P_c beyond pull-off to 1e20 P_c
 _ROUNDS = 150  # of Newton's method
@@ -49,8 +58,9 @@ def solution(problem: Problem) -> Solution:
     arrays = solutions(problem, 1)
     for error in arrays.failures.values():
         raise error
-    values = {name: float(column[0]) for name, column in arrays.values.items()}
-    growths = {name: float(column[0]) for name, column in arrays.growths.items()}
+    values, growths = (
+        {name: float(column[0]) for name, column in columns.items()} for columns in (arrays.values, arrays.growths)
+    )
     return Solution(problem, values, float(arrays.condition[0]), growths, {})
 
 
@@ -60,35 +70,43 @@ def solutions(problem: Problem, size: int, near: Values | None = None) -> Soluti
     Raises the error of a problem that has none whatever the measured values are.
     """
     problem.check()
-    values, growths = ({name: numpy.full(size, numpy.nan) for name in problem.unknowns} for _ in range(2))
-    whole = Solution(problem, values, numpy.full(size, numpy.nan), growths, {})
+    values, growths = ({name: numpy.full(size, nan) for name in problem.unknowns} for _ in range(2))
+    solution = Solution(problem, values, numpy.full(size, nan), growths, {})
     if len(problem.unknowns) == 1:
         step = _TOGETHER // len(grid(problem.unknowns[0], SIZES[problem.unknowns[0]]))
         for start in range(0, size, step):
-            rows = range(start, min(start + step, size))
-            whole.put(rows, _of_one(problem.rows(slice(start, rows.stop)), len(rows)))
+            _find_roots(solution, numpy.arange(start, min(start + step, size)))
     else:
-        rest = range(size)
-        if near is not None:
-            known = numpy.flatnonzero(~numpy.isnan([*near.values()]).any(axis=0))
-            pairs = Pairs(problem.rows(known), len(known))
-            followed, is_lost = pairs.followed({name: values[known] for name, values in near.items()})
-            whole.put(known.tolist(), followed)
-            rest = known[is_lost].tolist()
-        for row in rest:
-            try:
-                whole.put([row], Pairs(problem.rows(row)).pair())
-            except NoResult as error:
-                whole.failures[row] = error
-    for column in (whole.condition, *growths.values()):
+        _find_pairs(solution, near)
+    for column in (solution.condition, *growths.values()):
         column[:] = [float(f"{number:.6g}") for number in column]  # the rest comes from rounding
-    return whole
+    return solution
+
+
+def solved_near(problem: Problem, solution: Solution) -> Mapping[str, Any]:
+    """Return the unknowns of a problem of which some values differ from those of a solved one.
+
+    An error says why a number has none.
+    """
+    size = max(map(numpy.size, (solution.condition, *problem.levels.values(), *problem.scene.arrays.values())))
+    near = {name: numpy.broadcast_to(values, size) for name, values in solution.values.items()}
+    moved = solutions(problem, size, near)
+    if size > 1 or numpy.ndim(solution.condition):
+        return moved.values
+    return {name: moved.failures.get(0, float(values[0])) for name, values in moved.values.items()}
+
+
+def _put(solution: Solution, rows: Rows, values: Values, condition: Any, growths: Values) -> None:
+    """Put what was found in some rows into a solution."""
+    for name in solution.values:
+        solution.values[name][rows], solution.growths[name][rows] = values[name], growths[name]
+    solution.condition[rows] = condition
 
 
 def outcomes(problem: Problem, values: Values) -> Any:
     """Return the measured quantities, a row for each, at values of the unknowns; nan where there is no result."""
     scene = problem.with_values({name: taken(name, x) for name, x in values.items()})
-    quantities = numpy.full((len(problem.measured), len(next(iter(values.values())))), numpy.nan)
+    quantities = numpy.full((len(problem.measured), len(next(iter(values.values())))), nan)
     for quantity, outcome in zip(quantities, scene.evaluate([*problem.measured]).values(), strict=True):
         if not isinstance(outcome, JkrollError):
             quantity[:] = outcome
@@ -111,101 +129,196 @@ def grid(name: str, sizes: tuple[float, float]) -> Any:
     return numpy.concatenate([-values[::-1], [0.0], values]) if name == "load" else values
 
 
+def slopes(x: Any, y: Any) -> Any:
+    """Return slopes from three points each; from two where y is nan at an end, and nan where it is at both."""
+    has_low, has_high = numpy.isfinite(y[0]), numpy.isfinite(y[2])
+    run = numpy.where(has_high, x[2], x[1]) - numpy.where(has_low, x[0], x[1])
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        return (numpy.where(has_high, y[2], y[1]) - numpy.where(has_low, y[0], y[1])) / run
+
+
 # --- One unknown ------------------------------------------------------------------------------------------------------
 
 
-def _of_one(problem: Problem, size: int) -> Solution:
-    """Return the solutions for one unknown, among all sizes that a scene takes where none is among the usual ones."""
-    (unknown,) = problem.unknowns
-    usual = Roots(problem, size, SIZES[unknown]).solution()
-    lacking = [row for row, error in usual.failures.items() if isinstance(error, NoSolution)]
+def _find_roots(solution: Solution, rows: Rows) -> None:
+    """Solve for one unknown in some rows, among all sizes that a scene takes where none is among the usual ones."""
+    ((unknown, values),) = solution.values.items()
+    failures = _scan(solution, rows, SIZES[unknown])
+    lacking = [row for row, error in failures.items() if isinstance(error, NoSolution)]
     if lacking:
-        wider = Roots(problem.rows(lacking), len(lacking), _WIDEST).solution()
-        for place, error in wider.failures.items():
-            if not isinstance(error, SeveralSolutions | Undetermined):
-                wider.failures[place] = usual.failures[lacking[place]]
-        usual.put(lacking, wider)
-    return usual
+        wider = _scan(solution, numpy.array(lacking), _WIDEST)
+        told = {row: error for row, error in wider.items() if isinstance(error, SeveralSolutions | Undetermined)}
+        failures = {row: error for row, error in (failures | told).items() if numpy.isnan(values[row])}
+    solution.failures.update(failures)
 
 
-class Roots:
-    """A scan of the unknown in some rows between two sizes, and what comes of it."""
+def _scan(solution: Solution, rows: Rows, sizes: tuple[float, float]) -> dict[int, JkrollError]:
+    """Solve for one unknown between two sizes in some rows, and return why others have no solution there."""
+    ((unknown, values),), (level,) = solution.values.items(), solution.problem.levels.values()
+    levels, scan = numpy.broadcast_to(level, len(values)), _scanned(solution.problem, rows, sizes)
+    rows_of_roots, roots = scan.crossings(levels)
+    at_level = scan.rows[_are_level(scan.y, levels[scan.rows])]
+    firsts, first_points, first_at_level = (
+        numpy.searchsorted(column, [rows, rows + 1]) for column in (rows_of_roots, scan.rows, at_level)
+    )
+    is_root = (numpy.diff(firsts, axis=0)[0] == 1) & (numpy.diff(first_at_level, axis=0)[0] <= PER_DECADE)
+    values[rows[is_root]] = roots[firsts[0, is_root]]
+    failures: dict[int, JkrollError] = {}
+    for place in numpy.flatnonzero(~is_root).tolist():
+        row, points = int(rows[place]), slice(*first_points[:, place])
+        try:
+            problem, of_row = solution.problem.rows(row), roots[slice(*firsts[:, place])]
+            values[row] = _root(problem, sizes, scan.x[points], scan.y[points], of_row.tolist())
+        except NoResult as error:
+            failures[row] = error
+    solved = rows[~numpy.isnan(values[rows])]
+    roots = taken(unknown, values[solved])
+    factors = numpy.array([1 / (1 + _STEP), 1.0, 1 + _STEP])
+    y = scan.function(numpy.tile(solved, 3), numpy.outer(factors, roots).ravel()).reshape(3, -1)
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        condition = abs(y[1] / slopes(numpy.log(factors), y))
+    _put(solution, solved, {unknown: roots}, condition, {unknown: condition})
+    return failures
 
-    def __init__(self, problem: Problem, size: int, sizes: tuple[float, float]) -> None:
-        self.problem, self.size, self.sizes = problem, size, sizes
-        ((self.unknown,), ((self.quantity, levels),)) = problem.unknowns, problem.measured.items()
-        self.levels = numpy.full(size, levels, dtype=float)
-        self.scan = Scan(self.function, grid(self.unknown, sizes), size)
 
-    def function(self, rows: Rows, x: Any) -> Any:
-        """Return the measured quantity."""
-        return outcomes(self.problem.rows(rows), {self.unknown: x})[0]
+def _scanned(problem: Problem, rows: Rows, sizes: tuple[float, float]) -> "Scan":
+    """Return the scan of the measured quantity against the unknown in some rows."""
+    (unknown,) = problem.unknowns
+    return Scan(lambda rows, x: outcomes(problem.rows(rows), {unknown: x})[0], grid(unknown, sizes), rows)
 
-    def solution(self) -> Solution:
-        """Return the one solution in each row, and the reasons why others have none."""
-        every = numpy.arange(self.size)
-        points, y = self.scan.rows, self.scan.y
-        is_level = self._is_level(points, y)
-        low, high, first, last = (
-            end.reduceat(values, numpy.searchsorted(points, every))
-            for values in (y, numpy.where(is_level, self.scan.x, numpy.nan))
-            for end in (numpy.fmin, numpy.fmax)
+
+def _are_level(y: Any, level: Any) -> Any:
+    return abs(y - level) <= _ROUNDING * abs(level)
+
+
+def _root(problem: Problem, sizes: tuple[float, float], x: Any, y: Any, roots: Sequence[float]) -> float:
+    """Return the one root of a single row, given the points of its scan. Raises the reason why there is none."""
+    ((unknown, (quantity, level)),) = zip(problem.unknowns, problem.levels.items(), strict=True)
+    low, high = float(numpy.fmin.reduce(y)), float(numpy.fmax.reduce(y))
+    if numpy.isnan(low):
+        raise problem.failure()
+    if high - low <= _ROUNDING * max(abs(low), abs(high)):
+        raise NoDependence(problem)
+    at_level = x[_are_level(y, level)]
+    if len(at_level) > PER_DECADE and 0 < 10 * at_level[0] <= at_level[-1]:
+        inside = at_level[[0, -1]]
+        outside = numpy.clip(inside * [0.5, 2.0], *sizes)
+        ends, _ = bisected(inside, outside, lambda x: _are_level(outcomes(problem, {unknown: x})[0], level))
+        first, last = ends.tolist()
+        stretch = f"every value from {amount(unknown, first)} to {amount(unknown, last)}"
+        raise Undetermined(problem, f"{stretch} gives {equal(problem.levels)}", (first, last))
+    if not roots:
+        lies = f"it lies between {amount(quantity, low)} and {amount(quantity, high)}"
+        text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([unknown])}"
+        raise NoSolution(problem, text, (low, high))
+    if len(roots) > 1:
+        raise SeveralSolutions(problem, [{unknown: root} for root in roots])
+    return roots[0]
+
+
+class Scan:
+    """Points of a function in each row, in rising order, of which it rises or falls from one to the next.
+
+    The last values beside gaps and the extremes divide a scan into pieces on which the function rises or falls. A piece
+    that crosses a level is bisected down to neighbouring doubles. `rows`, `x` and `y` are arrays with an element for
+    each point; y is nan in gaps.
+    """
+
+    def __init__(self, function: Callable[[Rows, Any], Any], x: Any, rows: Rows) -> None:
+        """`function`: of rows and a value in each; `x`: values that are scanned in each of the rows, all in order."""
+        self.function = function
+        self.rows, self.x = numpy.repeat(rows, len(x)), numpy.tile(x, len(rows))
+        self.y = function(self.rows, self.x)
+        self._add_ends()
+        self._add_extremes()
+
+    def _add(self, rows: Rows, x: Any) -> None:
+        """Add points, if there are any."""
+        if not len(rows):
+            return
+        columns = ((self.rows, rows), (self.x, x), (self.y, self.function(rows, x)))
+        joined = [numpy.concatenate(column) for column in columns]
+        order = numpy.lexsort(joined[1::-1])
+        self.rows, self.x, self.y = (column[order] for column in joined)
+
+    def _add_ends(self) -> None:
+        """Add the last values beside each gap, and some near them."""
+        known = numpy.isfinite(self.y)
+        left = numpy.flatnonzero((self.rows[:-1] == self.rows[1:]) & (known[:-1] != known[1:]))
+        rows, is_left = self.rows[left], known[left]
+        inside, outside = (numpy.where(choice, self.x[left], self.x[left + 1]) for choice in (is_left, ~is_left))
+        end, _ = bisected(inside, outside, lambda x: numpy.isfinite(self.function(rows, x)))
+        places = [end + share * (inside - end) for share in _NEAR_END]
+        self._add(numpy.tile(rows, len(places)), numpy.concatenate(places))
+
+    def _add_extremes(self) -> None:
+        """Add the maxima and minima: there the slope changes its sign, and not by rounding."""
+        rows, x, y = self.rows, self.x, self.y
+        before, after = y[1:-1] - y[:-2], y[2:] - y[1:-1]
+        change = numpy.fmax(abs(before), abs(after))
+        turns = (rows[:-2] == rows[2:]) & (before * numpy.sign(after) < 0) & (change > _ROUNDING * abs(y[1:-1]))
+        start = numpy.flatnonzero(turns)
+        row, left, right, sign = rows[start], x[start], x[start + 2], numpy.sign(before[start])
+        step = _SLOPE * (right - left)
+        turn, _ = bisected(
+            left, right, lambda x: sign * (self.function(row, x + step) - self.function(row, x - step)) > 0
         )
-        depends = high - low > ROUNDING * numpy.fmax(abs(low), abs(high))
-        counts = numpy.bincount(points[is_level], minlength=self.size)
-        is_stretch = depends & (counts > PER_DECADE) & (first > 0) & (last >= 10 * first)
-        rows, roots = self.scan.crossings(self.levels)
-        start, stop = numpy.searchsorted(rows, [every, every + 1])
-        is_one = depends & ~is_stretch & (stop - start == 1)
-        values = numpy.full(self.size, numpy.nan)
-        values[is_one] = taken(self.unknown, roots[start[is_one]])
-        failures: dict[int, JkrollError] = {}
-        for row in numpy.flatnonzero(~is_one).tolist():
-            problem = self.problem.rows(row)
-            if numpy.isnan(low[row]):
-                failures[row] = problem.failure()
-            elif not depends[row]:
-                failures[row] = NoDependence(problem)
-            elif is_stretch[row]:
-                failures[row] = self._undetermined(row, numpy.array([first[row], last[row]]))
-            elif start[row] < stop[row]:
-                of_row = roots[start[row] : stop[row]].tolist()
-                failures[row] = SeveralSolutions(problem, [{self.unknown: root} for root in of_row])
-            else:
-                failures[row] = self._outside(problem, float(low[row]), float(high[row]))
-        condition = self._condition(values)
-        return Solution(self.problem, {self.unknown: values}, condition, {self.unknown: condition}, failures)
+        self._add(row, turn)
 
-    def _outside(self, problem: Problem, low: float, high: float) -> NoSolution:
-        """Return the error of a measured value outside the range of the quantity."""
-        lies = f"it lies between {amount(self.quantity, low)} and {amount(self.quantity, high)}"
-        text = f"no value gives {equal(problem.measured)}; {lies} for {sizes_in_words([self.unknown])}"
-        return NoSolution(problem, text, (low, high))
+    def crossings(self, levels: Any) -> tuple[Rows, Any]:
+        """Return the rows and values at which functions have the level of their row, but for jumps over it.
 
-    def _undetermined(self, row: int, inside: Any) -> Undetermined:
-        """Return the error of a measured value that a stretch has, given points of the scan at both ends of this."""
-        rows, problem = numpy.full(2, row), self.problem.rows(row)
-        outside = numpy.clip(inside * [0.5, 2.0], *self.sizes)
-        ends, _ = bisected(inside, outside, lambda x: self._is_level(rows, self.function(rows, x)))
-        low, high = ends.tolist()
-        span = f"{amount(self.unknown, low)} to {amount(self.unknown, high)}"
-        return Undetermined(problem, f"every value from {span} gives {equal(problem.measured)}", (low, high))
+        The function at such a value is the level as it is shown. Next to pull-off doubles may have none.
+        """
+        rows, x, y = self.rows, self.x, self.y
+        side = numpy.sign(y - levels[rows])
+        left = numpy.flatnonzero((rows[:-1] == rows[1:]) & (side[:-1] * side[1:] < 0))
+        row, level, first, second = rows[left], levels[rows[left]], y[left], y[left + 1]
+        ends = bisected(x[left], x[left + 1], lambda x: (self.function(row, x) < level) == (first < level))
+        off = numpy.array([abs(self.function(row, end) - level) for end in ends])
+        root = numpy.where(off[0] < off[1], *ends)
+        scale = numpy.where(level == 0, numpy.maximum(abs(first), abs(second)), abs(level))
+        is_root = off.min(axis=0) <= AS_SHOWN * scale
+        exact = side == 0
+        every = numpy.array([numpy.append(rows[exact], row[is_root]), numpy.append(x[exact], root[is_root])])
+        row, root = numpy.unique(every, axis=1)
+        return row.astype(int), root
 
-    def _is_level(self, rows: Rows, y: Any) -> Any:
-        return abs(y - self.levels[rows]) <= ROUNDING * abs(self.levels[rows])
 
-    def _condition(self, values: Any) -> Any:
-        """Return |d ln unknown / d ln quantity| by central differences, or one-sided ones where the quantity ends."""
-        rows = numpy.flatnonzero(~numpy.isnan(values))
-        factors = numpy.array([1 / (1 + STEP), 1.0, 1 + STEP])
-        y = self.function(numpy.tile(rows, 3), numpy.outer(factors, values[rows]).ravel()).reshape(3, -1)
-        condition = numpy.full(self.size, numpy.nan)
-        with numpy.errstate(divide="ignore", invalid="ignore"):
-            condition[rows] = abs(y[1] / slopes(numpy.log(factors), y))
-        return condition
+def bisected(inside: Any, outside: Any, is_inside: Callable[[Any], Any]) -> tuple[Any, Any]:
+    """Return the last values inside and the first outside, neighbouring doubles, of pairs side by side."""
+    for _ in range(_HALVINGS):
+        middle = (inside + outside) / 2
+        if not ((middle != inside) & (middle != outside)).any():
+            break
+        is_in = is_inside(middle)
+        inside, outside = numpy.where(is_in, middle, inside), numpy.where(is_in, outside, middle)
+    return inside, outside
 
 
 # --- Two unknowns -----------------------------------------------------------------------------------------------------
+
+
+def _find_pairs(solution: Solution, near: Values | None) -> None:
+    """Solve for two unknowns in each row, or note why there is no solution.
+
+    `near`: values from which Newton's method starts first; rows in which they are nan are left out.
+    """
+    problem, rows = solution.problem, numpy.arange(len(solution.condition))
+    if near is not None:
+        rows = numpy.flatnonzero(~numpy.isnan([*near.values()]).any(axis=0))
+        pairs = Pairs(problem.rows(rows), len(rows))
+        places, distance = pairs.improved(pairs.places({name: values[rows] for name, values in near.items()}))
+        values, condition, growths = pairs.measures(places)
+        _put(solution, rows, values, condition, growths)
+        rows = rows[(distance == inf) | ~(condition <= MAX_CONDITION)]
+    for row in rows.tolist():
+        pairs = Pairs(problem.rows(row))
+        try:
+            _put(solution, [row], *pairs.measures(pairs.pair()))
+        except NoResult as error:
+            solution.failures[row] = error
+            _put(solution, [row], *(dict.fromkeys(problem.unknowns, nan), nan, dict.fromkeys(problem.unknowns, nan)))
 
 
 class Pairs:
@@ -219,7 +332,7 @@ class Pairs:
     def __init__(self, problem: Problem, size: int = 1) -> None:
         self.problem, self.size = problem, size
         self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
-        self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.measured.values()], dtype=float)
+        self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
 
     def rows(self, rows: Any) -> "Pairs":
         """Return the same in some rows."""
@@ -264,31 +377,30 @@ class Pairs:
     def slopes(self, places: Any) -> tuple[Any, Any]:
         """Return the residuals at places, and a matrix of their derivatives for each: by quantity and unknown."""
         count = places.shape[1]
-        steps = STEP * numpy.repeat([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]], count, axis=1)
+        steps = _STEP * numpy.repeat([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]], count, axis=1)
         every = self.rows(numpy.tile(numpy.arange(count), 5))
         residuals = every.residuals(numpy.tile(places, 5) + steps).reshape(2, 5, count)
         middle = residuals[:, 0]
-        by_unknown = [slopes((-STEP, 0.0, STEP), (residuals[:, low], middle, residuals[:, low + 1])) for low in (1, 3)]
+        around = [(residuals[:, low], middle, residuals[:, low + 1]) for low in (1, 3)]
+        by_unknown = [slopes((-_STEP, 0.0, _STEP), points) for points in around]
         return middle, numpy.array(by_unknown).T
 
-    def solution(self, places: Any) -> Solution:
-        """Return the values of the unknowns at places, with their condition number and the growth of errors."""
+    def measures(self, places: Any) -> tuple[Values, Any, Values]:
+        """Return the values of the unknowns at places, their condition numbers, and the growths of errors."""
         _, matrices = self.slopes(places)
         values = self.values(places)
-        ends = [[self.values(places + shift) for shift in (-step, step)] for step in STEP * numpy.eye(2)[:, :, None]]
-        changes = numpy.array([[high[name] - low[name] for low, high in ends] for name in values]) / (2 * STEP)
+        ends = [[self.values(places + shift) for shift in (-step, step)] for step in _STEP * numpy.eye(2)[:, :, None]]
+        changes = numpy.array([[high[name] - low[name] for low, high in ends] for name in values]) / (2 * _STEP)
         inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.1 / MAX_CONDITION)
         spreads = numpy.linalg.norm(numpy.moveaxis(changes, -1, 0) @ inverse, axis=2)
         with numpy.errstate(divide="ignore", invalid="ignore"):
             growths = {name: spread / abs(values[name]) for name, spread in zip(values, spreads.T, strict=True)}
-        return Solution(self.problem, values, _conditions(matrices), growths, {})
-
-    # --- Newton's method ---
+        return values, _conditions(matrices), growths
 
     def improved(self, start: Any) -> tuple[Any, Any]:
-        """Return the places to which Newton's method leads from others, and which of them are solutions.
+        """Return the places to which Newton's method leads from others, and how far they are from solutions.
 
-        The unknowns are among the sizes that are looked for, but for rounding.
+        The distance is infinite where there is none, or not among the sizes that are looked for, but for rounding.
         """
         best, steps = numpy.array(start), numpy.zeros_like(start)
         distance = numpy.full(start.shape[1], inf)
@@ -310,16 +422,7 @@ class Pairs:
         for name, values in self.values(best).items():
             least, most = SIZES[name]
             is_pair &= ((values >= least * (1 - _SAME)) | (name == "load")) & (values <= most * (1 + _SAME))
-        return best, numpy.where(is_pair, distance, nan)
-
-    def followed(self, near: Values) -> tuple[Solution, Any]:
-        """Return the solutions to which Newton's method leads from values, and the rows in which it leads to none."""
-        places, distance = self.improved(self.places(near))
-        pairs = self.solution(places)
-        is_lost = ~((distance <= _NEAR) & (pairs.condition <= MAX_CONDITION))
-        for column in pairs.values.values():
-            column[is_lost] = nan
-        return pairs, is_lost
+        return best, numpy.where(is_pair, distance, inf)
 
     # --- The search, in one row ---
 
@@ -334,29 +437,27 @@ class Pairs:
         """The quantities at the places of the grid."""
         return outcomes(self.problem, self.values(self._mesh.reshape(2, -1)))
 
-    def pair(self) -> Solution:
-        """Return the one pair. Raises the reason why there is none."""
-        sample = self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1)
-        _, matrices = self.slopes(sample)
-        known = numpy.flatnonzero(numpy.isfinite(matrices).all(axis=(1, 2)))
-        if known.size and not (_conditions(matrices[known]) <= MAX_CONDITION / 10).any():
-            raise Unseparated(self.problem, self._left_open(matrices[known[known.size // 2]]))
+    def pair(self) -> Any:
+        """Return the place of the one pair. Raises the reason why there is none."""
+        _, matrices = self.slopes(self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))
+        known = matrices[numpy.isfinite(matrices).all(axis=(1, 2))]
+        if len(known) and not (_conditions(known) <= MAX_CONDITION / 10).any():
+            raise Unseparated(self.problem, self._left_open(known[len(known) // 2]))
         places, distance = self.improved(self._in_cells())
         order = numpy.argsort(distance)[: numpy.isfinite(distance).sum()]
         if not order.size:
             raise self._failure()
         places, distance = places[:, order], distance[order]
-        pairs = self.solution(places)
-        worst = int(pairs.condition.argmax())
-        if pairs.condition[worst] > MAX_CONDITION:
-            remark = self._left_open(self.slopes(places[:, [worst]])[1][0])
-            raise Unseparated(self.problem, remark, float(pairs.condition[worst]))
-        distinct = _distinct(places, pairs.condition * (_ERROR + 2 * distance))
+        _, matrices = self.slopes(places)
+        conditions = _conditions(matrices)
+        worst = int(conditions.argmax())
+        if conditions[worst] > MAX_CONDITION:
+            raise Unseparated(self.problem, self._left_open(matrices[worst]), float(conditions[worst]))
+        distinct = _distinct(places, conditions * (_ERROR + 2 * distance))
         if len(distinct) > 1:
-            rows = sorted(numpy.transpose([*pairs.values.values()])[distinct].tolist())
-            several = [dict(zip(pairs.values, row, strict=True)) for row in rows]
-            raise SeveralSolutions(self.problem, several)
-        return self.solution(places[:, :1])
+            rows = sorted(numpy.transpose([*self.values(places[:, distinct]).values()]).tolist())
+            raise SeveralSolutions(self.problem, [dict(zip(self.problem.unknowns, row, strict=True)) for row in rows])
+        return places[:, :1]
 
     def _in_cells(self) -> Any:
         """Return places in the cells that both measured values may cross: the centre, and one towards each corner."""
@@ -374,7 +475,7 @@ class Pairs:
 
     def _failure(self) -> JkrollError:
         """Return the reason why no pair gives both measured values."""
-        problem, levels = self.problem, self.problem.measured
+        problem, levels = self.problem, self.problem.levels
         if not numpy.isfinite(self.on_mesh.sum(axis=0)).any():
             return problem.failure()
         scene = problem.filled()
@@ -394,10 +495,10 @@ class Pairs:
         """Return a quantity at values of the unknowns at which the other one has its measured value."""
         depends = self.problem.filled().inputs_of(first)
         sought, other = sorted(self.problem.unknowns, key=lambda name: name not in depends)
-        places = grid(other, SIZES[other])
-        problem = Problem((sought,), {first: self.problem.measured[first]}, self.problem.with_values({other: places}))
-        at_places = Roots(problem, len(places), SIZES[sought])
-        rows, roots = at_places.scan.crossings(at_places.levels)
+        places, level = grid(other, SIZES[other]), self.problem.levels[first]
+        problem = Problem((sought,), {first: level}, self.problem.with_values({other: places}))
+        scan = _scanned(problem, numpy.arange(len(places)), SIZES[sought])
+        rows, roots = scan.crossings(numpy.full(len(places), level))
         heights = outcomes(self.problem, {sought: roots, other: places[rows]})
         return heights[[*self.problem.measured].index(second)]
 
