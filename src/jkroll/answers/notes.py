@@ -311,7 +311,7 @@ def about_lost_contacts(scene: Scene, sources: "Sources") -> list[Note]:
     """Return a note where a load is beyond pull-off at a part of the values within the error bars of the inputs."""
     from ..scene.uncertainty import part_beyond_pull_off
 
-    part = part_beyond_pull_off(scene, sources.entering)
+    part = part_beyond_pull_off(scene, sources)
     if part < LOST:
         return []
     text = (

@@ -131,8 +131,8 @@ class Wanted:
         }
 
     def sources_in(self, scene: Any) -> "Sources | None":
-        """Return the sources of uncertainty of the quantities of a scene; None if it has no uncertainty."""
-        if not scene.is_uncertain:
+        """Return the sources of uncertainty of the quantities of a scene; None if it has none, or none is wanted."""
+        if not (self.uncertainties and scene.is_uncertain):
             return None
         from ..scene.uncertainty import sources_of_results
 
@@ -400,12 +400,11 @@ class _Arrays:
 
         from ..scene import uncertainty
 
-        values = {name: self.columns.column(name) for name in self.known}
         sources = uncertainty.sources_of_results(self.scene, [*self.outcomes])
         if (remark := left_out(self.wanted, self.scene, sources)) is not None:
             self.columns.add_remark(remark)
             return numpy.zeros(self.size, dtype=bool)
-        bars = uncertainty.uncertainties_of(values, self.scene, sources.entering)
+        bars, _ = uncertainty.uncertainties(self.scene, self.known, sources=sources)
         return self.columns.put_sides(uncertainty.measures_of(bars))
 
 

@@ -41,14 +41,13 @@ class Unknowns(Wanted):
 
     def row(self, scene: Problem) -> Row:
         """Return the row of measured numbers."""
-        sources = self.sources_in(scene) if self.uncertainties else None
+        sources = self.sources_in(scene)
         inputs = scene.echo() | ({} if sources is None else sources.given)
         try:
             solved = solution(scene)
         except (MissingInput, NoResult) as error:
             return Row(inputs, [nan] * len(self.keys), 0, self._reasons(error))
-        numbers = dict(solved.values)
-        reasons: dict[str, JkrollError] = {}
+        numbers, reasons = dict(solved.values), dict[str, JkrollError]()
         if sources is not None:
             if (remark := left_out(self, scene, sources)) is not None:
                 reasons[UNCERTAINTY] = remark
@@ -62,26 +61,23 @@ class Unknowns(Wanted):
         solids = [solid.name for solid, _ in scene.scene.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
             raise OddRow("of which spheres an unknown is")  # solids of many rows have no name: each row by itself says
-        sources = self.sources_in(scene) if self.uncertainties else None
-        remark = left_out(self, scene, sources) if sources is not None else None
         size = len(rows)
-        solved, inputs = solutions(scene, size), scene.echo()
+        solved, inputs, sources = solutions(scene, size), scene.echo(), self.sources_in(scene)
         of_rows = {name: repeated(inputs.get(name), size) for name in self.inputs}
-        numbers = numpy.full((len(self.keys), size), nan)
-        columns = Columns(self, of_rows, numbers, numpy.zeros(size, dtype=numpy.int64))
+        columns = Columns(self, of_rows, numpy.full((len(self.keys), size), nan), numpy.zeros(size, dtype=numpy.int64))
+        columns.reasons = {row: self._reasons(error) for row, error in solved.failures.items()}
         for name, values in solved.values.items():
             columns.column(name)[...] = values
-        for row, error in solved.failures.items():
-            columns.reasons[row] = self._reasons(error)
         if self.doubts and len(solved.failures) < size:
             values = {name: numpy.nan_to_num(values, nan=SIZES[name][1]) for name, values in solved.values.items()}
             columns.doubts[...] = bits_of(doubts(scene.with_values(values), [*scene.measured]))
             columns.doubts[[*solved.failures]] = 0
         again = numpy.zeros(size, dtype=bool)
-        if remark is not None:
-            columns.add_remark(remark)
-        elif sources is not None:
-            again = columns.put_sides(measures_of(uncertainties_of_unknowns(solved)[0]))
+        if sources is not None:
+            if (remark := left_out(self, scene, sources)) is not None:
+                columns.add_remark(remark)
+            else:
+                again = columns.put_sides(measures_of(uncertainties_of_unknowns(solved)[0]))
         return columns, again
 
     def _reasons(self, error: JkrollError) -> Reasons:

@@ -4,7 +4,6 @@ Here stand the inputs that can be unknown, the problem, its solution, and why it
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from itertools import product
 from math import inf
 from typing import Any, NamedTuple
 
@@ -95,21 +94,20 @@ class SeveralSolutions(Unsolved):
 
     def reason(self) -> str:
         """Return all values, with as many digits as typing them back takes: next to pull-off that is more."""
-        every = range(DIGITS, MAX_DIGITS)
-        form = Format(digits=next((digits for digits in every if self._may_be_typed(digits)), MAX_DIGITS))
+        digits = DIGITS
+        while digits < MAX_DIGITS and not all(self._may_be_typed(values, digits) for values in self.values):
+            digits += 1
+        form = Format(digits=digits)
         texts = [", ".join(amount(name, value, form) for name, value in values.items()) for values in self.values]
         if len(self.problem.unknowns) > 1:
             texts = [f"the pairs ({texts[0]})", *(f"({text})" for text in texts[1:])]
         return f"{listed(texts)} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
 
-    def _may_be_typed(self, digits: int) -> bool:
-        """Return whether the values with so many digits give the measured ones."""
-        typed = [{name: float(f"{value:.{digits}g}") for name, value in values.items()} for values in self.values]
-        return all(
-            abs(forward.get(name, inf) - level) <= AS_SHOWN * abs(level)
-            for forward in (self.problem.with_values(values).numbers(*self.problem.measured) for values in typed)
-            for name, level in self.problem.levels.items()
-        )
+    def _may_be_typed(self, values: Mapping[str, float], digits: int) -> bool:
+        """Return whether values with so many digits give the measured ones."""
+        typed = {name: float(f"{value:.{digits}g}") for name, value in values.items()}
+        forward, levels = self.problem.with_values(typed).numbers(*self.problem.measured), self.problem.levels
+        return all(abs(forward.get(name, inf) - level) <= AS_SHOWN * abs(level) for name, level in levels.items())
 
 
 class Unseparated(Unsolved):
@@ -247,28 +245,28 @@ class Problem(NamedTuple):
             input_named(name)
         if len(self.unknowns) > 1 and any({*self.unknowns} <= {*names} for names in EXCLUSIVE):
             raise Contradiction(self.unknowns)
-        for name, quantity in product(self.unknowns, self.measured):
-            self._check_given(name, quantity)
-        scene = self.filled()
-        inputs_of = {quantity: scene.inputs_of(quantity) for quantity in self.measured}
+        for stated in self.scene.stated:
+            if stated in self.measured:
+                raise already_given(stated, stated)
+            for name in self.unknowns:
+                if stated == name or any({stated, name} <= {*names} for names in EXCLUSIVE):
+                    raise already_given(name, stated)
+        inputs_of = {quantity: self._inputs_of(quantity) for quantity in self.measured}
         for quantity, inputs in inputs_of.items():
             if self.unknowns == (quantity,) or {*self.unknowns}.isdisjoint(inputs):
                 is_one = len(self.unknowns) == 1
                 raise NoDependence(self) if is_one else Unseparated(self, f"{quantity} depends on neither")
 
-    def _check_given(self, unknown: str, quantity: str) -> None:
-        """Raise AlreadyGiven if the scene has the unknown, the measured quantity, or what these follow from."""
-        followed = {name for names in EXCLUSIVE if unknown in names for name in names} | {unknown, quantity}
-        for stated in self.scene.stated:
-            if stated in followed:
-                raise already_given(quantity if stated == quantity else unknown, stated)
+    def _inputs_of(self, quantity: str) -> Sequence[str]:
+        """Return the inputs on which a measured quantity depends, the unknowns among them."""
         try:
-            self.scene.plan(quantity)
+            return self.filled().inputs_of(quantity)
         except MissingInput as error:
-            if quantity in error.missing:
-                option = NOMENCLATURE[quantity].option or quantity
-                remedy = f"give it as {option}, and ask for {unknown} without infer"
-                raise CannotInfer(f"{quantity} is an input, and no formula gives it; {remedy}") from error
+            if quantity not in error.missing:
+                raise
+            option = NOMENCLATURE[quantity].option or quantity
+            remedy = f"give it as {option}, and ask for {self.unknowns[0]} without infer"
+            raise CannotInfer(f"{quantity} is an input, and no formula gives it; {remedy}") from error
 
     def failure(self) -> JkrollError:
         """Return the reason why a measured quantity has no value for any values of the unknowns."""
@@ -284,6 +282,7 @@ class Solution(NamedTuple):
     condition: Any  # of the logarithms of the measured values as functions of those of the unknowns
     growths: Values  # by unknown, the largest factor by which relative errors of measured values enter it
     failures: dict[int, JkrollError]  # by row
+    places: Any  # of two unknowns, in the coordinates in which they were sought
 
     @property
     def scene(self) -> Scene:

@@ -152,33 +152,26 @@ Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the r
 
 
 def uncertainties(
-    scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene] | None = None
+    scene: Scene,
+    names: Sequence[str],
+    alternative: Callable[[Scene], Scene] | None = None,
+    sources: Sources | None = None,
 ) -> tuple[Bars, Sources]:
     """Return the uncertainties of quantities of a scene, or of one that is made of it, and their sources.
 
     A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason
-    why a quantity has no value at one place of the sources.
+    why a quantity has no value at one place of the sources. `sources`: by default all that enter the quantities.
     """
     middle = scene if alternative is None else alternative(scene)
     numbers = middle.numbers(*names)
     values = {name: value for name, value in numbers.items() if not isinstance(value, float) or isfinite(value)}
-    sources = sources_of_results(middle, names)
-    return uncertainties_of(values, scene, sources.entering, alternative), sources
-
-
-def uncertainties_of(
-    values: Mapping[str, Any],
-    scene: Scene,
-    sources: Sequence[Source],
-    alternative: Callable[[Scene], Scene] | None = None,
-) -> Bars:
-    """Return the uncertainties of known values, numbers or arrays, of a scene or of one that is made of it."""
+    sources = sources or sources_of_results(middle, names)
 
     def outcomes(place: Place) -> Mapping[str, Any]:
         moved = scene.replace(**place)
         return (moved if alternative is None else alternative(moved)).evaluate([*values])
 
-    return _propagated(outcomes, values, sources, one_by_one=inf if scene.shape else FEW)
+    return _propagated(outcomes, values, sources.entering, one_by_one=inf if scene.shape else FEW), sources
 
 
 def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
@@ -199,19 +192,16 @@ def measures_of(bars: Bars) -> dict[str, Uncertain | JkrollError]:
     return {name: bar.uncertainty if isinstance(bar, Propagated) else bar for name, bar in bars.items()}
 
 
-def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
+def part_beyond_pull_off(scene: Scene, sources: Sources) -> float:
     """Return the part of the values that uncertainties stand for, at which a load is beyond pull-off.
 
     They and the distance P + P_c are taken as normally distributed.
     """
-    if not (force := scene.numbers("pull_off_force")):
-        return 0.0
-    bars = uncertainties_of(force, scene, sources).values()
-    of_force = [bar.uncertainty.spread for bar in bars if isinstance(bar, Propagated)]
-    of_load = [source.given.spread for source in sources if "load" in source.names]
+    bars, _ = uncertainties(scene, ["pull_off_force"], sources=sources)
+    of_force = [bar.uncertainty.spread for bar in bars.values() if isinstance(bar, Propagated)]
+    of_load = [source.given.spread for source in sources.entering if "load" in source.names]
     spread = hypot(*of_force, *of_load)
-    distance = scene["load"] + force["pull_off_force"]
-    return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
+    return erfc((scene["load"] + scene["pull_off_force"]) / (sqrt(2) * spread)) / 2 if spread else 0.0
 
 
 def _propagated(outcomes: Outcomes, values: Mapping[str, Any], sources: Sequence[Source], one_by_one: float) -> Bars:

@@ -61,17 +61,18 @@ def solution(problem: Problem) -> Solution:
     values, growths = (
         {name: float(column[0]) for name, column in columns.items()} for columns in (arrays.values, arrays.growths)
     )
-    return Solution(problem, values, float(arrays.condition[0]), growths, {})
+    return arrays._replace(values=values, growths=growths, condition=float(arrays.condition[0]))
 
 
-def solutions(problem: Problem, size: int, near: Values | None = None) -> Solution:
-    """Return the solutions of some rows. `near`: values of two unknowns from which Newton's method starts first.
+def solutions(problem: Problem, size: int, near: Any = None) -> Solution:
+    """Return the solutions of some rows. `near`: places of two unknowns from which Newton's method starts first.
 
     Raises the error of a problem that has none whatever the measured values are.
     """
     problem.check()
-    values, growths = ({name: numpy.full(size, nan) for name in problem.unknowns} for _ in range(2))
-    solution = Solution(problem, values, numpy.full(size, nan), growths, {})
+    places = numpy.full((len(problem.unknowns), size), nan)
+    values, growths = (dict(zip(problem.unknowns, numpy.full_like(places, nan), strict=True)) for _ in range(2))
+    solution = Solution(problem, values, numpy.full(size, nan), growths, {}, places)
     if len(problem.unknowns) == 1:
         step = _TOGETHER // len(grid(problem.unknowns[0], SIZES[problem.unknowns[0]]))
         for start in range(0, size, step):
@@ -89,15 +90,14 @@ def solved_near(problem: Problem, solution: Solution) -> Mapping[str, Any]:
     An error says why a number has none.
     """
     size = max(map(numpy.size, (solution.condition, *problem.levels.values(), *problem.scene.arrays.values())))
-    near = {name: numpy.broadcast_to(values, size) for name, values in solution.values.items()}
-    moved = solutions(problem, size, near)
+    moved = solutions(problem, size, numpy.broadcast_to(solution.places, (len(solution.places), size)))
     if size > 1 or numpy.ndim(solution.condition):
         return moved.values
     return {name: moved.failures.get(0, float(values[0])) for name, values in moved.values.items()}
 
 
 def _put(solution: Solution, rows: Rows, values: Values, condition: Any, growths: Values) -> None:
-    """Put what was found in some rows into a solution."""
+    """Put what is known of some rows into a solution."""
     for name in solution.values:
         solution.values[name][rows], solution.growths[name][rows] = values[name], growths[name]
     solution.condition[rows] = condition
@@ -142,49 +142,44 @@ def slopes(x: Any, y: Any) -> Any:
 
 def _find_roots(solution: Solution, rows: Rows) -> None:
     """Solve for one unknown in some rows, among all sizes that a scene takes where none is among the usual ones."""
-    ((unknown, values),) = solution.values.items()
-    failures = _scan(solution, rows, SIZES[unknown])
+    ((unknown,), problem) = solution.values, solution.problem.rows(rows)
+    values, failures = _scan(problem, len(rows), SIZES[unknown])
     lacking = [row for row, error in failures.items() if isinstance(error, NoSolution)]
     if lacking:
-        wider = _scan(solution, numpy.array(lacking), _WIDEST)
-        told = {row: error for row, error in wider.items() if isinstance(error, SeveralSolutions | Undetermined)}
-        failures = {row: error for row, error in (failures | told).items() if numpy.isnan(values[row])}
-    solution.failures.update(failures)
-
-
-def _scan(solution: Solution, rows: Rows, sizes: tuple[float, float]) -> dict[int, JkrollError]:
-    """Solve for one unknown between two sizes in some rows, and return why others have no solution there."""
-    ((unknown, values),), (level,) = solution.values.items(), solution.problem.levels.values()
-    levels, scan = numpy.broadcast_to(level, len(values)), _scanned(solution.problem, rows, sizes)
-    rows_of_roots, roots = scan.crossings(levels)
-    at_level = scan.rows[_are_level(scan.y, levels[scan.rows])]
-    firsts, first_points, first_at_level = (
-        numpy.searchsorted(column, [rows, rows + 1]) for column in (rows_of_roots, scan.rows, at_level)
-    )
-    is_root = (numpy.diff(firsts, axis=0)[0] == 1) & (numpy.diff(first_at_level, axis=0)[0] <= PER_DECADE)
-    values[rows[is_root]] = roots[firsts[0, is_root]]
-    failures: dict[int, JkrollError] = {}
-    for place in numpy.flatnonzero(~is_root).tolist():
-        row, points = int(rows[place]), slice(*first_points[:, place])
-        try:
-            problem, of_row = solution.problem.rows(row), roots[slice(*firsts[:, place])]
-            values[row] = _root(problem, sizes, scan.x[points], scan.y[points], of_row.tolist())
-        except NoResult as error:
-            failures[row] = error
-    solved = rows[~numpy.isnan(values[rows])]
-    roots = taken(unknown, values[solved])
-    factors = numpy.array([1 / (1 + _STEP), 1.0, 1 + _STEP])
-    y = scan.function(numpy.tile(solved, 3), numpy.outer(factors, roots).ravel()).reshape(3, -1)
+        values[lacking], wider = _scan(problem.rows(lacking), len(lacking), _WIDEST)
+        told = {lacking[row]: each for row, each in wider.items() if isinstance(each, SeveralSolutions | Undetermined)}
+        failures = {row: error for row, error in {**failures, **told}.items() if numpy.isnan(values[row])}
+    solution.failures.update((int(rows[row]), error) for row, error in failures.items())
+    solved = numpy.flatnonzero(~numpy.isnan(values))
+    roots, factors = taken(unknown, values[solved]), numpy.array([1 / (1 + _STEP), 1.0, 1 + _STEP])
+    y = outcomes(problem.rows(numpy.tile(solved, 3)), {unknown: numpy.outer(factors, roots).ravel()}).reshape(3, -1)
     with numpy.errstate(divide="ignore", invalid="ignore"):
         condition = abs(y[1] / slopes(numpy.log(factors), y))
-    _put(solution, solved, {unknown: roots}, condition, {unknown: condition})
-    return failures
+    _put(solution, rows[solved], {unknown: roots}, condition, {unknown: condition})
 
 
-def _scanned(problem: Problem, rows: Rows, sizes: tuple[float, float]) -> "Scan":
-    """Return the scan of the measured quantity against the unknown in some rows."""
+def _scan(problem: Problem, size: int, sizes: tuple[float, float]) -> tuple[Any, dict[int, JkrollError]]:
+    """Return the values of one unknown between two sizes, nan in rows without a solution, and the reasons of these."""
+    (level,) = problem.levels.values()
+    levels, scan = numpy.full(size, level, dtype=float), _scanned(problem, size, sizes)
+    rows, roots = scan.crossings(levels)
+    at_level = scan.rows[_are_level(scan.y, levels[scan.rows])]
+    is_plain = (numpy.bincount(rows, minlength=size) == 1) & (numpy.bincount(at_level, minlength=size) <= PER_DECADE)
+    values, failures = numpy.full(size, nan), dict[int, JkrollError]()
+    values[rows[is_plain[rows]]] = roots[is_plain[rows]]
+    for row in numpy.flatnonzero(~is_plain).tolist():
+        points = slice(*numpy.searchsorted(scan.rows, [row, row + 1]))
+        try:
+            values[row] = _root(problem.rows(row), sizes, scan.x[points], scan.y[points], roots[rows == row].tolist())
+        except NoResult as error:
+            failures[row] = error
+    return values, failures
+
+
+def _scanned(problem: Problem, size: int, sizes: tuple[float, float]) -> "Scan":
+    """Return the scan of the measured quantity against the unknown."""
     (unknown,) = problem.unknowns
-    return Scan(lambda rows, x: outcomes(problem.rows(rows), {unknown: x})[0], grid(unknown, sizes), rows)
+    return Scan(lambda rows, x: outcomes(problem.rows(rows), {unknown: x})[0], grid(unknown, sizes), size)
 
 
 def _are_level(y: Any, level: Any) -> Any:
@@ -224,10 +219,10 @@ class Scan:
     each point; y is nan in gaps.
     """
 
-    def __init__(self, function: Callable[[Rows, Any], Any], x: Any, rows: Rows) -> None:
-        """`function`: of rows and a value in each; `x`: values that are scanned in each of the rows, all in order."""
+    def __init__(self, function: Callable[[Rows, Any], Any], x: Any, size: int) -> None:
+        """`function`: of rows and a value in each; `x`: values that are scanned in each of `size` rows, in order."""
         self.function = function
-        self.rows, self.x = numpy.repeat(rows, len(x)), numpy.tile(x, len(rows))
+        self.rows, self.x = numpy.repeat(numpy.arange(size), len(x)), numpy.tile(x, size)
         self.y = function(self.rows, self.x)
         self._add_ends()
         self._add_extremes()
@@ -299,26 +294,24 @@ def bisected(inside: Any, outside: Any, is_inside: Callable[[Any], Any]) -> tupl
 # --- Two unknowns -----------------------------------------------------------------------------------------------------
 
 
-def _find_pairs(solution: Solution, near: Values | None) -> None:
-    """Solve for two unknowns in each row, or note why there is no solution.
-
-    `near`: values from which Newton's method starts first; rows in which they are nan are left out.
-    """
+def _find_pairs(solution: Solution, near: Any) -> None:
+    """Solve for two unknowns in each row. `near`: places from which Newton's method starts; rows with nan are left."""
     problem, rows = solution.problem, numpy.arange(len(solution.condition))
     if near is not None:
-        rows = numpy.flatnonzero(~numpy.isnan([*near.values()]).any(axis=0))
+        rows = numpy.flatnonzero(numpy.isfinite(near).all(axis=0))
         pairs = Pairs(problem.rows(rows), len(rows))
-        places, distance = pairs.improved(pairs.places({name: values[rows] for name, values in near.items()}))
-        values, condition, growths = pairs.measures(places)
-        _put(solution, rows, values, condition, growths)
-        rows = rows[(distance == inf) | ~(condition <= MAX_CONDITION)]
+        places, distance = pairs.improved(near[:, rows])
+        _put(solution, rows, *pairs.measures(places))
+        rows = rows[(distance == inf) | ~(solution.condition[rows] <= MAX_CONDITION)]
     for row in rows.tolist():
         pairs = Pairs(problem.rows(row))
         try:
-            _put(solution, [row], *pairs.measures(pairs.pair()))
+            solution.places[:, [row]] = pairs.pair()
+            _put(solution, [row], *pairs.measures(solution.places[:, [row]]))
         except NoResult as error:
             solution.failures[row] = error
-            _put(solution, [row], *(dict.fromkeys(problem.unknowns, nan), nan, dict.fromkeys(problem.unknowns, nan)))
+            unknown = dict.fromkeys(problem.unknowns, nan)
+            _put(solution, [row], unknown, nan, unknown)
 
 
 class Pairs:
@@ -342,21 +335,11 @@ class Pairs:
         """Return the values of the unknowns at places."""
         values = dict(zip(self.problem.unknowns, numpy.exp(places), strict=True))
         if self.load is not None:
-            values["load"] = self._force(values) * numpy.expm1(places[self.load])
+            others = {name: taken(name, x) for name, x in values.items() if name != "load"}
+            unloaded = self.problem.with_values({**others, "load": 0.0}).numbers("pull_off_force")
+            force = unloaded.get("pull_off_force", SIZES["load"][0])  # the smallest that is scanned where there is none
+            values["load"] = force * numpy.expm1(places[self.load])
         return values
-
-    def places(self, values: Values) -> Any:
-        """Return the places at which the unknowns have some values; a load beyond pull-off counts as one next to it."""
-        places = {name: numpy.log(column) for name, column in values.items() if name != "load"}
-        if self.load is not None:
-            places["load"] = numpy.log1p(numpy.maximum(values["load"] / self._force(values), numpy.expm1(_LOADS[0])))
-        return numpy.array([places[name] for name in self.problem.unknowns])
-
-    def _force(self, values: Values) -> Any:
-        """Return the pull-off force; the smallest load that is scanned where there is none."""
-        others = {name: taken(name, x) for name, x in values.items() if name != "load"}
-        force = self.problem.with_values({**others, "load": 0.0}).numbers("pull_off_force")
-        return force.get("pull_off_force", SIZES["load"][0])
 
     def residuals(self, places: Any) -> Any:
         """Return by how much quantities are above their measured values."""
@@ -497,7 +480,7 @@ class Pairs:
         sought, other = sorted(self.problem.unknowns, key=lambda name: name not in depends)
         places, level = grid(other, SIZES[other]), self.problem.levels[first]
         problem = Problem((sought,), {first: level}, self.problem.with_values({other: places}))
-        scan = _scanned(problem, numpy.arange(len(places)), SIZES[sought])
+        scan = _scanned(problem, len(places), SIZES[sought])
         rows, roots = scan.crossings(numpy.full(len(places), level))
         heights = outcomes(self.problem, {sought: roots, other: places[rows]})
         return heights[[*self.problem.measured].index(second)]
