@@ -7,7 +7,7 @@ from functools import cached_property
 from math import isfinite
 from typing import Any
 
-from ..errors import NoResult
+from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
@@ -16,7 +16,7 @@ from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
-from ..scene.uncertainty import Bars, Sources, uncertainties_of_unknowns
+from ..scene.uncertainty import Bars, Sources, measures_of, uncertainties_of_unknowns
 from ..scene.unknowns import solution
 from ..text import listed
 from .answer import Answer
@@ -47,25 +47,16 @@ class Inferred(Answer):
         self.question = Question(problem.unknowns, problem.unknowns)
         try:
             self.solution = solution(problem)
-            self.scene = self.solution.scene
+            self.scene, measured = self.solution.scene, (*problem.measured,)
+            self.condition = self.solution.condition if len(problem.unknowns) > 1 else None
         except (NoResult, MissingInput) as error:
             self.failure = error
-            self.scene = problem.filled()
-        if self.solution is not None and len(problem.unknowns) > 1:
-            self.condition = self.solution.condition
-        self.laws = {}  # what is found under each law stands beside the results
-        measured = (*problem.measured,) if self.solution is not None else ()
+            self.scene, measured = problem.filled(), ()
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
-
-    @cached_property
-    def inputs(self) -> Mapping[str, float | str]:
-        """The inputs without the unknowns, and with the measured values."""
-        return {name: in_words(name, value) for name, value in self.problem.echo().items()}
-
-    @cached_property
-    def assumed(self) -> Mapping[str, str]:
-        """The assumptions about what was measured: none that was measured itself."""
-        return {name: text for name, text in self.forward.assumed.items() if name not in self.problem.measured}
+        self.inputs = {name: in_words(name, value) for name, value in problem.echo().items()}
+        self.laws = {}  # what is found under each law stands beside the results
+        self.displacement, self.validity = self.forward.displacement, self.forward.validity
+        self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
@@ -109,25 +100,14 @@ class Inferred(Answer):
         return solutions
 
     @cached_property
-    def displacement(self) -> Mapping[str, Any] | None:
-        """The worth of the assumed displacement for what was measured."""
-        return self.forward.displacement
-
-    @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
         """The values under the other laws, with their error bars."""
         return {law: self._measures(solution) for law, solution in self._by_law.items()}
 
     def _measures(self, solution: Solution) -> dict[str, Any]:
         """Return the values of a solution, with their error bars."""
-        bars, _ = self._bars(solution)
-        results = [Result(name, value, propagated=propagated_of(bars, name)) for name, value in solution.values.items()]
-        return {result.name: result.measure for result in results}
-
-    @cached_property
-    def validity(self) -> tuple[Doubt, ...]:
-        """The limits of the model for what was measured."""
-        return self.forward.validity
+        measures = measures_of(self._bars(solution)[0]).items()
+        return {**solution.values, **{name: bar for name, bar in measures if not isinstance(bar, JkrollError)}}
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit; where the law is not exact, the values by Maugis' law."""

@@ -22,13 +22,12 @@ def run_infer(call: Call) -> int:
     names = _names(call.subject)
     if call.alternatives:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
-    if tables := [word for word in call.words if is_table(word)]:
-        if len(names) > 1:
-            remedy = "write the rows as lists (1nm,2nm) or ranges (1nm:1um:5)"
-            raise BadRequest(f"infer reads no tables, and batch infers one input only; {remedy}")
+    for word in filter(is_table, call.words):
         quantity = (call.measured[0] if call.measured else "QUANTITY").partition("=")[0]
-        line = f"jkroll batch {tables[0]} --infer {call.subject} --measured {quantity}"
-        raise BadRequest(f"infer reads no tables; write {line}")
+        remedy = f"write jkroll batch {word} --infer {call.subject} --measured {quantity}"
+        if len(names) > 1:
+            remedy = "and batch infers one input only; write the rows as lists (1nm,2nm) or ranges (1nm:1um:5)"
+        raise BadRequest(f"infer reads no tables{',' if len(names) > 1 else ';'} {remedy}")
     measured = _measured(call.measured, names)
     check_format(call)
     form = call.form(names)

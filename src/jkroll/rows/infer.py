@@ -20,7 +20,7 @@ from ..scene.uncertainty import measures_of, sources_of_results, uncertainties_o
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
 from .columns import Columns, OddRow, Row, Wanted, fill_sides, left_out, repeated
-from .reasons import ROW, UNCERTAINTY, Reasons
+from .reasons import UNCERTAINTY
 from .sweep import Sweep
 
 _WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
@@ -46,7 +46,7 @@ class Unknowns(Wanted):
         try:
             solved = solution(scene)
         except (MissingInput, NoResult) as error:
-            return Row(inputs, [nan] * len(self.keys), 0, self._reasons(error))
+            return Row(inputs, [nan] * len(self.keys), 0, dict.fromkeys(self.names, error))
         numbers, reasons = dict(solved.values), dict[str, JkrollError]()
         if sources is not None:
             if (remark := left_out(self, scene, sources)) is not None:
@@ -65,7 +65,7 @@ class Unknowns(Wanted):
         solved, inputs, sources = solutions(scene, size), scene.echo(), self.sources_in(scene)
         of_rows = {name: repeated(inputs.get(name), size) for name in self.inputs}
         columns = Columns(self, of_rows, numpy.full((len(self.keys), size), nan), numpy.zeros(size, dtype=numpy.int64))
-        columns.reasons = {row: self._reasons(error) for row, error in solved.failures.items()}
+        columns.reasons = {row: dict.fromkeys(self.names, error) for row, error in solved.failures.items()}
         for name, values in solved.values.items():
             columns.column(name)[...] = values
         if self.doubts and len(solved.failures) < size:
@@ -79,11 +79,6 @@ class Unknowns(Wanted):
             else:
                 again = columns.put_sides(measures_of(uncertainties_of_unknowns(solved)[0]))
         return columns, again
-
-    def _reasons(self, error: JkrollError) -> Reasons:
-        """Return the reason of a row without a solution: of each unknown, or of both together."""
-        is_of_both = len(self.names) > 1 and isinstance(error, NoResult)
-        return dict.fromkeys([ROW] if is_of_both else self.names, error)
 
 
 class Problems(Sweep):
