@@ -63,8 +63,7 @@ class Inferred(Answer):
         """The values of the unknowns, with their uncertainties."""
         if self.solution is None:
             assert self.failure is not None
-            reason = reason_of(",".join(self.problem.unknowns), self.failure)
-            return tuple(Result(name, None, reason) for name in self.problem.unknowns)
+            return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
         growths = {name: growth if isfinite(growth) else None for name, growth in self.solution.growths.items()}
         is_one = len(growths) == 1  # the growth of errors is then the condition
         return tuple(

@@ -215,7 +215,7 @@ def written_outcome(name: str, outcome: Any) -> Any:
 
 def reason_of(name: str, error: JkrollError) -> str:
     """Return why a quantity has no value, without its name."""
-    if isinstance(error, MissingInput) or (isinstance(error, NoResult) and error.name == name):
+    if isinstance(error, MissingInput) or (isinstance(error, NoResult) and name in error.name.split(",")):
         return error.reason()
     return str(error)
 
