@@ -166,6 +166,12 @@ class Material(NamedTuple):
         """The file and the name, by which a material is the same, whatever became of its properties in a scene."""
         return self.path, self.name
 
+    @property
+    def measures(self) -> dict[str, "float | Uncertain"]:
+        """The properties with their error bars, and the yield displacement as it was measured."""
+        displacement = {} if self.displacement is None else {XI: self.displacement.measured}
+        return {**self.properties, **self.uncertainties, **displacement}
+
     def with_properties(self, values: Mapping[str, Any]) -> "Material":
         """Return the material with other values of properties, which are not its data; None takes one away."""
         properties = {name: value for name, value in {**self.properties, **values}.items() if value is not None}

@@ -9,7 +9,6 @@ from ..materials.library import ORIGIN, Material
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, header
-from ..quantities.values import Uncertain
 from ..rows.columns import Wanted
 from ..scene.limits import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
@@ -38,7 +37,8 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
     elif kind == "table":
         _write_list(chosen, out)
     else:
-        columns = Wanted(PROPERTIES, sides={name: _sides_of(name, chosen) for name in PROPERTIES})
+        sides = {name: {side for each in chosen for side in _sides_of(name, each)} for name in PROPERTIES}
+        columns = Wanted(PROPERTIES, sides=sides)
         records = (_material_row(material, columns.sides) for material in chosen)
         write_records(["material", *columns.heads(header), "state", "references", "source"], records, kind, out)
 
@@ -49,7 +49,7 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
     from .table import Column, input_column, write_table
 
     values = (
-        input_column(name, [_known(material, name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
+        input_column(name, [material.measures.get(name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
         for name in PROPERTIES
     )
     write_table([Column("material", [material.name for material in chosen], is_right=False)], [*values], out)
@@ -60,9 +60,8 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of materials by sets: the surface energy of each, and how it was found."""
     from .table import input_column, write_texts
 
-    head, energies, *_ = input_column(
-        "surface_energy", [_known(one, "surface_energy") for one in chosen], AS_USUAL, "γ"
-    )
+    measures = [material.measures.get("surface_energy") for material in chosen]
+    head, energies, *_ = input_column("surface_energy", measures, AS_USUAL, "γ")
     rows: dict[str, list[tuple[str, str, str]]] = {}
     without: dict[str, list[str]] = {}
     for material, energy in zip(chosen, energies, strict=True):
@@ -81,11 +80,6 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
 _OF_ONE = "in full: jkroll materials NAME"
 
 
-def _known(material: Material, name: str) -> float | Uncertain | None:
-    """Return a property with its uncertainty if it has one, and None if the material does not have the property."""
-    return material.uncertainties.get(name, material.properties.get(name))
-
-
 def _how(material: Material) -> str:
     """Return the first words of the method by which a surface energy was found; without a method, the references."""
     if "surface_energy" in material.origins:
@@ -99,15 +93,17 @@ def _keys(material: Material) -> str:
 
 def material_as_object(material: Material) -> dict[str, Any]:
     """Return the JSON object of a material; a property that it lacks is null, and a displacement left out."""
-    found = material.displacement
-    measured = (
-        {} if found is None else {XI: {"radius": found.radius, "value": found.measured.value, **found.measured.sides}}
+    measured = material.displacement
+    displacement = (
+        {}
+        if measured is None
+        else {XI: {"radius": measured.radius, "value": measured.measured.value, **measured.measured.sides}}
     )
     return {
         "name": material.name,
         "aliases": list(material.aliases),
         **{name: _in_words(material, name) for name in PROPERTIES},
-        **measured,
+        **displacement,
         "state": material.state,
         "uncertainties": {name: found.as_object() for name, found in material.uncertainties.items()},
         "origins": {name: {**dict.fromkeys(ORIGIN, ""), **origin} for name, origin in material.origins.items()},
@@ -122,16 +118,15 @@ def _in_words(material: Material, name: str) -> float | str | None:
     return in_words(name, material.properties[name]) if name in material.properties else None
 
 
-def _sides_of(name: str, materials: Sequence[Material]) -> set[str]:
-    """Return the sides of the uncertainty of a property that some materials have."""
-    return {side for one in materials if name in one.uncertainties for side in one.uncertainties[name].sides}
+def _sides_of(name: str, material: Material) -> Mapping[str, float]:
+    """Return the numbers of the uncertainty of a property by side; none if it has no uncertainty."""
+    return material.uncertainties[name].sides if name in material.uncertainties else {}
 
 
 def _material_row(material: Material, sides: Mapping[str, Sequence[str]]) -> list[Cell]:
     values: list[Cell] = []
     for name in PROPERTIES:
-        own = material.uncertainties[name].sides if name in material.uncertainties else {}
-        values += [_in_words(material, name), *map(own.get, sides[name])]
+        values += [_in_words(material, name), *map(_sides_of(name, material).get, sides[name])]
     return [material.name, *values, material.state or None, _keys(material) or None, material.title]
 
 
@@ -140,10 +135,7 @@ def _write_lines(material: Material, out: TextIO) -> None:
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
-    values = {name: _known(material, name) for name in material.properties}
-    if material.displacement is not None:
-        values[XI] = material.displacement.measured
-    for name, value in values.items():
+    for name, value in material.measures.items():
         write_measure(name, {name: value}, out, AS_USUAL)
         for field, text in material.origins.get(name, {}).items():
             say(f"{name}.{field} {text}", out)
@@ -153,11 +145,11 @@ def _write_material(material: Material, out: TextIO) -> None:
     """Write the properties of a material with its state, aliases, origins, notes and references."""
     aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
     facts = [("state", material.state)]
-    for name in (*PROPERTIES, *([] if material.displacement is None else [XI])):
-        facts += [
-            (name, _stated(material, name)),
-            *((f"  {field}", text) for field, text in material.origins.get(name, {}).items()),
-        ]
+    for name, measure in {**dict.fromkeys(PROPERTIES), **material.measures}.items():
+        text = f"none in {material.title}" if measure is None else amount(name, measure)
+        if name == XI and material.displacement is not None:
+            text += f", spheres of {amount('radius', material.displacement.radius)}"
+        facts += [(name, text), *((f"  {field}", text) for field, text in material.origins.get(name, {}).items())]
     for name, note in material.notes.items():
         about = NOMENCLATURE[name].sentence if name in NOMENCLATURE else name
         facts.append(("note", f"{about}: {note}"))
@@ -178,18 +170,6 @@ def _write_sheet(title: str, facts: Iterable[tuple[str, str]], out: TextIO) -> N
 
 _INDENT = 16  # of the texts of a sheet
 _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint", "doi", "url", "note")
-
-
-def _stated(material: Material, name: str) -> str:
-    """Return a property with its uncertainty, if it has one, and its unit."""
-    if name == XI and material.displacement is not None:
-        return (
-            f"{amount(name, material.displacement.measured)}, spheres of "
-            f"{amount('radius', material.displacement.radius)}"
-        )
-    if name not in material.properties:
-        return f"none in {material.title}"
-    return amount(name, material.uncertainties.get(name) or in_words(name, material.properties[name]))
 
 
 # --- Quantities -------------------------------------------------------------------------------------------------------

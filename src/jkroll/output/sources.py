@@ -16,7 +16,7 @@ from ..answers.results import Result
 from ..errors import BadRequest, JkrollError
 from ..materials.library import data_of
 from ..physics.accuracy import accuracy_of
-from ..quantities.formatting import Format, amount, in_words
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import NOMENCLATURE
@@ -143,8 +143,8 @@ def _found(result: Result, form: Format) -> list[str]:
 
 def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     """Return a line with the symbol and value of an input or a step, and a remark beside it."""
-    shown = scene.uncertainty_of(name) or in_words(name, scene.values[name])
-    value = f"{NOMENCLATURE[name].symbol} = {amount(name, shown, form)}"
+    measure = scene.uncertainty_of(name) or scene.values[name]
+    value = f"{NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
     return f"    {value:22} {remark}"
 
 

@@ -49,12 +49,13 @@ class Format(NamedTuple):
 
     def rounded(self, name: str, value: "float | str | Uncertain") -> tuple[str, str]:
         """Return a value, with its uncertainty if it has one, and its unit, rounded and with a suitable prefix."""
-        if isinstance(value, str):
-            return value, ""
         if isinstance(value, tuple):
             si = NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ())
             unit = self.common_unit(name, [value]) or si
             return self.in_unit(value, unit), unit[0]
+        value = in_words(name, value)
+        if isinstance(value, str):
+            return value, ""
         digits = self.digits or DIGITS
         if name in self.units:
             return significant(convert(value, self.units[name][1]), digits), self.units[name][0]
