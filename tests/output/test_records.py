@@ -8,8 +8,7 @@ from collections.abc import Sequence
 import pytest
 
 from harness import Stream
-from jkroll.output.records import Cell, write_records
-from jkroll.output.writers import Lines
+from jkroll.output.writers import Cell, Lines, write_records
 
 HEADS = ("name", "value [N]")
 RECORDS: Sequence[Sequence[Cell]] = (("iron, γ = 3", 1.2345678901234567e-08), ("[gold]", None))

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, TextIO
 import numpy
 
 from .. import __version__
-from ..output.records import Cell, write_records
+from ..output.writers import Cell, write_records
 from ..physics.contact import pull_off_force
 from ..physics.jkr import FOLD_APPROACH
 from ..physics.pair import reduced_radius

@@ -11,8 +11,8 @@ from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..output import notes as note_lines
+from ..output.answered import write_json, write_plain
 from ..output.files import text_output
-from ..output.records import write_json, write_plain
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.sweep import Sweep

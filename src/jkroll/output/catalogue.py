@@ -13,9 +13,10 @@ from ..rows.columns import Wanted
 from ..scene.limits import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
 from ..text import first_of, json_text, say, say_wrapped
+from .answered import write_measure
 from .manual import has_words, without_variants, words_of
-from .records import Cell, write_measure, write_records
 from .sources import bibtex, docstring_fields
+from .writers import Cell, write_records
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named: bool) -> None:

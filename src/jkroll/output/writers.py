@@ -9,14 +9,14 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from math import isnan
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, TextIO
 
-from ..quantities.formatting import Format, in_words
+from ..quantities.formatting import Format, in_words, pretty
 from ..quantities.nomenclature import INFINITY, header
 from ..quantities.values import middle
 from ..rows.columns import DOUBT, Columns, Wanted, as_list, remarks_of
 from ..scene.limits import codes
-from ..text import spelled
+from ..text import fitting, json_text, say, spelled
 
 STRIP = 128  # rows written at once: their text stays in the cache
 
@@ -233,3 +233,36 @@ def _codes(columns: Columns) -> list[str | None]:
     every = as_list(columns.doubts)
     texts = {bits: codes(bits) or None for bits in {*every}}
     return [texts[bits] for bits in every]
+
+
+# --- Records ----------------------------------------------------------------------------------------------------------
+
+Cell = str | float | None
+
+
+def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind: str, out: TextIO) -> None:
+    """Write records in a format: "table", "plain", "csv" or "json".
+
+    A cell without a value is None. It is written as "—", "-", an empty cell or null.
+    """
+    if kind == "json":
+        say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
+    elif kind == "table":
+        from .table import write_texts
+
+        write_texts(heads, [[*map(_text, record)] for record in records], out)
+    else:
+        write_columns(heads, [list(column) for column in zip(*records, strict=True)], kind, out)
+
+
+def write_columns(heads: Sequence[str], columns: Sequence[Any], kind: str, out: TextIO) -> None:
+    """Write columns as text in a format whose rows are lines."""
+    writer = WRITERS[kind]
+    text = writer.header(heads) + (writer.rows(heads, columns) if columns else b"")
+    out.write(fitting(text.decode(), out))
+
+
+def _text(cell: Cell) -> str:
+    if cell is None:
+        return "—"
+    return pretty(spelled(cell) if isinstance(cell, float) else str(cell))
