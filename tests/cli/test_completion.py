@@ -88,8 +88,7 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
     ("line", "candidates"),
     [
         ("jkroll figure 3", ["3a", "3b", "3c", "3d"]),
-        ("jkroll figure 3a --mark quartz@1m", ["quartz@1mm", "quartz@1m"]),
-        ("jkroll figure 3a --mark quar", ["quartz@"]),
+        ("jkroll figure 3a --mark quar", ["quartz"]),
         ("jkroll guide mo", ["models"]),
         ("jkroll export lam", ["lammps"]),
         ("jkroll quantities r_", ["r_min", "r_min_over_radius"]),

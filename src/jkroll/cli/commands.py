@@ -194,11 +194,11 @@ def input_options(quantities: tuple[str, ...], *, any_input: bool = False) -> tu
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
-    from ..quantities.laws import LAWS
-    from ..scene.wiring import depends_on, has_law
+    from ..quantities.laws import LAWS, differs
+    from ..scene.wiring import depends_on
 
     depends = depends_on(quantities, LAWS)
-    if any(map(has_law, quantities)):
+    if any(map(differs, depends_on(quantities))):
         depends |= {"model"}
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if any_input or name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN, *_HIDDEN_WHERE_USED}

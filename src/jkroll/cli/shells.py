@@ -7,6 +7,7 @@ reader.
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
+from importlib import import_module
 from typing import Any
 
 import typer
@@ -176,14 +177,6 @@ def _materials(begun: str) -> Iterable[str]:
     return [head + comma + name for name in names or materials.aliases if name.startswith(word)]
 
 
-def _marks(begun: str) -> Iterable[str]:
-    """Return materials, and radii after an @."""
-    head, at, radius = begun.rpartition("@")
-    if at:
-        return [f"{head}@{text}" for text in _amounts("radius", radius)]
-    return [f"{name}@" for name in _materials(begun) if name.rpartition(",")[2] != "all"]
-
-
 def _results() -> list[str]:
     """Return the quantities that a formula gives, without variants and without what is only an input."""
     return [
@@ -200,18 +193,10 @@ def _inputs() -> list[str]:
     return [*SIZES, *(word for word, name in OPTION_WORDS.items() if name in SIZES)]
 
 
-def _figures() -> Iterable[str]:
-    """Return the figures that can be drawn."""
-    from ..pictures.figures import FIGURE_NAMES
-
-    return FIGURE_NAMES
-
-
-def _programs() -> Iterable[str]:
-    """Return the programs that contacts are exported to."""
-    from ..output.exports import PROGRAMS
-
-    return PROGRAMS
+def _named(module: str, constant: str) -> Iterable[str]:
+    """Return the names that a constant of a module has, which is imported for them alone."""
+    names: Iterable[str] = getattr(import_module(f"..{module}", __package__), constant)
+    return names
 
 
 def _axes() -> list[str]:
@@ -221,15 +206,15 @@ def _axes() -> list[str]:
 
 # By the kind of a word, or the name of an option.
 _CANDIDATES: Mapping[str, Completer] = {
-    "FIGURE": lambda _: _figures(),
+    "FIGURE": lambda _: _named("pictures.figures", "FIGURE_NAMES"),
     "INPUT": partial(_listed, _inputs),
     "MATERIAL": _materials,
     "NAME": lambda _: NOMENCLATURE,
-    "PROGRAM": lambda _: _programs(),
+    "PROGRAM": lambda _: _named("output.exports", "PROGRAMS"),
     "QUANTITY": lambda _: _results(),
     "RADIUS": lambda begun: _amounts("radius", begun) if begun else (),
     "TOPIC": lambda _: topics(),
-    "mark": _marks,
+    "mark": _materials,
     "material": _materials,
     "material2": _materials,
     "measured": lambda _: [f"{name}=" for name in _results()],
