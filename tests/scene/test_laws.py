@@ -24,7 +24,7 @@ from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.physics import jkr
 from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
-from jkroll.scene.alternatives import factor_of_law
+from jkroll.scene.alternatives import at_half_spacing, at_other_reading, by_law, factor_of_law
 from jkroll.scene.failures import Failure, NotInLaw
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import plan_for
@@ -348,6 +348,23 @@ def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.Monkey
     for name, values in solve(names, **given).items():
         assert numpy.shape(values) == numpy.shape(whole[name])
         assert numpy.array_equal(values, whole[name]), name
+
+
+def test_arrays_that_are_the_same_under_both_laws_are_evaluated_once() -> None:
+    """Each value of an alternative is that of the scene made anew, also where a load is beyond pull-off."""
+    radii = numpy.geomspace(2e-8, 2e-6, 20)
+    given = {"surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17, "density": 2650.0}
+    scene = Scene({**given, "radius": radii, "load": -1e-8})
+    names = ["mass", "pull_off_force", "yield_moment", "n_grav", "stiffness", "rolling_frequency"]
+    scene.evaluate(names)
+    other, reading = by_law(scene), at_other_reading(scene)
+    assert reading is not None
+    assert other["mass"] is scene["mass"]
+    for alternative in (other, reading, at_half_spacing(other)):
+        anew = Scene(alternative.stated, model="maugis").evaluate(names)
+        assert numpy.isnan(anew["yield_moment"]).any()
+        for name, values in alternative.evaluate(names).items():
+            assert numpy.array_equal(values, anew[name], equal_nan=True), name
 
 
 def test_a_law_without_states_of_its_own_has_them_by_load(monkeypatch: pytest.MonkeyPatch) -> None:

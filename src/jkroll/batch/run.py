@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from .workers import Worker
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
-ALONE = 8  # blocks that this process converts before it starts others
+ALONE = 4  # blocks that this process converts before it starts others
 WAIT, PAUSE = 0.5, 0.1  # seconds before progress is shown, and between two times
 
 

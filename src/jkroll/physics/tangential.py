@@ -5,7 +5,8 @@ from __future__ import annotations
 from .dimensions import Angle, Energy, Force, Length, Moment, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import at_least, cbrt, cube, pi, sqrt, within
 
-_NEWTON_STEPS = 4
+_NEWTON_STEPS = 3
+_TINY = 1e-300  # in place of a root of 0
 
 
 def shear_strength(
@@ -183,19 +184,21 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
               area that is left.
     Valid:    As the peeling force. A contact that keeps its area slides at F_slide, which is larger.
     """
-    # With T = T_peel √(1 − c²), the area left is (1 + ec)^(2/3) times that of the peeled contact: c lies between 0 and
-    # 1.
+    # With T = T_peel √(1 − c²), the area left is g² times that of the peeled contact, g³ = 1 + ec: c lies between 0 and
+    # 1. The unknown t = (g − 1)/e needs no root, and loses no digits where e is small.
     e = 2 * load_margin / (1 + load_margin**2)
     ratio = at_least(peeling_over_sliding, 1.0)
     share, rest = 1 / ratio**2, (ratio - 1) / ratio * ((ratio + 1) / ratio)
-    h = 2 / 3 * share * e
-    c = rest / (h + sqrt(h**2 + rest) + (rest == 0))
-    for _ in range(_NEWTON_STEPS):  # from above, on a convex function
-        growth = 1 + e * c
-        root = cbrt(growth)
-        slope = 4 / 3 * share * e * root + 2 * c + (c == 0)  # where c is 0, it is the root
-        c = c - (share * growth * root - (1 - c) * (1 + c)) / slope
-    return peeling_force / ratio * cbrt(1 + e * c) ** 2
+    pull = share * e
+    h = 2 / 3 * pull
+    c = rest / at_least(h + sqrt(h**2 + (1 + e * h / 3) * rest), _TINY)
+    t = at_least(c / (3 + 0.85 * e * c), _TINY)
+    for _ in range(_NEWTON_STEPS):  # share (g⁴ − 1) + c² = rest
+        g = 1 + e * t
+        square = g * g
+        c = t * (1 + g + square)
+        t = t - (pull * t * (1 + g) * (1 + square) + c * c - rest) / (square * (4 * pull * g + 6 * c))
+    return peeling_force / ratio * (1 + e * t) ** 2
 
 
 def rolling_over_sliding(*, yield_force: Force, sliding_or_peeling_force: Force) -> Number:

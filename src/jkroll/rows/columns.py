@@ -4,6 +4,7 @@
 a gap that floats do not leave, or an uncertainty needs a search, the row is computed again by floats.
 """
 
+from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
@@ -27,7 +28,7 @@ from .reasons import ROW, UNCERTAINTY, Reasons, lack, status_of
 if TYPE_CHECKING:
     from ..scene.uncertainty import Sources
 
-BLOCK = 1 << 12  # rows computed together as arrays: many for the calls of numpy, few for the cache
+BLOCK = 1 << 13  # rows computed together as arrays: many for the calls of numpy, few for the cache
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 _BESIDE = 15  # cost of the rest of a row, in formulas
 _JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
@@ -263,6 +264,16 @@ class Columns:
         distinct = {id(reasons): reasons for reasons in self.reasons.values()}
         phrases = {number: status_of(reasons) for number, reasons in distinct.items()}
         return {row: phrases[id(reasons)] for row, reasons in self.reasons.items()}
+
+    @property
+    def counted_doubts(self) -> Counter[int]:
+        """The numbers of rows, by the bits of their doubts."""
+        if isinstance(self.doubts, list):
+            return Counter(self.doubts)
+        import numpy
+
+        distinct, counts = numpy.unique(self.doubts, return_counts=True)
+        return Counter(dict(zip(distinct.tolist(), counts.tolist(), strict=True)))
 
     @cached_property
     def failed(self) -> list[int]:

@@ -96,7 +96,6 @@ class Tally(NamedTuple):
     @classmethod
     def of(cls, columns: "Columns", named: Callable[[list[str]], str] | None = None) -> "Tally":
         """Return the counts of some rows; `named` as `reasons.worded` has it."""
-        doubts = columns.doubts if isinstance(columns.doubts, list) else columns.doubts.tolist()
         rows: dict[str, list[int]] = {}
         for row, status in sorted(columns.status.items()):
             rows.setdefault(status, []).append(row)
@@ -104,7 +103,7 @@ class Tally(NamedTuple):
             status: Gaps(len(places), places[0] + 1, worded(columns.reasons[places[0]], named))
             for status, places in rows.items()
         }
-        return cls(len(columns), len(columns.failed), gaps, Counter(doubts))
+        return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""

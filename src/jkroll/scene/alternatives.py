@@ -17,11 +17,12 @@ from .wiring import depends_on
 
 
 def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
-    """Return a function that makes an alternative of a scene once."""
+    """Return a function that makes an alternative of a scene once. What they have in common is evaluated once, too."""
 
     def alternative(scene: Scene) -> Scene:
         if make.__name__ not in scene.alternatives:
-            scene.alternatives[make.__name__] = make(scene)
+            scene.alternatives[make.__name__] = made = make(scene)
+            made.shared = scene.evaluated
         return scene.alternatives[make.__name__]
 
     return alternative
@@ -32,9 +33,8 @@ def by_law(scene: Scene) -> Scene:
     """Return the scene under the law between JKR and DMT, or for that under JKR, at its atomic spacing."""
     law = other_law(scene.law.name)
     spacing = scene.uncertain.get("atomic_spacing", scene["atomic_spacing"])
-    changed = routed_apart(scene.law.name, law, scene.known)
     given = {} if law == DEFAULT_LAW else {"atomic_spacing": spacing}
-    return scene.replace(model=law, **given).with_results_of(scene, changed)
+    return scene.replace(model=law, **given)
 
 
 @_kept
@@ -66,8 +66,9 @@ def at_other_reading(scene: Scene) -> Scene | None:
     is_known = (displacement >= LEAST) & (displacement <= MOST)
     where_none = own[XI] if is_at_displacement(scene) else DEFAULTS[XI]  # where there is no contact
     displacement = where(is_known, displacement, where_none)
-    changed = other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
-    return changed.with_results_of(other, IN_ITS_PLACE)
+    reading = other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
+    reading.shared = other.evaluated
+    return reading
 
 
 def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
@@ -158,13 +159,13 @@ def _measured(scene: Scene) -> Interval:
 @_kept
 def at_least_measured(scene: Scene) -> Scene:
     """Return the scene with the least displacement that forces on the same solid mean."""
-    return scene.replace(**{XI: _measured(scene).low}).with_results_of(scene, IN_ITS_PLACE)
+    return scene.replace(**{XI: _measured(scene).low})
 
 
 @_kept
 def at_most_measured(scene: Scene) -> Scene:
     """Return the scene with the largest displacement that forces on the same solid mean."""
-    return scene.replace(**{XI: _measured(scene).high}).with_results_of(scene, IN_ITS_PLACE)
+    return scene.replace(**{XI: _measured(scene).high})
 
 
 def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
@@ -204,7 +205,7 @@ def beside(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dic
     `names_of`: the quantities of each kind, of which those that a scene does not have are left out. An error stands for
     a quantity that has no value.
     """
-    law, found = by_law(scene).law.name, {}
+    law, found = other_law(scene.law.name), {}
     if law in names_of:
         found[law] = _with_bars(scene, names_of[law], by_law)
     solid = solid_of_kind(scene) if DATA in names_of else ""
@@ -265,9 +266,9 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     other = by_law(scene)
     missing = other.missing([*names])
     own = scene.numbers(*(name for name in names if name not in missing and uses_law(other, name)))
+    compared = [*other.evaluate([*own]).items()]
     rolled = rolling(own, BETWEEN)
     reading = at_other_reading(scene) if rolled else None
-    compared = [*other.evaluate([*own]).items()]
     if reading is not None:
         compared += reading.evaluate(rolled).items()
     if "pull_off_force" in own:

@@ -40,7 +40,7 @@ class Limit(NamedTuple):
 
     def level(self, number: Any) -> Any:
         """Return how many thresholds a number, or each element of an array, passes: the last of them has the code."""
-        return sum(1 * _COMPARISONS[self.sign](number, threshold) for threshold in self.codes)
+        return sum(_COMPARISONS[self.sign](number, threshold) for threshold in self.codes)
 
     def excess(self, number: Any) -> Any:
         """Return how far numbers are beyond the first threshold: ln of their ratio, or the distance from 0."""

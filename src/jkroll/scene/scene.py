@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property, reduce
 from math import isfinite, nan
 from operator import and_
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
@@ -151,6 +151,18 @@ OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
+class Evaluated(NamedTuple):
+    """A formula that was evaluated for arrays. Scenes that share it do not evaluate it again for the same arrays."""
+
+    arguments: Mapping[str, Any]
+    value: Any
+    has_gaps: bool  # whether some elements are no answer
+
+    def has_taken(self, arguments: Mapping[str, Any]) -> bool:
+        """Return whether these were the arguments: not equal ones, but the same objects."""
+        return all(self.arguments[name] is value for name, value in arguments.items())
+
+
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
@@ -207,6 +219,8 @@ class Scene:
         if self.is_rigid:
             self._failures |= {name: Failure(TWO_RIGID_BODIES) for name in _ON_AREA if name not in self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
+        self.evaluated: dict[str, Evaluated] = {}  # arrays alone: numbers cost less than to remember them
+        self.shared: Mapping[str, Evaluated] = {}  # of the scene in whose place this one may stand
         self._plan = NO_PLAN
         self.known = frozenset(self.values)
         self.alternatives: dict[
@@ -231,23 +245,6 @@ class Scene:
             spheres[sphere] = material.with_properties(changed)
         given = {name: value for name, value in stated.items() if value is not None}
         return Scene(given, *spheres.values(), model=model)
-
-    def with_results_of(self, other: "Scene", changed: Collection[str]) -> "Scene":
-        """Return the scene with the results of another one that do not follow from what is changed.
-
-        That is what an input or the law changes. Between laws most of the cost is the state of the contact, from which
-        no displacement follows.
-        """
-        changed = {*changed}
-        for name, _, arguments in other._plan.steps:
-            if name in changed or not changed.isdisjoint(source for _, source in arguments):
-                changed.add(name)
-            elif name in other.values:
-                self.values[name] = other.values[name]
-            elif name in other._failures:
-                self._failures[name] = other._failures[name]
-        self._gaps |= other._gaps - changed
-        return self
 
     @property
     def materials(self) -> list[tuple[Material, int]]:
@@ -459,6 +456,10 @@ class Scene:
             except KeyError:  # an argument that failed
                 failures[name] = next(failures[source] for _, source in arguments if source in failures)
                 continue
+            evaluated = self.shared.get(name)
+            if evaluated is not None and evaluated.has_taken(given):
+                self._take(name, evaluated)
+                continue
             try:
                 value = formula(**given)
             except (ArithmeticError, ValueError):
@@ -466,21 +467,27 @@ class Scene:
             if has_rigid_elements and name in _ON_AREA:
                 value = where(self._has_area, value, nan)
             if not isinstance(value, NUMBER):
-                values[name] = self._with_gaps(name, value, [source for _, source in arguments])
+                answers = self._answers(name, value, [source for _, source in arguments])
+                self._take(name, Evaluated(given, answers, has_gaps=answers is not value))
             elif SMALLEST <= value < INFINITY or is_answer(name, value):  # the first holds nearly always
                 values[name] = value
             else:
                 failures[name] = failure_of(name, given) or no_finite_value(name, value)
 
-    def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
+    def _take(self, name: str, evaluated: Evaluated) -> None:
+        """Take the result of a formula."""
+        self.evaluated[name] = evaluated
+        self.values[name] = evaluated.value
+        if evaluated.has_gaps:
+            self._gaps.add(name)
+
+    def _answers(self, name: str, value: Any, sources: Sequence[str]) -> Any:
         """Return an array with nan in place of elements that are no answer, or follow from one that is none."""
         found = with_nan(name, value, self.values.get("radius2"))
         for source in self._gaps.intersection(sources):  # which the formula may not have used
             import numpy
 
             found = numpy.where(numpy.isnan(self.values[source]), numpy.nan, found)
-        if found is not value:
-            self._gaps.add(name)
         return found
 
     @property
