@@ -173,7 +173,7 @@ class ExactScene:
 
     def is_right(self, name: str, value: Any, bound: float) -> bool:
         """Return whether a number is the exact one; or, where there is no number, whether there is none in doubles."""
-        source = self.plan.found[name]
+        source = self.plan.sources[name]
         exact_value = self.values[source]
         if not isinstance(value, float) or math.isnan(value):
             return source not in self.in_doubles
@@ -220,7 +220,7 @@ def test_scenes_at_the_corners_have_right_numbers(model: str, count: int) -> Non
             plan = scene.plan(*wanted)
             exact_scene, elements = ExactScene(scene.values, plan), _elements(scene.values, plan)
             for name in wanted:
-                for value in (numbers[name], elements[plan.found[name]]):
+                for value in (numbers[name], elements[plan.sources[name]]):
                     assert exact_scene.is_right(name, value, BOUND_OF_LAW[model]), (name, value, given)
                 answered += isinstance(numbers[name], float)
     assert answered > 60 * count

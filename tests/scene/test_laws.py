@@ -288,7 +288,7 @@ def test_no_result_of_a_law_comes_by_a_formula_of_jkr(model: str) -> None:
     by_jkr = {
         name: step.name
         for name, plan in plans.items()
-        if name in plan.found
+        if name in plan.sources
         for step in plan.steps
         if step.name in OF_JKR or re.search(r"Valid: +JKR(?! is)", step.formula.__doc__)
     }

@@ -26,7 +26,7 @@ def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
         values = {"energy_ratio": 1.0, **point}
         for step in plan.steps:
             values[step.name] = step.formula(**{parameter: values[name] for parameter, name in step.arguments})
-        return values[plan.found[quantity]]
+        return values[plan.sources[quantity]]
 
     return run
 

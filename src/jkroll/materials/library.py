@@ -133,15 +133,15 @@ class Displacement(NamedTuple):
     measured: Interval
     radius: float
 
-    def at(self, radius: Any) -> Interval:
+    def scaled(self, radius: Any) -> Interval:
         """Return the displacement of identical pairs of another radius.
 
         It is the range between its growth with the radius of the contact, as R^(2/3), and with that of the spheres.
         """
-        found = self.measured
         scale = radius / self.radius
         least, most = smaller_and_larger(scale, cbrt(scale) * cbrt(scale))
-        return Interval._make((found.value * sqrt(least * most), found.low * least, found.high * most, "range"))
+        value, low, high = self.measured.value, self.measured.low, self.measured.high
+        return Interval._make((value * sqrt(least * most), low * least, high * most, "range"))
 
 
 class Material(NamedTuple):

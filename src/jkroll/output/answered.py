@@ -25,12 +25,12 @@ def write_plain(answer: Answer, out: TextIO, form: Format, *, alternatives: bool
 
     `alternatives`: whether what may stand in its place has lines, too.
     """
-    beside = answer.beside if alternatives else {}
+    others = answer.beside if alternatives else {}
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
     for result in answer.results:
         measures = {result.name: result.measure}
-        measures |= {f"{result.name}_by_{kind}": values.get(result.name) for kind, values in beside.items()}
+        measures |= {f"{result.name}_by_{kind}": values.get(result.name) for kind, values in others.items()}
         write_measure(result.name, measures, out, form)
 
 
@@ -64,24 +64,24 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     """Return the JSON object of one scene."""
     from .. import __version__
 
-    found: dict[str, Any] = {"inputs": dict(answer.inputs)}
+    entry: dict[str, Any] = {"inputs": dict(answer.inputs)}
     if answer.uncertain:
-        found["uncertainties"] = {name: one.as_object() for name, one in answer.uncertain.items()}
-    found["results"] = [_result_object(result, answer, form) for result in answer.results]
+        entry["uncertainties"] = {name: bar.as_object() for name, bar in answer.uncertain.items()}
+    entry["results"] = [_result_object(result, answer, form) for result in answer.results]
     if answer.condition is not None:
-        found["condition"] = answer.condition
+        entry["condition"] = answer.condition
     if answer.laws:
-        found["laws"] = {
+        entry["laws"] = {
             other_law(answer.scene.law.name): {
                 name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()
             }
         }
     if answer.displacement is not None:
-        found["displacement"] = _displacement_object(answer.displacement, form)
-    found["validity"] = [_doubt_object(doubt, answer.about(doubt)) for doubt in answer.validity if doubt.error is None]
-    found["notes"] = [note.text for note in answer.notes]
-    found["version"] = __version__
-    return found
+        entry["displacement"] = _displacement_object(answer.displacement, form)
+    entry["validity"] = [_doubt_object(doubt, answer.about(doubt)) for doubt in answer.validity if doubt.error is None]
+    entry["notes"] = [note.text for note in answer.notes]
+    entry["version"] = __version__
+    return entry
 
 
 def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, Any]:
@@ -129,13 +129,13 @@ def _law_object(name: str, numbers: Mapping[str, Any], form: Format) -> dict[str
     return shown if bar is None else {**shown, "uncertainty": _bar_object(name, bar, form)}
 
 
-def _displacement_object(found: Mapping[str, Any], form: Format) -> dict[str, Any]:
+def _displacement_object(worth: Mapping[str, Any], form: Format) -> dict[str, Any]:
     """Return what the assumed displacement is worth, its values in their units."""
-    if "values" not in found:
-        return dict(found)
+    if "values" not in worth:
+        return dict(worth)
     return {
-        **found,
-        "values": {name: [form.number(name, end) for end in ends] for name, ends in found["values"].items()},
+        **worth,
+        "values": {name: [form.number(name, end) for end in ends] for name, ends in worth["values"].items()},
     }
 
 
@@ -178,47 +178,47 @@ class Answered:
     object of `--json`.
     """
 
-    def __init__(self, found: Answer) -> None:
-        self._found = found
+    def __init__(self, answer: Answer) -> None:
+        self._answer = answer
 
     @cached_property
     def values(self) -> Mapping[str, Result]:
         """The results by name, in SI units."""
-        return {result.name: result for result in self._found.results}
+        return {result.name: result for result in self._answer.results}
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str | Uncertain]:
         """The inputs on which the results depend, in SI units, with their error bars."""
-        return self._found.measures
+        return self._answer.measures
 
     @cached_property
     def doubts(self) -> tuple[Exceeded, ...]:
         """The limits of the model that do not hold, the one that is exceeded most first."""
         return tuple(
             Exceeded(
-                self._found.about(doubt),
+                self._answer.about(doubt),
                 doubt.code,
                 doubt.limit.name,
                 doubt.value,
                 doubt.threshold or 0.0,
                 doubt.factor,
             )
-            for doubt in self._found.exceeded
+            for doubt in self._answer.exceeded
         )
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, float | Uncertain | None]]:
         """The values that may stand in place of these: "maugis", by the law that holds, "data", by measured forces."""
-        return self._found.alternatives
+        return self._answer.alternatives
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
         """The other sentences: what was assumed, what the material's source says, what contradicts a result."""
-        return tuple(note.text for note in self._found.notes)
+        return tuple(note.text for note in self._answer.notes)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the object that the command prints with `--json`."""
-        return as_object(self._found, AS_USUAL)
+        return as_object(self._answer, AS_USUAL)
 
     def __getitem__(self, name: str) -> Result:
         """Return the result of a name, or of a symbol."""
@@ -233,7 +233,7 @@ class Answered:
 
     def __str__(self) -> str:
         values = [f"{name} = {value}" for name, value in self.values.items()]
-        doubts = [note.text for note in self._found.doubts()]
+        doubts = [note.text for note in self._answer.doubts()]
         return "\n".join([*values, *doubts, *self.notes])
 
 
@@ -279,10 +279,11 @@ def answer(
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
             raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays")
-    found = Answer(_question(wanted), Scene(described, *materials_of(material, material2, materials), model=model))
-    if found.failure is not None and found.has_no_headline:
-        raise found.failure
-    return Answered(found)
+    scene = Scene(described, *materials_of(material, material2, materials), model=model)
+    answered = Answer(_question(wanted), scene)
+    if answered.failure is not None and answered.has_no_headline:
+        raise answered.failure
+    return Answered(answered)
 
 
 def _question(wanted: str | Iterable[str]) -> Question:

@@ -106,7 +106,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
         **{name: _in_words(material, name) for name in PROPERTIES},
         **displacement,
         "state": material.state,
-        "uncertainties": {name: found.as_object() for name, found in material.uncertainties.items()},
+        "uncertainties": {name: bar.as_object() for name, bar in material.uncertainties.items()},
         "origins": {name: {**dict.fromkeys(ORIGIN, ""), **origin} for name, origin in material.origins.items()},
         "notes": dict(material.notes),
         "references": [dict(entry) for entry in material.references],
@@ -267,11 +267,11 @@ def _groups() -> dict[str, list[str]]:
         "further": NOMENCLATURE,
     }
     left = without_variants(list(NOMENCLATURE))
-    found = {}
+    shown = {}
     for title, members in groups.items():
-        found[title] = [name for name in left if name in members]
+        shown[title] = [name for name in left if name in members]
         left = [name for name in left if name not in members]
-    return {title: members for title, members in found.items() if members}
+    return {title: members for title, members in shown.items() if members}
 
 
 def _write_quantity(name: str, out: TextIO) -> None:

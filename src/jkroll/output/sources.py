@@ -119,11 +119,11 @@ def _readings(result: Result, answer: Answer, form: Format) -> list[str]:
 
 def _found(result: Result, form: Format) -> list[str]:
     """Return the lines with the value of a result, the shares of its uncertainty, and what an inferred one has."""
-    found, shown = result.propagated, result.measure
-    assert shown is not None
-    lines = [f"  result    {NOMENCLATURE[result.name].symbol} = {amount(result.name, shown, form)}"]
-    if found is not None:
-        shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in found.shares.items())
+    bar, measure = result.propagated, result.measure
+    assert measure is not None
+    lines = [f"  result    {NOMENCLATURE[result.name].symbol} = {amount(result.name, measure, form)}"]
+    if bar is not None:
+        shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in bar.shares.items())
         lines.append(f"  shares    {shares}")
     if result.condition is not None:
         lines.append(
@@ -174,7 +174,7 @@ def _power(scene: Scene, name: str, given: str) -> str:
     value, base = scene.values[given], NOMENCLATURE[given].symbol
     if not isinstance(value, float) or not isfinite(value) or value == 0:
         return ""
-    exponent = logarithmic_slope(lambda beside: scene.replace(**{given: beside})[name], value)
+    exponent = logarithmic_slope(lambda changed: scene.replace(**{given: changed})[name], value)
     text = _fraction_or_number(exponent) if isfinite(exponent) else "?"
     if text == "0":
         return ""

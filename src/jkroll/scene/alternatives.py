@@ -149,11 +149,11 @@ def displacements_where_measured(scene: Scene) -> tuple[float, float]:
 
 def _measured(scene: Scene) -> Interval:
     """Return the measured displacement of a solid, scaled to the radii of a scene."""
-    found = _OF_POLYSTYRENE
+    displacement = _OF_POLYSTYRENE
     if scene.material is not None and SIO2 in scene.material.aliases:
         low, high = displacements_where_measured(scene)
-        found = Displacement(Interval._make(((low + high) / 2, low, high, "range")), ROLLED["radius"])
-    return found.at(2 * scene["reduced_radius"])
+        displacement = Displacement(Interval._make(((low + high) / 2, low, high, "range")), ROLLED["radius"])
+    return displacement.scaled(2 * scene["reduced_radius"])
 
 
 @_kept
@@ -254,7 +254,7 @@ def _between(one: Any, other: Any, is_near: Any) -> Any:
 def uses_law(scene: Scene, name: str) -> bool:
     """Return whether a quantity of a scene rests on a formula that JKR does not have."""
     plan, apart = scene.plan(name), routed_apart(scene.law.name, DEFAULT_LAW, scene.known)
-    return plan.found[name] in apart or any(source in apart for step in plan.steps for _, source in step.arguments)
+    return plan.sources[name] in apart or any(source in apart for step in plan.steps for _, source in step.arguments)
 
 
 def factor_of_law(scene: Scene, names: Collection[str]) -> Any:

@@ -195,8 +195,8 @@ class Scene:
         self.stated_model = None if model is None else self.law.name
         _check_exclusive(given)
         self.material, self.material2 = material, material2
-        self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
-        self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
+        self.uncertain: dict[str, Uncertain] = {name: value for name, value in given.items() if is_uncertain(value)}
+        self.stated = {**given, **{name: value.value for name, value in self.uncertain.items()}}
         self.given: dict[str, Any] = {
             of_sphere(sphere, name): value
             for solid, sphere in self.materials
@@ -264,18 +264,20 @@ class Scene:
         is_of_two = self.material2 is not None and self.material2.key != material.key
         if is_of_two or not self.stated.keys().isdisjoint(_OTHER_DISPLACEMENT):
             return None
-        return material.displacement.at(2 * reduced_radius(radius=radius, radius2=self.given.get("radius2", radius)))
+        return material.displacement.scaled(
+            2 * reduced_radius(radius=radius, radius2=self.given.get("radius2", radius))
+        )
 
     @cached_property
     def data(self) -> Mapping[str, tuple[Material, str]]:
         """The inputs that are data of a material, each with this material and its property."""
-        found = {
+        data = {
             given: (material, name)
             for material, sphere in self.materials
             for name in material.properties
             if (given := of_sphere(sphere, name)) not in self.stated and name not in material.replaced
         }
-        return found if self.displacement is None or self.material is None else {**found, XI: (self.material, XI)}
+        return data if self.displacement is None or self.material is None else {**data, XI: (self.material, XI)}
 
     @property
     def is_uncertain(self) -> bool:
@@ -314,10 +316,10 @@ class Scene:
 
     def plan(self, *wanted: str) -> Plan:
         """Return the formulas that lead to the wanted quantities; raise MissingInput if the scene allows none."""
-        found = self._plan_for(wanted)
-        for name, missing in found.missing.items():
+        plan = self._plan_for(wanted)
+        for name, missing in plan.missing.items():
             raise self._missing_input(name, missing)
-        return found
+        return plan
 
     def _plan_for(self, wanted: Sequence[str]) -> Plan:
         return plan_for(tuple(wanted), self.known, self.material2 is not None, self.law.name)
@@ -325,7 +327,7 @@ class Scene:
     def _grown_plan(self, wanted: Sequence[str]) -> Plan:
         """Return the plan of this scene, which grows by these quantities if it does not have them."""
         if not self._plan.knows(wanted):
-            names = (*self._plan.found, *self._plan.missing, *wanted)
+            names = (*self._plan.sources, *self._plan.missing, *wanted)
             self._plan = self._plan_for(names)
         return self._plan
 
@@ -399,7 +401,7 @@ class Scene:
         if XI in names and "radius" in self.given:
             lacking["that of two different solids is not known"] = None
         elif XI in names:
-            names = tuple(dict.fromkeys("radius" if one == XI else one for one in names))
+            names = tuple(dict.fromkeys("radius" if each == XI else each for each in names))
         return MissingInput(name, names, missing.instead, ", ".join(lacking))
 
     # --- Values -------------------------------------------------------------------------------------------------------
@@ -422,15 +424,15 @@ class Scene:
         One plan leads to all of them, and serves every later question about some of them. An element of an array that
         has no answer is nan.
         """
-        found = self._grown_plan(names)
+        plan = self._grown_plan(names)
         if self.arrays:
             import numpy
 
             with numpy.errstate(all="ignore"):
-                self._run(found.steps)
+                self._run(plan.steps)
         else:
-            self._run(found.steps)
-        return {name: self._outcome(name, found) for name in names}
+            self._run(plan.steps)
+        return {name: self._outcome(name, plan) for name in names}
 
     def outcomes(self, names: Iterable[str], named: Collection[str]) -> dict[str, Any]:
         """Return the value of each quantity that concerns the scene, or some elements, or the error that says why not.
@@ -483,12 +485,12 @@ class Scene:
 
     def _answers(self, name: str, value: Any, sources: Sequence[str]) -> Any:
         """Return an array with nan in place of elements that are no answer, or follow from one that is none."""
-        found = with_nan(name, value, self.values.get("radius2"))
+        numbers = with_nan(name, value, self.values.get("radius2"))
         for source in self._gaps.intersection(sources):  # which the formula may not have used
             import numpy
 
-            found = numpy.where(numpy.isnan(self.values[source]), numpy.nan, found)
-        return found
+            numbers = numpy.where(numpy.isnan(self.values[source]), numpy.nan, numbers)
+        return numbers
 
     @property
     def is_rigid(self) -> bool:
@@ -500,11 +502,11 @@ class Scene:
         """True if both bodies are rigid in some elements of the arrays that were given."""
         return not isinstance(self._has_area, bool) and not self._has_area.all()
 
-    def _outcome(self, name: str, found: Plan) -> Any:
+    def _outcome(self, name: str, plan: Plan) -> Any:
         """Return what became of a quantity once the steps of its plan were run."""
-        if name in found.missing:
-            return self._missing_input(name, found.missing[name])
-        source = found.found[name]
+        if name in plan.missing:
+            return self._missing_input(name, plan.missing[name])
+        source = plan.sources[name]
         if source in self._failures:
             return self._failures[source]
         rests = self.rests_on_spacing(name)

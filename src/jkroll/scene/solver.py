@@ -85,8 +85,8 @@ def solve(
     spheres = materials_of(material, material2, materials)
     if any(map(is_uncertain, described.values())):
         refuse_arrays(described)
-        found = _uncertain_answers(Scene(described, *spheres, model=model), names)
-        return found[names[0]] if isinstance(wanted, str) else found
+        answers = _uncertain_answers(Scene(described, *spheres, model=model), names)
+        return answers[names[0]] if isinstance(wanted, str) else answers
     results = values_of(Scene(described, *spheres, model=model), names)
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
@@ -168,15 +168,15 @@ def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     """Return the values of quantities with their uncertainties; floats where no uncertain input enters."""
     from .uncertainty import uncertainties
 
-    found, _ = uncertainties(scene, names)
-    return {name: with_uncertainty(name, value, found.get(name)) for name, value in scene.results(names).items()}
+    bars, _ = uncertainties(scene, names)
+    return {name: with_uncertainty(name, value, bars.get(name)) for name, value in scene.results(names).items()}
 
 
-def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError | None") -> float | Uncertain:
+def with_uncertainty(name: str, value: float, bar: "Propagated | JkrollError | None") -> float | Uncertain:
     """Return a value with its uncertainty, if it has one; raise a Failure with the reason why there is none."""
-    if isinstance(found, JkrollError):
-        raise without_value(name, NO_END + reason_of(name, found), "no error bar")
-    return value if found is None else found.uncertainty
+    if isinstance(bar, JkrollError):
+        raise without_value(name, NO_END + reason_of(name, bar), "no error bar")
+    return value if bar is None else bar.uncertainty
 
 
 def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> tuple[dict[str, Any], Any]:
@@ -234,8 +234,8 @@ def _number(name: str, value: Any, registries: list[Any]) -> Any:
     if isinstance(value, str):
         return value_of(value, name)
     if hasattr(value, "std_dev"):
-        found = Measured(value.nominal_value, value.std_dev)  # as the package `uncertainties` and pint have them
-        return checked(found, name, str(value))
+        measured = Measured(value.nominal_value, value.std_dev)  # as the package `uncertainties` and pint have them
+        return checked(measured, name, str(value))
     if is_uncertain(value):
         return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):

@@ -92,13 +92,13 @@ class Plan(NamedTuple):
 
     steps: tuple[Step, ...]
     inputs: tuple[str, ...]
-    found: Mapping[str, str]  # wanted name → the name under which its value is known
+    sources: Mapping[str, str]  # wanted name → the name under which its value is known
     missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
     taken: frozenset[str] = frozenset()  # the parameters of all formulas
 
     def knows(self, names: Iterable[str]) -> bool:
         """Return whether the plan was made for these names, among others."""
-        return all(name in self.found or name in self.missing for name in names)
+        return all(name in self.sources or name in self.missing for name in names)
 
 
 NO_PLAN = Plan((), (), {}, {})
@@ -110,7 +110,7 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
     by_law = routes(model, known)
     steps: dict[str, Step] = {}
     inputs: set[str] = set()
-    found: dict[str, str] = {}
+    sources: dict[str, str] = {}
     missing: dict[str, Missing] = {}
     for name in wanted:
         path = _Path(known, own_material2, by_law, model, dict(steps))
@@ -118,11 +118,11 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
         if path.missing or path.lacking:
             missing[name] = Missing(*map(in_order, (path.missing, path.instead, path.lacking)))
         else:
-            found[name] = source
+            sources[name] = source
             steps = path.steps
             inputs |= path.inputs
     taken = frozenset(parameter for step in steps.values() for parameter, _ in step.arguments)
-    return Plan(tuple(steps.values()), in_order(inputs), found, missing, taken)
+    return Plan(tuple(steps.values()), in_order(inputs), sources, missing, taken)
 
 
 @cache
@@ -131,9 +131,9 @@ def _mixes_laws(name: str, model: str, known: frozenset[str]) -> bool:
     owner = law_of(name)
     if owner is None or owner == model:
         return False
-    own, theirs = routes(model, known), routes(owner, known)
+    ours, theirs = routes(model, known), routes(owner, known)
     taken = _reached(parameters_of(formula_of(name)), lambda each: () if each in known else (theirs.get(each, each),))
-    return any(own.get(each, each) != theirs.get(each, each) for each in taken - known)
+    return any(ours.get(each, each) != theirs.get(each, each) for each in taken - known)
 
 
 @cache
@@ -175,15 +175,15 @@ def _dependence(names: tuple[str, ...], models: tuple[str, ...]) -> frozenset[st
 
 def _reached(names: Iterable[str], formulas: Callable[[str], Iterable[str | None]]) -> frozenset[str]:
     """Return names, and all that their formulas take, and the formulas of these; `formulas`: those of a name."""
-    found: set[str] = set()
+    reached: set[str] = set()
     pending = [*names]
     while pending:
         name = pending.pop()
-        if name not in found:
-            found.add(name)
+        if name not in reached:
+            reached.add(name)
             known = (formula for formula in formulas(name) if formula is not None and formula_of(formula) is not None)
             pending += [argument for formula in known for _, argument in arguments_of(formula)]
-    return frozenset(found)
+    return frozenset(reached)
 
 
 def parameters_of(formula: Any) -> tuple[str, ...]:
