@@ -24,7 +24,7 @@ FOLDERS = "cli batch bench pictures output answers rows scene materials quantiti
 PUBLIC = {"__init__", "__main__"}
 ONLY = {
     "typer": {"cli"},
-    "rich": {"output", "pictures"},
+    "rich": {"output"},
     "pint": {"quantities"},
     "tomllib": {"materials"},
     "matplotlib": {"pictures"},

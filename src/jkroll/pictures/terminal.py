@@ -1,19 +1,15 @@
 """Maps and curves in a terminal: a map as a table of numbers, curves as rows."""
 
+import os
 from collections.abc import Iterable, Iterator, Sequence
-from math import isfinite, log10, nan
-from typing import TextIO
+from math import isfinite, nan
+from typing import Any, TextIO
 
 import numpy
-from rich.color import Color
-from rich.console import Console
-from rich.style import Style
-from rich.table import Table
-from rich.text import Text
 
 from ..quantities.formatting import amount, in_units
 from ..quantities.markup import plain, symbol
-from ..text import fitting, say, terminal_width, wrapped
+from ..text import fitting, say, terminal_width, width_of, wrapped
 from .picture import Axis, Map, Panel, Picture, bracketed, described, evaluate, extent, over, quantity_of
 from .styles import LOOKS, PAPER
 
@@ -21,6 +17,7 @@ ROWS, COLUMNS = 13, 9  # of a map
 CURVE_ROWS = 11  # of each curve
 DIGITS = 3
 NO_VALUE = "—"
+_GAP = "  "  # between columns
 
 
 def write_map(drawn: Map, out: TextIO) -> None:
@@ -29,25 +26,30 @@ def write_map(drawn: Map, out: TextIO) -> None:
     It has as many columns as fit the terminal.
     """
     y = drawn.y.at_round_values(ROWS)
-    for columns in range(COLUMNS, 0, -1):
-        x = drawn.x.at_round_values(columns)
-        table, unit, seen = _map_table(drawn, x, y, out)
-        console = _console(out)
-        if console.measure(table, options=console.options.update(width=10_000)).maximum <= console.width:
+    of_y, unit_of_y = _texts(y)
+    for count in range(COLUMNS, 0, -1):
+        x = drawn.x.at_round_values(count)
+        of_x, unit_of_x = _texts(x)
+        values = evaluate(drawn.scene, drawn.quantity, x, y)
+        cells, unit, seen = _cells(drawn, x, y, values)
+        rows = [(head, *of_row) for head, of_row in zip(of_y, cells, strict=True)]
+        heads, *aligned = _aligned([(quantity_of(y.name).symbol, *of_x), *rows[::-1]], out)
+        if width_of(_GAP.join(heads)) <= terminal_width():
             break
-    (_, of_x), (_, of_y) = _texts(x), _texts(y)
-    _say([drawn.titled(unit), f"Down: {described(y.name, of_y)}. Across: {described(x.name, of_x)}."], out)
-    console.print(table)
+    _say([drawn.titled(unit), f"Down: {described(y.name, unit_of_y)}. Across: {described(x.name, unit_of_x)}."], out)
+    say(_GAP.join(heads).rstrip(), out)
+    has_colours = out.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM", "dumb") != "dumb"
+    for (head, *texts), shares in zip(aligned, _shares(drawn, values[::-1]), strict=True):
+        painted = map(_painted, texts, shares) if has_colours else texts
+        say(_GAP.join([head, *painted]).rstrip(), out)
     signs = ((LOOKS[region.look].sign, region.text) for region in drawn.regions)
     key = [f"{sign} {text}" for sign, text in signs if sign in seen]
-    gaps = [f"{NO_VALUE} no value"] if NO_VALUE in seen else []
+    gaps = [f"{NO_VALUE} no value"] if not numpy.isfinite(values).all() else []
     _say([*key, *gaps, "; ".join(_marks(drawn)), *drawn.caption, *drawn.remarks], out)
 
 
-def _map_table(drawn: Map, x: Axis, y: Axis, out: TextIO) -> tuple[Table, str, set[str]]:
-    """Return the table of a map at values of x and y, the unit of its numbers, and the signs in it."""
-    drawn = drawn._replace(values=numpy.array(extent(drawn.values)))  # which every cell asks for
-    here, values = over(drawn.scene, x, y), evaluate(drawn.scene, drawn.quantity, x, y)
+def _cells(drawn: Map, x: Axis, y: Axis, values: Any) -> tuple[list[list[str]], str, str]:
+    """Return the cells of a map at values of x and y, the unit of their numbers, and the signs in them."""
     known = numpy.isfinite(values)
     texts, signs = numpy.full((2, *values.shape), "", dtype=object)
     texts[~known] = NO_VALUE
@@ -55,17 +57,13 @@ def _map_table(drawn: Map, x: Axis, y: Axis, out: TextIO) -> tuple[Table, str, s
     if drawn.printed:
         printed, _ = drawn.in_words(evaluate(drawn.scene, drawn.printed, x, y)[known].tolist(), DIGITS)
         texts[known] += [f" ({text})" for text in printed]
+    here = over(drawn.scene, x, y)
     for region in drawn.regions:
         signs[known & numpy.broadcast_to(region.excess(here) > 0, values.shape)] += LOOKS[region.look].sign
     for column in range(x.size):  # numbers stand below each other, whichever signs they have
         if width := max(map(len, signs[:, column])):
             texts[:, column] += [f" {sign:{width}}" for sign in signs[:, column]]
-    rows: list[list[str | Text]] = [
-        [head, *(Text(cell, _style(drawn, value)) for cell, value in zip(cells, row, strict=True))]
-        for head, cells, row in zip(_texts(y)[0], texts.tolist(), values.tolist(), strict=True)
-    ]
-    table = _table([quantity_of(y.name).symbol, *_texts(x)[0]], rows[::-1], out)
-    return table, unit, {*"".join(signs.ravel().tolist()), *([] if known.all() else [NO_VALUE])}
+    return texts.tolist(), unit, "".join(signs.ravel().tolist())
 
 
 def _texts(axis: Axis) -> tuple[list[str], str]:
@@ -73,14 +71,21 @@ def _texts(axis: Axis) -> tuple[list[str], str]:
     return in_units(quantity_of(axis.name).unit, axis.values().tolist(), DIGITS + 1, is_log=axis.is_log)
 
 
-def _style(drawn: Map, value: float) -> Style:
-    """Return the colours of a number: the larger, the lighter; none for a gap or where all are the same."""
-    low, high = extent(drawn.values)
-    if not isfinite(value) or low == high:
-        return Style()
-    low, value, high = (log10(number) if drawn.is_log else number for number in (low, value, high))
-    paper = PAPER.band(min(max((value - low) / (high - low), 0.0), 1.0))
-    return Style(color="black", bgcolor=Color.from_rgb(*(255 * channel for channel in paper)))
+def _shares(drawn: Map, values: Any) -> list[list[float]]:
+    """Return the places of values between the least, 0, and the largest, 1, of a map; nan where there is none."""
+    scale = numpy.log10 if drawn.is_log else numpy.asarray
+    low, high = (scale(end) for end in extent(drawn.values))
+    with numpy.errstate(all="ignore"):
+        shares: list[list[float]] = numpy.clip((scale(values) - low) / (high - low), 0, 1).tolist()
+    return shares
+
+
+def _painted(text: str, share: float) -> str:
+    """Return a text on paper of the colour of its number, in the 216 colours that terminals have."""
+    if not isfinite(share):
+        return text
+    red, green, blue = (round(5 * channel) for channel in PAPER.band(share))
+    return f"\x1b[30;48;5;{16 + 36 * red + 6 * green + blue}m{text}\x1b[0m"
 
 
 def _marks(drawn: Map) -> Iterator[str]:
@@ -100,12 +105,13 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
     _say([drawn.title], out)
     for panel in drawn.panels:
         _say([panel.title], out)
-        _console(out).print(_panel_table(panel, out))
+        for cells in _aligned(_rows(panel), out):
+            say(_GAP.join(cells).rstrip(), out)
     _say([*drawn.caption, *drawn.remarks], out)
 
 
-def _panel_table(panel: Panel, out: TextIO) -> Table:
-    """Return the rows of a panel as a table: the curve or the point, x and y."""
+def _rows(panel: Panel) -> list[Sequence[str]]:
+    """Return the heads and the rows of a panel: the curve or the point, x and y."""
     rows: list[tuple[str, float, float]] = []
     for curve in panel.curves:
         points = [(x, y) for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True) if panel.shows(x, y)]
@@ -113,27 +119,22 @@ def _panel_table(panel: Panel, out: TextIO) -> Table:
         rows += [(plain(curve.text), *points[round(last * step / max(steps, 1))]) for step in range(steps + 1)]
     rows += [(plain(mark.text), mark.x, mark.y) for mark in panel.marks if mark.x is not None and mark.y is not None]
     names, *numbers = zip(*rows, strict=True)
-    heads, cells = [""], [[*names]]
+    columns: list[Sequence[str]] = [["", *names]]
     for axis, values in zip((panel.x, panel.y), numbers, strict=True):
         texts, unit = in_units(quantity_of(axis.name).unit, values, DIGITS + 1, is_log=axis.is_log)
-        heads.append(quantity_of(axis.name).symbol + bracketed(unit))
-        cells.append(texts)
-    return _table(heads, [*zip(*cells, strict=True)], out)
+        columns.append([quantity_of(axis.name).symbol + bracketed(unit), *texts])
+    return [*zip(*columns, strict=True)]
 
 
-def _table(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], out: TextIO) -> Table:
-    """Return a table of texts: names in the first column, numbers in the others."""
-    table = Table(box=None, pad_edge=False, header_style="")
-    for number, head in enumerate(heads):
-        table.add_column(Text(fitting(head, out)), justify="right" if number else "left", no_wrap=bool(number))
-    for row in rows:
-        texts = (cell if isinstance(cell, Text) else Text(cell) for cell in row)
-        table.add_row(*(Text(fitting(text.plain, out), text.style) for text in texts))
-    return table
-
-
-def _console(out: TextIO) -> Console:
-    return Console(file=out, width=terminal_width(), highlight=False, markup=False, emoji=False)
+def _aligned(rows: Iterable[Sequence[str]], out: TextIO) -> list[list[str]]:
+    """Return rows of cells as wide as their columns: names in the first are set to the left, numbers to the right."""
+    texts = [[fitting(cell, out) for cell in row] for row in rows]
+    sizes = [max(map(width_of, column)) for column in zip(*texts, strict=True)]
+    aligned = []
+    for head, *cells in texts:
+        blanks = [" " * (size - width_of(cell)) for cell, size in zip((head, *cells), sizes, strict=True)]
+        aligned.append([head + blanks[0], *(blank + cell for blank, cell in zip(blanks[1:], cells, strict=True))])
+    return aligned
 
 
 def _say(texts: Iterable[str], out: TextIO) -> None:
