@@ -12,7 +12,7 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll import Measured, infer, known_materials, solve
+from jkroll import Interval, Measured, infer, known_materials, solve
 from jkroll.quantities.values import parse_quantity
 from jkroll.scene import unknowns
 from jkroll.scene.inverse import (
@@ -26,6 +26,7 @@ from jkroll.scene.inverse import (
     Undetermined,
 )
 from jkroll.scene.scene import Scene
+from jkroll.scene.uncertainty import sources_of_results
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 
@@ -283,6 +284,16 @@ def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
     assert both.plus / both.value == approx(math.hypot(1 / 15, 1 / 20), rel=0.01)
     span = infer("gamma", measured={"pull_off_force": "280 to 320 nN"}, radius="1.9 to 2.1 um", radius2="plane")
     assert (span.low, span.high) == approx((found.value * 14 / 15 / 1.05, found.value * 16 / 15 / 0.95))
+
+
+def test_each_source_enters_an_inferred_value_once() -> None:
+    """With the radius of sphere 2, which is that of sphere 1; a density does not enter."""
+    given = {
+        name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {"radius": 1e-6, "density": 2e3}.items()
+    }
+    problem = Problem(("surface_energy",), {"pull_off_force": Interval(1e-7, 9e-8, 1.1e-7)}, Scene(given))
+    sources = sources_of_results(problem, problem.unknowns)
+    assert [source.names for source in sources.entering] == [("pull_off_force",), ("radius", "radius2")]
 
 
 def test_the_laws_of_attraction_stand_beside_each_other(run: Run) -> None:

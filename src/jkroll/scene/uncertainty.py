@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from ..errors import JkrollError
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
-from ..quantities.values import Interval, Measured, Uncertain
+from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Problem, Solution
 from .scene import Scene
 from .wiring import in_order
@@ -117,7 +117,8 @@ def sources_of_results(scene: Scene | Problem, names: Sequence[str]) -> Sources:
     """Return the sources that enter quantities of a scene, as far as it allows them, or the unknowns of a problem."""
     if isinstance(scene, Scene):
         return sources_of(scene, scene.inputs_of(*scene.possible(names)))
-    return sources_of(scene.scene, scene.used(), [Source((name,), given) for name, given in scene.uncertain.items()])
+    measured = [Source((name,), given) for name, given in scene.measured.items() if is_uncertain(given)]
+    return sources_of(scene.scene, scene.used(), measured)
 
 
 def sides_of_results(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
