@@ -56,6 +56,10 @@ atomic_spacing 1e-9: z0 (nm)
 approach_at_load 1e-9: δ [nm]
 contact_modulus 1e9: E* [GPa] | E_r (GPa) | reduced modulus (GPa) | Effective Young's modulus [GPa]
 reduced_radius 1e-9: reduced_radius [nm]
+radius 1e-9: radius【nm】 | radius–nm | radius = nm | radius R (nm)
+youngs_modulus 1e9: E-Modul [GPa] | E · GPa | E1 – GPa | Elastic Modulus E (GPa) | Young's modulus E1 [GPa]
+density 1: Density ρ (kg/m³)
+hamaker 1e-21: Hamaker constant A (zJ)
 """
 
 
@@ -96,6 +100,11 @@ REFUSED = {
     "load_uncertanty [nN]": "=load [UNIT]'",
     "surface_energy in GPa": "what stands behind surface_energy is not its unit",
     "load_micro_N": "=load [UNIT]'",
+    "log radius [nm]": "Write a column radius [UNIT] in its place, or --column",
+    "radius_stderr [nm]": "Write a column radius [UNIT] in its place, or --column",
+    "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
+    "radius_au": "what stands behind radius is not its unit",
+    "radius*1e9": _FACTOR,
     "work_of_adhesion_mJ": "what stands behind work_of_adhesion is not its unit",
     "modulus (GPa)": "it may be Young's modulus, or E* of the contact",
     "normal force [nN]": "it may be a load, or a force that was measured",
@@ -121,7 +130,8 @@ REFUSED = {
 }
 PASSING = (
     "E | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | R_min | v_c | w | radius_in | load_case | "
-    "tip radius (nm) | T [K] | gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
+    "velocity_x (m/s) | bulk modulus (GPa) | 1/radius [1/nm] | tip radius (nm) | T [K] | "
+    "gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
     "speed of sound (m/s) | contact angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s]"
@@ -795,7 +805,7 @@ def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, s
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("radius R1 (nm),gamma (mJ/m2)\n100,25\n", "may be radius"),
+        ("radius R1 (nm),gamma (mJ/m2)\n100,25\n", 'read: radius [nm] from "radius R1 (nm)", surface'),
         ("radius [nm],gamma_sv (mJ/m2)\n100,25\n", "may be surface_energy"),
         ("radius [nm],gama2 (mJ/m2)\n100,25\n", "=surface_energy2 [mJ/m2]'"),
         ("R1,gamma\n[nm],[mJ/m2]\n100,25\n", "the first row has units"),

@@ -21,7 +21,7 @@ A ampere K kelvin V volt""".split()
 PLAIN = """Å angstrom angstroms bars micron microns in inch inches ft foot feet mile miles yd yard
 min minute minutes h hr hour hours day days yr year years
 deg degree degrees arcmin arcsec turn turns revolution cycle rpm
-lb pound pounds oz ounce t tonne tonnes u amu Da au parsec
+lb pound pounds oz ounce t tonne tonnes u amu Da parsec
 lbf kgf psi atm torr mmHg Gal standard_gravity percent
 mph kph knot knots fps""".split()
 

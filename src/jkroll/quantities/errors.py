@@ -83,7 +83,7 @@ _WORDS_OF_OTHERS = {
     "yield_displacement": "critical_rolling_displacement rolling_displacement ? critical_displacement",
     "yield_force": "friction rolling_force rolling_friction rolling_friction_force",
     "yield_moment": "rolling_resistance rolling_torque torque",
-    "youngs_modulus": "young_modulus youngs elastic_modulus elasticity_modulus modulus_of_elasticity e_modulus"
+    "youngs_modulus": "young_modulus youngs elastic_modulus elasticity_modulus modulus_of_elasticity e_modulus e_modul"
         " ? elasticity modulus",
 }  # fmt: skip
 SYNONYMS = {name: words.partition("?")[0].split() for name, words in _WORDS_OF_OTHERS.items()}

@@ -296,7 +296,8 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
 
     A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
     Names that pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour),
-    the yarn count Nm, the px of a screen, and gr and ton, which are the grain and the short ton there.
+    the yarn count Nm, the px of a screen, au, which may be an arbitrary unit, and gr and ton, which are the grain and
+    the short ton there.
 
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
@@ -321,7 +322,9 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
         dimension = (kilogram, *(powers.pop(base, 0) for base in BASE_UNITS[1:]))
         if powers or any(power != int(power) for power in dimension) or zero.magnitude != 0 or one.magnitude <= 0:
             return None
-        is_misread = is_plural_of_symbol or unit_name in ("number_meter", "css_pixel") or name in ("gr", "ton", "tons")
+        is_misread = (
+            is_plural_of_symbol or unit_name in ("number_meter", "css_pixel") or name in ("au", "gr", "ton", "tons")
+        )
         if is_misread or (prefix and dimension == _SPEED and unit_name != "meter_per_second"):
             return None
         factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))

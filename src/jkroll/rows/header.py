@@ -54,15 +54,15 @@ class _Split(NamedTuple):
     is_mangled: bool = False  # signs, or letters such as µ, may have become _ or .
 
 
-_SPELT = str.maketrans("’‘“”″∕⁄₀₁₂Ø⌀", '\'\'"""//012DD')
+_SPELT = str.maketrans("’‘“”″∕⁄₀₁₂Ø⌀【〔「】〕」", '\'\'"""//012DD[[[]]]')
 # Where a unit may begin: behind a mark, which is the first group, or behind a gap.
 _CUT = re.compile(
-    r"([\s_.-]*[,/:;|\[({<]\s*(?:in[\s_.]+)?|\s+in\s+)"
+    r"([\s_.-]*[,/:;|\[({<=@~–—•·]\s*(?:in[\s_.]+)?|\s+in\s+)"
     r"|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
 )
 _PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
-_EDGES = " _.,:;/|-"
-_FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*$|[⁰¹²³]+$"
+_EDGES = " _.,:;/|-·"
+_FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
 _LONGEST = 120  # letters of a header that can be one
 # Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
 _SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
@@ -84,7 +84,7 @@ def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
     """
     if len(text) > _LONGEST:
         return Reading()
-    known = words.meanings() | {word: Meaning([name]) for word, name in more}
+    known = words.with_symbols() | words.meanings() | {word: Meaning([name]) for word, name in more}
     splits = [*_splits(text)]
     exact = next(filter(None, (_exact(split, known) for split in splits)), None)
     return exact or _of_part(splits[0].word, more) or _refused(splits, known) or Reading()
@@ -165,8 +165,9 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
             is_last = unit_text and (is_slip or key(split.word).endswith(word))
             is_of_either = not is_slip and NOMENCLATURE[name].sphere == 1
-            names = [] if meaning.problem else [name, NOMENCLATURE[name].twin] if is_of_either else [name]
-            meant = [with_unit(each, unit_text if is_last else "UNIT") for each in names]
+            names = [name, NOMENCLATURE[name].twin] if is_of_either else [name]
+            is_open = not meaning.problem and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
+            meant = [with_unit(each, unit_text if is_last else "UNIT") for each in names] if is_open else []
             return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
     return None
 

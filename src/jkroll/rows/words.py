@@ -50,11 +50,16 @@ _DOUBTFUL_SYMBOLS = {
 }
 
 # Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
-SHARED = (
-    *"energy speed velocity angle approach contacts monomers gravity cutoff xi z0 modulus surfacetension".split(),
-)
+SHARED = (*"energy speed velocity angle approach contacts monomers gravity cutoff xi z0 surfacetension".split(),)
 # Beside a word they make it another quantity.
-OTHERS = {*"atomic ionic covalent metallic vdw bohr gyration current dislocation yield failure ultimate".split()}
+OTHERS = {
+    *"""atomic ionic covalent metallic vdw bohr gyration current dislocation yield failure ultimate shear bulk
+    storage loss dynamic complex flexural bending section rupture resilience""".split()
+}
+# Beside a word they make it a function or a statistic of the quantity: log radius, radius change.
+FUNCTIONS = {
+    *"log ln lg exp inv inverse reciprocal sqrt delta change difference relative normalized stderr variance cv".split()
+}
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
     family label tag index step count counts cell rank source ref reference url doi note notes comment comments desc
@@ -109,6 +114,17 @@ def symbols() -> dict[str, Meaning]:
     for symbol, name in SYMBOLS_TOO.items():
         names.setdefault(symbol, []).append(name)
     return _of_spheres({symbol: Meaning(inputs) for symbol, inputs in names.items()} | _DOUBTFUL_SYMBOLS)
+
+
+@cache
+def with_symbols() -> dict[str, Meaning]:
+    """Return what words mean that have the symbol of their input behind them, as in Young's modulus E."""
+    symbols_of: dict[str, list[str]] = {}
+    for symbol, meaning in symbols().items():
+        for name in () if meaning.problem else meaning.names:
+            symbols_of.setdefault(name, []).append(key(symbol))
+    words = [(word, meaning) for word, meaning in meanings().items() if meaning.names and not meaning.problem]
+    return {f"{word}{symbol}": meaning for word, meaning in words for symbol in symbols_of.get(meaning.names[0], ())}
 
 
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
