@@ -170,11 +170,11 @@ def pull_off_ratio(transition: FloatOrArray) -> FloatOrArray:
 
 
 def fold_ratio(transition: FloatOrArray) -> FloatOrArray:
-    """Return v where fixed grips let go; 0 where they hold on to spheres that no longer touch."""
+    """Return v where fixed grips let go, from a fit to 5e-5; 0 where they hold on to spheres that no longer touch."""
     beyond = at_least(transition - FOLD_WITHOUT_CONTACT, 0.0)
-    difference = beyond - 0.46
-    v = (difference + sqrt(difference * difference + 6.6 * beyond)) / 3.3
-    for _ in range(_STEPS):
+    rise = 2.180274 + beyond * (24.2586 + beyond * (53.43513 + beyond * 23.90279))
+    v = beyond * (rise / (1 + beyond * (15.02757 + beyond * (51.30233 + beyond * 39.46094))))
+    for _ in range(2):
         ring = shape(v)
         v = at_least(_step_to(transition, ring, ring.g3 / ring.h, 2 * v * ring.theta / ring.g3 + 1 / ring.n), 0.0)
     return where(beyond == 0, 0.0, v)
@@ -201,15 +201,16 @@ def _step_to(transition: FloatOrArray, ring: Shape, q: FloatOrArray, growth: Flo
     """Return v after a step of Newton's method towards the v whose state of some kind belongs to λ.
 
     λ = ¾qT with T³ = 8/(3q(G1 + 2qG2)) is the one that has this state at v; `q` is what makes it of its kind, and
-    `growth` is d ln q/dv.
+    `growth` is d ln q/dv. Of λ over that one the cube is known, of which a step of Halley's method takes the root.
     """
     v, n = ring.v, ring.n
     g = g1(ring) + 2 * q * ring.g2
-    reached = cbrt(9 / 8 * (q / g) * q)
+    reached = 9 / 8 * (q / g) * q
+    aim = cube(transition)
     g1_slope = 2 * v * (v / (n * n) - ring.theta)
     g2_slope = ring.h / n - 1 / (n * n)
-    slope = reached * (2 * growth - (g1_slope + 2 * q * (growth * ring.g2 + g2_slope)) / g) / 3
-    return v + (transition - reached) / slope
+    slope = 2 * growth - (g1_slope + 2 * q * (growth * ring.g2 + g2_slope)) / g
+    return v + 3 * (aim - reached) / ((aim + 2 * reached) * slope)
 
 
 # --- States ---------------------------------------------------------------------------------------------------------
