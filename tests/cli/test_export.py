@@ -10,7 +10,7 @@ from scipy.optimize import brentq  # type: ignore[import-untyped]
 
 from harness import Run
 from jkroll import solve
-from jkroll.physics.collision import ALL_STICK
+from jkroll.physics.motion import ALL_STICK
 from relative import approx
 
 NUMBER = r"([-+.e\d]+)"

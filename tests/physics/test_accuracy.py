@@ -17,8 +17,8 @@ from accuracy import check_accuracy
 from jkroll import NOMENCLATURE, physics, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, maugis_energies, shifted
-from jkroll.physics.collision import LARGEST
 from jkroll.physics.jkr import load_factor_at_approach
+from jkroll.physics.motion import LARGEST
 from jkroll.scene.wiring import formula_of, parameters_of
 from reference import (
     BOUND,

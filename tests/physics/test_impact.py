@@ -10,7 +10,7 @@ from scipy.integrate import dblquad, solve_ivp  # type: ignore[import-untyped]
 from harness import Run
 from jkroll import infer, solve
 from jkroll.physics.any_law import pull_off_force_rough
-from jkroll.physics.collision import ALL_STICK, LARGEST, sticking_speed_viscous
+from jkroll.physics.motion import ALL_STICK, LARGEST, sticking_speed_viscous
 from jkroll.scene.failures import Failure, MissingInput
 from relative import approx
 

@@ -18,7 +18,7 @@ from math import pi
 from typing import NamedTuple
 
 from ..errors import JkrollError
-from ..physics.collision import ALL_STICK
+from ..physics.motion import ALL_STICK
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere

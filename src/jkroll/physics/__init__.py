@@ -13,18 +13,17 @@ from typing import Any
 
 from . import (
     any_law,
-    collision,
     contact,
     conventions,
     dmt,
     jkr,
     maugis,
     maugis_energies,
+    motion,
     pair,
     rolling,
     tangential,
     validity,
-    vibration,
 )
 
 
@@ -43,8 +42,7 @@ FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     contact,
     jkr,
     rolling,
-    vibration,
-    collision,
+    motion,
     conventions,
     validity,
     tangential,

@@ -6,9 +6,6 @@ The tests hold each formula to it, by floats and by arrays, against references o
 USUAL = "3 ulp"
 # The formulas whose accuracy is another. "Of the larger term": the error is measured against that, as terms may cancel.
 OTHERS = {
-    # aggregates
-    "compressive_strength": "8 ulp",
-    "tensile_strength": "4 ulp",
     # any_law
     "unloaded_moment_of_radius": "4 ulp",
     "pull_off_force_lennard_jones": "3 ulp of the fit",
@@ -19,6 +16,9 @@ OTHERS = {
     "stiffness": "3 ulp for s ≥ 0; beyond, 2 + 3s cancels towards the fold",
     "pressure": "4 ulp of the larger term",
     "boussinesq_pressure_at_approach": "2.5 ulp of the larger term",
+    # conventions
+    "compressive_strength": "8 ulp",
+    "tensile_strength": "4 ulp",
     # cylinder
     "symmetric_pressure": "7 ulp of the largest term",
     "asymmetric_pressure": "7 ulp of the largest term",
@@ -60,6 +60,10 @@ OTHERS = {
     "pull_off_work_maugis": "15 ulp",
     "pull_off_work_at_dead_load_maugis": "15 ulp",
     "sticking_energy_maugis": "10 ulp; for λ > 0.655, of the energy of the well",
+    # motion
+    "rayleigh_time": "4 ulp",
+    "viscosity_number": "3.5 ulp",
+    "sticking_speed_viscous": "12 ulp of the fit, which is within 1e-10, times 1 plus its condition in T*",
     # pair
     "reduced_radius": "1.5 ulp; exact for identical spheres and on a plane",
     "mass": "3.5 ulp",
@@ -76,10 +80,6 @@ OTHERS = {
     "twisting_moment": "3.5 ulp",
     # validity
     "profile_error": "6 ulp",
-    # vibration
-    "rayleigh_time": "4 ulp",
-    "viscosity_number": "3.5 ulp",
-    "sticking_speed_viscous": "12 ulp of the fit, which is within 1e-10, times 1 plus its condition in T*",
 }
 
 

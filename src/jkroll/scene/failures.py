@@ -8,9 +8,9 @@ from math import isinf
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
-from ..physics.collision import LARGEST
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
+from ..physics.motion import LARGEST
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
