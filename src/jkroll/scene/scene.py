@@ -30,7 +30,7 @@ from .failures import (
     no_finite_value,
     written_outcome,
 )
-from .wiring import NO_PLAN, OF_A_SOLID, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
+from .wiring import OF_A_SOLID, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -221,7 +221,6 @@ class Scene:
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
         self.evaluated: dict[str, Evaluated] = {}  # arrays alone: numbers cost less than to remember them
         self.shared: Mapping[str, Evaluated] = {}  # of the scene in whose place this one may stand
-        self._plan = NO_PLAN
         self.known = frozenset(self.values)
         self.alternatives: dict[
             str, Scene
@@ -324,13 +323,6 @@ class Scene:
     def _plan_for(self, wanted: Sequence[str]) -> Plan:
         return plan_for(tuple(wanted), self.known, self.material2 is not None, self.law.name)
 
-    def _grown_plan(self, wanted: Sequence[str]) -> Plan:
-        """Return the plan of this scene, which grows by these quantities if it does not have them."""
-        if not self._plan.knows(wanted):
-            names = (*self._plan.sources, *self._plan.missing, *wanted)
-            self._plan = self._plan_for(names)
-        return self._plan
-
     def missing(self, names: Sequence[str]) -> Collection[str]:
         """Return those of some quantities to which the scene's inputs do not lead."""
         return self._plan_for(names).missing.keys()
@@ -421,10 +413,9 @@ class Scene:
     def evaluate(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the value of each quantity, or the MissingInput or NoResult that says why there is none.
 
-        One plan leads to all of them, and serves every later question about some of them. An element of an array that
-        has no answer is nan.
+        An element of an array that has no answer is nan.
         """
-        plan = self._grown_plan(names)
+        plan = self._plan_for(names)
         if self.arrays:
             import numpy
 

@@ -96,13 +96,6 @@ class Plan(NamedTuple):
     missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
     taken: frozenset[str] = frozenset()  # the parameters of all formulas
 
-    def knows(self, names: Iterable[str]) -> bool:
-        """Return whether the plan was made for these names, among others."""
-        return all(name in self.sources or name in self.missing for name in names)
-
-
-NO_PLAN = Plan((), (), {}, {})
-
 
 @cache
 def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
