@@ -462,17 +462,16 @@ def test_an_empty_file_and_utf_16(run: Run) -> None:
     assert run("batch empty.csv").err == "jkroll: the table is empty: it has no header\n"
     for encoding in ("utf-16", "utf-16-le", "utf-16-be"):
         Path("wide.csv").write_bytes("radius [nm]\n1\n".encode(encoding))
-        assert run("batch wide.csv").err == "jkroll: the table is not UTF-8; save it as UTF-8\n"
+        assert "the table is not UTF-8; save it as UTF-8" in run("batch wide.csv").err
     assert batch(run, table("radius,name\n1 um,a\0b\n"), "--material", "quartz")[0]["name"] == "a\0b"
 
 
 @pytest.mark.parametrize("kind", ["csv", "tsv", "ndjson"])
-@pytest.mark.parametrize(("end", "text"), [("gz", b"\x1f\x8b\x08\0"), ("zst", b"\x28\xb5\x2f\xfd")])
-def test_a_compressed_table_is_named_as_one(run: Run, kind: str, end: str, text: bytes) -> None:
+@pytest.mark.parametrize("text", [b"\x1f\x8b\x08\0", b"\x28\xb5\x2f\xfd"])
+def test_a_compressed_table_is_named_as_one(run: Run, kind: str, text: bytes) -> None:
     Path(f"grains.{kind}").write_bytes(text)
-    assert run("batch", f"grains.{kind}").err == (
-        f"jkroll: the table is compressed; give it a name that ends in .{kind}.{end}, or write --format {kind}.{end}\n"
-    )
+    ran = run("batch", f"grains.{kind}")
+    assert (ran.code, "a compressed one has a name such as x.csv.gz, or --format csv.gz" in ran.err) == (2, True)
 
 
 def test_options_fill_what_a_row_does_not_give(run: Run) -> None:

@@ -295,7 +295,7 @@ def test_a_row_of_units_is_told_with_all_columns_at_once(run: Run) -> None:
     ("name", "text", "said"),
     [
         ("x.csv", "sep=;\nradius [nm];load [nN]\n100;1\n", "'sep=;' is for a spreadsheet; delete this line"),
-        ("x.xlsx", "PK", "'x.xlsx' is a spreadsheet; save it as CSV"),
+        ("x.xlsx", "PK", "'x.xlsx' is no table that is read; save it as CSV"),
     ],
 )
 def test_what_a_spreadsheet_writes_is_refused(run: Run, name: str, text: str, said: str) -> None:

@@ -156,11 +156,10 @@ def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[tuple[P
     if min(count, len(pairs)) < 2 or is_little:
         yield from ((pair, task(pair)) for pair in pairs)
         return
-    from .workers import answers_in_order, started
+    from .workers import answers
 
     pairs = sorted(pairs, key=sizes.__getitem__, reverse=True)
-    with started(min(count, len(pairs)), task) as workers:
-        yield from zip(pairs, (outcome for outcome, _ in answers_in_order(workers, pairs)), strict=True)
+    yield from zip(pairs, (outcome for outcome, _ in answers(min(count, len(pairs)), task, pairs)), strict=True)
 
 
 def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[tuple[Pair, Outcome]]:

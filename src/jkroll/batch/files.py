@@ -20,7 +20,7 @@ from ..rows.columns import BLOCK
 from ..text import ending, quoted, say
 from .lines import DELIMITERS, MAX_RECORD, SAMPLE, Delimited, Ndjson
 
-SPREADSHEETS = ("xlsx", "xls", "ods")  # are neither read nor written
+OTHERS = ("xlsx", "xls", "ods", "json")  # ends of names of what is neither read nor written
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 SEPARATORS = {"csv": ",", "tsv": "\t"}  # unless --delimiter says others
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
@@ -72,10 +72,8 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
         return named
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
-    if ending(path) in SPREADSHEETS:
-        raise BadTable(f"{quoted(path)} is a spreadsheet; save it as CSV")
-    if ending(path) == "json":
-        raise BadTable(f"{quoted(path)}: a JSON text is not read; write an object a line, and --format ndjson")
+    if ending(path) in OTHERS:
+        raise BadTable(f"{quoted(path)} is no table that is read; save it as CSV, or as NDJSON: an object a line")
     remedy = "give --format csv, tsv, ndjson or parquet, or --delimiter blank"
     raise BadTable(f"{quoted(path)}: its name says no format; {remedy}")
 
@@ -87,11 +85,9 @@ def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
     """
     if (form := format_of_name(target)) is not None:
         return form
-    if ending(target) in SPREADSHEETS:
-        raise BadRequest(f"-o: {quoted(target)} is a spreadsheet; write a table that it opens, such as .csv")
-    if ending(target) == "json":
+    if ending(target) in OTHERS:
         table = quoted(f"{os.path.splitext(target)[0]}.{kind}")
-        raise BadRequest(f"-o: a table is not written as JSON; name the file {table}")
+        raise BadRequest(f"-o: a table is not written as {ending(target)}; name the file {table}")
     if os.path.splitext(target)[1] and not quiet:
         say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
     return FileFormat(kind)

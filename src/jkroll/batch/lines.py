@@ -29,8 +29,8 @@ BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
 SAMPLE = 200  # rows that decide how a table is read
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
-_COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
-_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+# The first bytes of what is no text in UTF-8: UTF-16, gzip, zstd.
+_OTHERS = (b"\xff\xfe", b"\xfe\xff", b"\x1f\x8b", b"\x28\xb5\x2f\xfd")
 _MISTAKEN = {
     ";": "has semicolons between its columns; write --delimiter semicolon",
     "\t": "has tabs between its columns; write --format tsv",
@@ -48,14 +48,11 @@ _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 csv.field_size_limit(MAX_RECORD)  # 128 KiB unless it is raised
 
 
-def check_encoding(text: bytes, name: str) -> None:
-    """Refuse a table that is compressed or in UTF-16. `name`: of the format."""
-    for mark, end in _COMPRESSED.items():
-        if text.startswith(mark):
-            ends = f"{name}.{end}"
-            raise BadTable(f"the table is compressed; give it a name that ends in .{ends}, or write --format {ends}")
-    if text.startswith(_UTF_16) or b"\0" in text.partition(b"\n")[0]:
-        raise BadTable("the table is not UTF-8; save it as UTF-8")
+def check_encoding(text: bytes) -> None:
+    """Refuse a table that is compressed or in UTF-16."""
+    if text.startswith(_OTHERS) or b"\0" in text.partition(b"\n")[0]:
+        remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
+        raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
 
 
 class Record(NamedTuple):
@@ -132,7 +129,7 @@ class Delimited:
 
         `block`: the first one; `is_read`: tells of a header whether its column is one of those that are read.
         """
-        check_encoding(block, "tsv" if self.separator == "\t" else "csv")
+        check_encoding(block)
         mark = BOM if block.startswith(BOM) else b""
         every = as_lines(block.removeprefix(mark))
         self.preamble = self._preamble(every, is_read)
@@ -379,7 +376,7 @@ class Ndjson:
 
         Return the number of bytes in front of them.
         """
-        check_encoding(block, "ndjson")
+        check_encoding(block)
         self.header = BOM if block.startswith(BOM) else b""
         lines = [line for line in block.removeprefix(BOM).split(b"\n")[:SAMPLE] if line.strip()]
         if not lines:

@@ -18,6 +18,7 @@ from ..materials.library import Materials
 from ..output.files import whole_file
 from ..output.writers import WRITERS, columns_of, written
 from ..quantities.formatting import Format
+from ..quantities.nomenclature import INFINITY
 from ..rows.columns import Columns, Wanted, remarks_of
 from ..rows.header import Reading, is_input, stated_meanings, understood
 from ..rows.reasons import Tally, worded
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 ALONE = 4  # blocks that this process converts before it starts others
 WAIT, PAUSE = 0.5, 0.1  # seconds before progress is shown, and between two times
+WIDTH = 60  # of the line of progress, in characters
 
 
 class Job(NamedTuple):
@@ -245,37 +247,32 @@ def _converted(source: Source, convert: Converter, processes: int) -> "Iterator[
     if (block := next(source.blocks, None)) is None:
         return
     # They come with multiprocessing, which a small table does not pay for.
-    from .workers import answers_in_order, started
+    from .workers import answers
 
-    with started(processes, convert) as workers:
-        yield from answers_in_order(workers, chain([block], source.blocks))
+    yield from answers(processes, convert, chain([block], source.blocks))
 
 
 class Progress:
     """A line on a terminal that says how much is done, and nothing elsewhere."""
 
     def __init__(self, *, is_shown: bool) -> None:
-        self.is_shown = is_shown
         self.began = monotonic()
-        self.next, self.width = self.began + WAIT, 0
+        self.next = self.began + WAIT if is_shown else INFINITY
 
     def show(self, share: float, rows: int) -> None:
         """Show which part is done, if it is known, and the rows so far."""
-        if not self.is_shown or (now := monotonic()) < self.next:
-            return
-        self.next = now + PAUSE
-        left = f"{share:4.0%}, {(now - self.began) * (1 / share - 1):.0f} s left, " if share else ""
-        text = f"{left}{rows:,} rows"
-        self.width = max(self.width, len(text))
-        self._write(text)
+        if (now := monotonic()) >= self.next:
+            self.next = now + PAUSE
+            left = f"{share:4.0%}, {(now - self.began) * (1 / share - 1):.0f} s left, " if share else ""
+            self._write(f"{left}{rows:,} rows")
 
     def clear(self) -> None:
         """Take the line away."""
-        if self.width:
+        if self.began + WAIT < self.next < INFINITY:
             self._write("")
 
     def _write(self, text: str) -> None:
-        sys.stderr.write(f"\r{text:{self.width}}\r")
+        sys.stderr.write(f"\r{text:{WIDTH}}\r")
         sys.stderr.flush()
 
 

@@ -9,7 +9,7 @@ import signal
 import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from itertools import cycle
 from multiprocessing import connection, get_context, parent_process
 from threading import Thread
@@ -20,8 +20,6 @@ from ..errors import JkrollError
 
 PATIENCE = 5.0  # seconds for a process to remove what it has begun
 CONTEXT = get_context("spawn")  # safe beside threads, and the same on every system
-
-
 Answer = Callable[[Any], Any]
 
 
@@ -29,10 +27,6 @@ class LostWorker(JkrollError):
     """Error raised when a process is ended from outside."""
 
     exit_code = 1
-
-    def __init__(self, exit_code: int) -> None:
-        how = f"was ended by signal {-exit_code}" if exit_code < 0 else f"ended with exit code {exit_code}"
-        super().__init__(f"a worker process {how}; the table it was working on was not written")
 
 
 class Worker:
@@ -56,7 +50,9 @@ class Worker:
             answer = self.connection.recv()
         except (EOFError, ConnectionResetError):
             self.process.join()
-            raise LostWorker(self.process.exitcode or 0) from None
+            code = self.process.exitcode or 0
+            how = f"was ended by signal {-code}" if code < 0 else f"ended with exit code {code}"
+            raise LostWorker(f"a worker process {how}; the table it was working on was not written") from None
         if isinstance(answer, BaseException):
             raise answer
         return answer
@@ -101,10 +97,14 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-@contextmanager
-def started(count: int, answer: Answer) -> Iterator[list[Worker]]:
-    """Start processes, and end them at the end. They ignore interrupts: the process that started them ends them."""
+def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[tuple[Any, Worker]]:
+    """Iterate over the answers of some processes in the order of the questions, each with its process.
+
+    A process gets its next question after the step in which its answer was taken. All ignore interrupts: they end with
+    the iteration.
+    """
     workers: list[Worker] = []
+    at_work: deque[Worker] = deque()
     try:
         heeding = signal.signal(signal.SIGINT, signal.SIG_IGN)
         try:
@@ -112,24 +112,15 @@ def started(count: int, answer: Answer) -> Iterator[list[Worker]]:
                 workers.append(Worker(answer))
         finally:
             signal.signal(signal.SIGINT, heeding)
-        yield workers
+        for worker, question in zip(cycle(workers), questions, strict=False):
+            if len(at_work) == count:
+                yield at_work.popleft().answer(), worker
+            worker.ask(question)
+            at_work.append(worker)
+        for worker in at_work:
+            yield worker.answer(), worker
     finally:
         for worker in workers:
             worker.process.terminate()
         for worker in workers:
             worker.end()
-
-
-def answers_in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Worker]]:
-    """Iterate over answers in the order of the questions, each with its process.
-
-    A process gets its next question after the step in which its answer was taken.
-    """
-    at_work: deque[Worker] = deque()
-    for worker, question in zip(cycle(workers), questions, strict=False):
-        if len(at_work) == len(workers):
-            yield at_work.popleft().answer(), worker
-        worker.ask(question)
-        at_work.append(worker)
-    for worker in at_work:
-        yield worker.answer(), worker
