@@ -9,7 +9,7 @@ from harness import Run, Stream
 from jkroll.output.catalogue import write_quantities
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.limits import MEANINGS
+from jkroll.scene.limits import LIMITS, MEANINGS
 from jkroll.text import say_wrapped
 from relative import approx
 
@@ -107,11 +107,13 @@ def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
     assert ("–" in line) or law == "maugis"
 
 
-def test_a_warning_is_of_two_lines_at_most_and_stands_under_quiet(run: Run) -> None:
+def test_a_warning_names_all_that_has_no_meaning_and_stands_under_quiet(run: Run) -> None:
+    found = {one["code"] for one in json.loads(run("report quartz 0.3nm --json").out)["validity"]}
+    ending = [limit for limit in LIMITS if limit.ends_meaning and not found.isdisjoint(limit.codes.values())]
+    assert len(ending) > 3
     for options in ("", "--quiet"):
-        warning, *_, last = run(f"report quartz 0.3nm {options}").err.partition("warning: ")[2].splitlines()
-        assert warning == "with the (2/7)W0 of n_roll the contact springs back (W0/W_yield = 0.0287)"
-        assert last == "more: --explain"
+        [warning] = [line for line in run(f"report quartz 0.3nm {options}").err.splitlines() if "warning: " in line]
+        assert all(limit.consequence in warning for limit in ending)
     explained = run("report quartz 0.3nm --explain").out
     numbers = {
         one["symbol"]: one["code"]
@@ -144,10 +146,8 @@ def test_every_law_has_its_own_doubt(run: Run) -> None:
 
 def test_a_list_explains_the_doubts_that_it_names(run: Run) -> None:
     said = run("yield-force quartz 0.5nm 2nm 1um").err
-    for line in said.splitlines():
-        assert len(line) <= 154
     pieces = said.partition("numbers have no meaning: ")[2].splitlines()[0].split("; ")
-    assert len(pieces) == 2
+    assert len(pieces) == 3
     for piece in pieces:
         found = re.fullmatch(r"(\S+) in \d(?: of 3 rows)? \((.+)\)", piece)
         assert found
@@ -222,7 +222,7 @@ def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on
 def test_eq_41_has_a_note_with_its_value_in_place_of_a_row(run: Run) -> None:
     call = "frequencies quartz 1um"
     assert "f_roll(41)" not in run(call, terminal=True, together=True).out
-    found = re.search(r"note: f_roll\(41\): ([\d.]+) times too low", run(f"{call} --explain").out)
+    found = re.search(r"^  note +([\d.]+) times too low", run(f"{call} --explain").out, re.MULTILINE)
     assert found
     values = {one["name"]: one["value"] for one in json.loads(run(f"{call} --json").out)["results"]}
     assert values["rolling_frequency"] == approx(float(found[1]) * values["rolling_frequency_as_printed"], rel=1e-5)

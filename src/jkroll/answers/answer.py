@@ -27,14 +27,13 @@ from .notes import (
     about_limits,
     about_lost_contacts,
     about_missing,
-    about_results,
     about_uncertainties,
+    about_values,
     assumed,
     entering,
-    model_error,
 )
 from .questions import Question
-from .results import Note, Result, over_spacing, propagated_of, with_law
+from .results import Note, Result, model_error, over_spacing, propagated_of, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -216,7 +215,7 @@ class Answer:
         found, sources = self._uncertainties
         return (
             *about_given(scene, self._possible, *self._entering),
-            *about_results([*self.results], scene),
+            *about_values(scene, self._known),
             *about_missing([*self.results], self.errors),
             *about_limits(self.validity),
             *(about_uncertainties(found, sources) if sources is not None else ()),

@@ -8,7 +8,7 @@ from math import isfinite
 from typing import Any
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import amount, in_words, span
+from ..quantities.formatting import amount, in_words, span, symbol_beside
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import factor_of_law
@@ -20,7 +20,7 @@ from ..scene.uncertainty import Bars, Sources, measures_of, uncertainties_of_unk
 from ..scene.unknowns import solution
 from ..text import listed
 from .answer import Answer
-from .notes import about_missing, about_uncertainties, symbol_beside
+from .notes import about_missing, about_uncertainties
 from .questions import Question
 from .results import Note, Result, propagated_of
 

@@ -126,3 +126,22 @@ def over_spacing(name: str, scene: Scene) -> str:
     ends = [scene.replace(atomic_spacing=scene["atomic_spacing"]), at_half_spacing(scene)]
     texts = [f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end['atomic_spacing'])}" for end in ends]
     return f"from {' to '.join(texts)}; give --z0"
+
+
+# --- Models of the rolling moment -------------------------------------------------------------------------------------
+
+_MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
+
+
+def model_error(name: str, scene: Scene) -> float | None:
+    """Return the relative error of a model; None for the exact one, for other quantities, and where one has no value.
+
+    At a fixed load Eq (25) is exact; at a fixed approach, there is a term in ξ³ more.
+    """
+    exact_model = "fixed_approach_moment" if "approach_at_load" in scene.stated else "yield_moment"
+    if name not in _MOMENTS or name == exact_model:
+        return None
+    values = scene.numbers(name, exact_model)
+    if len(values) < 2:
+        return None
+    return float(abs(values[name] - values[exact_model]) / values[exact_model])

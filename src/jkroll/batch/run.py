@@ -121,7 +121,7 @@ def said_of(table: Table) -> tuple[str, ...]:
 
     notes = ["assumed " + ", ".join(map(assumed_value, table.assumed))] if table.assumed else []
     notes += [idle_in_words(idle)] if idle else []
-    notes += left_out_in_words((source, "") for source in table.left_out)
+    notes += left_out_in_words(table.left_out)
     return reading, *(f"note: {text}" for text in notes)
 
 

@@ -8,9 +8,9 @@ from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.answer import Answer
+from ..answers.notes import OfRows, lines_of
 from ..answers.questions import QUESTIONS, Question, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
-from ..output import notes as note_lines
 from ..output.answered import write_json, write_plain
 from ..output.files import text_output
 from ..quantities.formatting import Format
@@ -106,14 +106,14 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
         if row.failed and all(isnan(row.column(name)[0]) for name in headline):
             raise row.failure(0)
         blocks = iter([row])
-    notes = note_lines.OfRows(sweep.noted(wanted))
+    notes = OfRows(sweep.noted(wanted))
     deliver(call, wanted, notes, blocks, form)
     if len(sweep) == 1 and not call.quiet:
-        return _ended(call, notes, note_lines.of_answer(answer(next(sweep.scenes()))))
+        return _ended(call, notes, lines_of(answer(next(sweep.scenes()))))
     return _ended(call, notes, notes.lines(has_table=is_shown, quiet=call.quiet))
 
 
-def deliver(call: Call, wanted: "Wanted", notes: note_lines.OfRows, blocks: "Iterable[Columns]", form: Format) -> bool:
+def deliver(call: Call, wanted: "Wanted", notes: OfRows, blocks: "Iterable[Columns]", form: Format) -> bool:
     """Write columns to stdout, as a table or as lines of text, or to a file; return whether it was a table."""
     every = notes.watch(blocks)
     if call.target is not None:
@@ -139,7 +139,7 @@ def deliver(call: Call, wanted: "Wanted", notes: note_lines.OfRows, blocks: "Ite
     return False
 
 
-def _ended(call: Call, notes: note_lines.OfRows, lines: Iterable[str]) -> int:
+def _ended(call: Call, notes: OfRows, lines: Iterable[str]) -> int:
     """Print the notes on rows, and how many of them failed, if any did; return the exit code."""
     for line in lines:
         say_wrapped(line, sys.stderr)
@@ -199,7 +199,7 @@ def _write_answer(call: Call, answer: Answer, out: TextIO, form: Format) -> None
         write_plain(answer, out, form, alternatives=call.alternatives)
     out.flush()
     if not (call.quiet and call.kind == "bare"):
-        for line in note_lines.of_answer(answer, has_head=is_table, quiet=call.quiet):
+        for line in lines_of(answer, has_head=is_table, quiet=call.quiet):
             say_wrapped(line, sys.stderr)
 
 
@@ -250,8 +250,8 @@ def _write_curve(call: Call) -> int:
             yield Columns.of_rows(wanted, [wanted.row(state) for state in block])
 
     curves = [*dict.fromkeys(sample.curve for sample in samples)]
-    notes = note_lines.OfRows((curve.scene, curve.shown) for curve in curves)
+    notes = OfRows((curve.scene, curve.shown) for curve in curves)
     is_table = deliver(call, wanted, notes, columns(), form)
     if len(sweep) == 1 and not call.quiet:
-        return _ended(call, notes, note_lines.of_answer(curves[0], has_head=is_table))
+        return _ended(call, notes, lines_of(curves[0], has_head=is_table))
     return _ended(call, notes, notes.lines(has_table=is_table, quiet=call.quiet))

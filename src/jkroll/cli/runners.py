@@ -19,10 +19,9 @@ WIDTH_OF_EXPORT = 120  # of a comment
 def run_export(call: Call) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
     from ..answers.answer import Answer
-    from ..answers.notes import about_middles
+    from ..answers.notes import about_middles, every_line
     from ..answers.questions import Question
     from ..output.exports import PROGRAMS
-    from ..output.notes import every_line
 
     if not call.subject:
         raise BadRequest("export: which program? write jkroll export lammps quartz 100nm")

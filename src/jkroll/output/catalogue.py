@@ -7,7 +7,7 @@ from typing import Any, TextIO
 from ..answers.questions import QUESTIONS
 from ..materials.library import ORIGIN, Material
 from ..physics.accuracy import accuracy_of
-from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
+from ..quantities.formatting import AS_USUAL, amount, in_words, pretty, symbol_beside
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, header
 from ..rows.columns import Wanted
 from ..scene.limits import LIMITS
@@ -46,7 +46,6 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
 
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of the properties of some materials."""
-    from ..answers.notes import symbol_beside
     from .table import Column, input_column, write_table
 
     values = (

@@ -12,6 +12,7 @@ from typing import Any, TextIO
 from .. import __version__
 from ..answers.alternatives import readings_of
 from ..answers.answer import Answer
+from ..answers.notes import every_line
 from ..answers.results import Result
 from ..errors import BadRequest, JkrollError
 from ..materials.library import data_of
@@ -24,7 +25,6 @@ from ..scene.alternatives import uses_law
 from ..scene.scene import Scene
 from ..scene.wiring import Step
 from ..text import listed, say, say_wrapped
-from .notes import every_line
 
 _SECTIONS = ("Source", "Valid")
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
@@ -125,6 +125,8 @@ def _found(result: Result, form: Format) -> list[str]:
     if bar is not None:
         shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in bar.shares.items())
         lines.append(f"  shares    {shares}")
+    if result.error:
+        lines.append(f"  error     {100 * result.error:.2g} % off the exact moment of this contact")
     if result.condition is not None:
         lines.append(
             "  inferred  by bisection, so that the formula below gives the measured value; "

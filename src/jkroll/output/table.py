@@ -7,8 +7,16 @@ from math import isnan
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
-from ..answers.notes import symbol_beside
-from ..quantities.formatting import Format, amount, from_to, in_words, pretty, significant, with_known_prefix
+from ..quantities.formatting import (
+    Format,
+    amount,
+    from_to,
+    in_words,
+    pretty,
+    significant,
+    symbol_beside,
+    with_known_prefix,
+)
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..answers.alternatives import advised
-from ..answers.notes import about_given, about_idle, about_middles, symbol_of
+from ..answers.notes import about_given, about_idle, about_middles
 from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
-from ..quantities.formatting import AS_USUAL, Format, amount, in_words
+from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.laws import Law
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE

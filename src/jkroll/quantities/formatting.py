@@ -1,10 +1,11 @@
 """Values as text: rounded and with a suitable prefix, or as the shortest text that parses back to the same value."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
+from ..text import first_of
 from .nomenclature import INFINITY, NOMENCLATURE, header
 from .units import RAISED, Unit, convert, parse_unit, power_of_ten
 
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
 
 DIGITS = 6  # significant, of a rounded value
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
+MAX_NAMES = 3  # of quantities in a sentence
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
 _ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0
@@ -276,3 +278,20 @@ def in_powers(value: float, digits: int = 4) -> str:
     factor = mantissa.rstrip("0").rstrip(".")
     power = "10" + str(int(exponent)).translate(RAISED)
     return power if factor == "1" else f"{factor}·{power}"
+
+
+def first_symbols(names: list[str]) -> str:
+    """Return the symbols of the first names of a list, and how many more there are."""
+    return first_of([*map(symbol_of, names)], MAX_NAMES)
+
+
+def symbol_beside(name: str, inputs: Collection[str]) -> str:
+    """Return the symbol of a quantity, without the index of sphere 1 where no other value is that of sphere 2."""
+    quantity = NOMENCLATURE[name]
+    is_of_both = quantity.sphere == 1 and quantity.twin not in inputs and name != "radius"
+    return symbol_of(name).removesuffix("1") if is_of_both else symbol_of(name)
+
+
+def symbol_of(name: str) -> str:
+    """Return the symbol of a quantity, or its name if it has none."""
+    return NOMENCLATURE[name].symbol or name
