@@ -504,7 +504,7 @@ def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
         ),
         ("map pull-off --x radius=1nm:1um:100000 --y gamma=1mJ/m2:1J/m2:100000", "are more than"),
         ("map pull-off 1nm:1um:25 --x gamma=1mJ/m2:1J/m2", "25 pairs are more than the 24 curves"),
-        ("map pull-off quartz,iron --x radius=1nm:1um:500001", "2 x 500001 points are more than 1000000"),
+        ("map pull-off quartz,iron --x radius=1nm:1um:2000001", "2 x 2000001 points are more than 4000000"),
         ("map pull-off quartz --x radius=1nm:1um -o picture.gif", ".svg, .pdf or .png; --data FILE writes the numbers"),
         (
             "contact quartz 100nm --curve --panel force -o curve.csv",

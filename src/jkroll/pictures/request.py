@@ -1,6 +1,6 @@
 """A user's request for a plot as a map or curves: with caption, notes, and limits of the model that are exceeded."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import partial
 from math import isclose, log, nan
 from operator import itemgetter
@@ -42,8 +42,7 @@ from .styles import BORDER
 
 SIDE = 201  # points a side of a map, unless its axes say another number
 ALONG = 1001  # points of a curve
-MAX_POINTS = 4_000_000  # of a map
-MAX_ALONG = 1_000_000  # points of all curves together
+MAX_POINTS = 4_000_000  # of a map, and of all curves together
 _EVERYWHERE = "everywhere"  # the part of a curve that is all of it
 
 
@@ -114,26 +113,27 @@ def map_of(request: PlotRequest) -> tuple[Map, tuple[str, ...]]:
     assert request.y is not None
     quantity, scene = request.quantity, request.scenes[0][1]
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, request.y))
-    if x.size * y.size > MAX_POINTS:
-        raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
-    at_an_end = {**x.inputs(x.high), **y.inputs(y.high)}  # what a quantity needs is the same all along an axis
-    context = Context(request, scene, at_an_end)
-    values = evaluate(scene, quantity, x, y)
-    if not has_values(values):
-        raise NothingToDraw(quantity, context.scene)
+    _check_size(x.size, y.size)
+    field = Field(request, "", scene, x, y)
     chosen = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
     of_materials, others = material_marks(request.materials, x, y) if scene.material is None else ((), ())
-    regions, exceeded = limits_on_map(scene, quantity, x, y, context.limits)
+    regions, exceeded = limits_on_map(scene, quantity, x, y, field.limits)
     caption = (
-        _first_sentence(quantity, [context.scene]),
-        *fixed_inputs(context.inputs),
-        *_flat(quantity, "", values),
+        _first_sentence(quantity, [field.scene]),
+        *fixed_inputs(field.inputs),
+        *field.flat(),
         *_own_values(request, chosen),
         *others,
-        *_gaps(quantity, [context], [values]),
+        *_gaps(quantity, [field]),
         *exceeded,
     )
-    return Map(quantity, scene, x, y, values, tuple(regions), (*of_materials, *chosen), caption), context.notes
+    return Map(quantity, scene, x, y, field.values, tuple(regions), (*of_materials, *chosen), caption), field.notes
+
+
+def _check_size(first: int, second: int) -> None:
+    """Raise BadRequest for more points than a picture may have."""
+    if first * second > MAX_POINTS:
+        raise BadRequest(f"{first} x {second} points are more than {MAX_POINTS}")
 
 
 def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, ...], tuple[str, ...]]:
@@ -154,69 +154,55 @@ def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, 
 
 def curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     """Return the curves of a request, and notes on them."""
-    x = request.x._replace(size=request.x.size or ALONG)
-    if x.size * len(request.scenes) > MAX_ALONG:
-        raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MAX_ALONG}")
-    contexts: list[Context] = []
-    curves: list[Curve] = []
-    missing: dict[str, MissingInput | NothingToDraw] = {}
+    quantity, x = request.quantity, request.x._replace(size=request.x.size or ALONG)
+    _check_size(len(request.scenes), x.size)
+    fields: list[Field] = []
+    errors: list[MissingInput | NothingToDraw] = []
+    notes: list[str] = []
     for text, scene in request.scenes:
         try:
-            context = Context(request, scene, x.inputs(x.high))
-            values = evaluate(scene, request.quantity, x)
-            if not has_values(values):
-                raise NothingToDraw(request.quantity, context.scene)
+            fields.append(Field(request, text, scene, x))
         except (MissingInput, NothingToDraw) as error:
-            missing[text] = error
-            continue
-        curves.append(Curve(text, x.values(), values, len(contexts)))
-        contexts.append(context)
-    if not curves:
-        raise next(iter(missing.values()))
-    y = axis_around(request.quantity, [curve.y for curve in curves], may_be_log=True)
+            errors.append(error)
+            notes.append(f"no curve: {text}: {error}")
+    if not fields:
+        raise errors[0]
+    curves = [Curve(field.text, x.values(), field.values, colour) for colour, field in enumerate(fields)]
+    y = axis_around(quantity, [curve.y for curve in curves], may_be_log=True)
     marks = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
-    shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
+    first, *others = fields
     caption = (
-        _first_sentence(request.quantity, [context.scene for context in contexts]),
-        *fixed_inputs(shared),
-        *(text for curve in curves for text in _flat(request.quantity, curve.text, curve.y)),
-        *_gaps(request.quantity, contexts, [curve.y for curve in curves]),
-        *_doubts_along(x, curves, contexts),
-        *_farthest_off(request.quantity, x, curves, contexts),
+        _first_sentence(quantity, [field.scene for field in fields]),
+        *fixed_inputs([text for text in first.inputs if all(text in other.inputs for other in others)]),
+        *(sentence for field in fields for sentence in field.flat()),
+        *_gaps(quantity, fields),
+        *_doubts_along(x, fields),
+        *_farthest_off(quantity, x, curves, fields),
     )
-    notes = [f"no curve: {text}: {error}" for text, error in missing.items()]
-    notes += dict.fromkeys(note for context in contexts for note in context.notes)
+    notes += dict.fromkeys(note for field in fields for note in field.notes)
     return Picture("", (Panel(x, y, tuple(curves), tuple(marks)),), caption), tuple(notes)
 
 
-def _flat(quantity: str, text: str, values: Any) -> Iterator[str]:
-    """Iterate over the sentence on a map or a curve that has the same value everywhere; `text`: of the curve."""
-    if is_flat(values):
-        sentence = f"the same everywhere: {symbol(quantity)} = {amount(quantity, extent(values)[1])}."
-        yield f"{text}, {sentence}" if text else capitalized(sentence)
-
-
-def _gaps(quantity: str, contexts: "Iterable[Context]", values: Iterable[Any]) -> Iterator[str]:
+def _gaps(quantity: str, fields: "Iterable[Field]") -> Iterator[str]:
     """Iterate over the sentence on values that are missing because the atomic spacing decides on them."""
-    may_rest = any(context.scene.may_rest_on_spacing(quantity) for context in contexts)
-    if may_rest and any(not numpy.isfinite(numbers).all() for numbers in values):
+    if any(field.scene.may_rest_on_spacing(quantity) and not numpy.isfinite(field.values).all() for field in fields):
         yield f"No value where it {RESTS_ON_SPACING.words}."
 
 
-def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:
+def _doubts_along(x: Axis, fields: "Sequence[Field]") -> Iterator[str]:
     """Iterate over sentences on the parts of curves where the model has no meaning or is not exact."""
-    unjudged = [curve.text for curve, context in zip(curves, contexts, strict=True) if not context.is_judged]
+    unjudged = [field.text for field in fields if not field.is_judged]
     if unjudged:
-        which = f" for {', '.join(unjudged)}" if len(unjudged) < len(curves) else ""
+        which = f" for {', '.join(unjudged)}" if len(unjudged) < len(fields) else ""
         yield f"Limits are not judged{which}."
     places: dict[str, list[tuple[str, str]]] = {}  # the curves and their parts, by what holds there
-    for curve, context in zip(curves, contexts, strict=True):
-        has_value = numpy.isfinite(curve.y)
-        for doubt in judged(context.limits, over(context.given, x), [context.quantity]):
-            for _, text, is_beyond in beyond(doubt, context.given.law, has_value):
-                places.setdefault(text, []).append((curve.text, _part(x, is_beyond, has_value)))
+    for field in fields:
+        has_value = numpy.isfinite(field.values)
+        for doubt in judged(field.limits, over(field.given, x), [field.quantity]):
+            for _, text, is_beyond in beyond(doubt, field.given.law, has_value):
+                places.setdefault(text, []).append((field.text, _part(x, is_beyond, has_value)))
     for text, parts in places.items():
-        if parts == [(curve.text, _EVERYWHERE) for curve in curves]:
+        if parts == [(field.text, _EVERYWHERE) for field in fields]:
             yield f"Everywhere {text}."
         else:
             yield f"{'; '.join(', '.join(filter(None, part)) for part in parts)}: {text}."
@@ -231,7 +217,7 @@ def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:
     return f"{symbol(x.name)} = {' to '.join(ends)}"
 
 
-def _farthest_off(quantity: str, x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:
+def _farthest_off(quantity: str, x: Axis, curves: Sequence[Curve], contexts: "Sequence[Field]") -> Iterator[str]:
     """Iterate over the sentence on the place at which the law of curves is farthest off, with the value by Maugis'."""
     places = []
     for curve, context in zip(curves, contexts, strict=True):
@@ -252,16 +238,18 @@ def _farthest_off(quantity: str, x: Axis, curves: Sequence[Curve], contexts: "Se
         yield f"{here.law.title} is farthest off at {place}: {symbol(quantity)} {told} by Maugis' law, {own} here."
 
 
-class Context:
-    """The inputs that are fixed all over a picture, the limits of the model, and notes on the data.
+class Field:
+    """A quantity over the axes of one curve or a map: values, fixed inputs, the limits of the model, and notes.
 
-    Raises MissingInput if the quantity cannot be computed.
+    Raises MissingInput if the quantity cannot be computed, and NothingToDraw if it has no value.
     """
 
-    def __init__(self, request: PlotRequest, scene: Scene, values: Mapping[str, float]) -> None:
-        """Describe the quantity of a request in a scene; `values` holds one value of each axis."""
-        self.given, self.quantity = scene, (quantity := request.quantity)
-        self.scene = scene.replace(**values)
+    def __init__(self, request: PlotRequest, text: str, scene: Scene, x: Axis, y: Axis | None = None) -> None:
+        """Evaluate the quantity of a request in a scene; `text`: the label of a curve."""
+        self.text, self.given, self.quantity = text, scene, (quantity := request.quantity)
+        axes = [axis for axis in (x, y) if axis is not None]
+        at_an_end = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
+        self.scene = scene.replace(**at_an_end)  # what a quantity needs is the same all along an axis
         self.limits: list[Limit] = []
         notes = []
         for limit in touched(self.scene, [quantity], request.limits):
@@ -278,12 +266,22 @@ class Context:
         used = {*self.scene.inputs_of(quantity)}
         # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
         shown = [name for name in inputs if name in used or name != "load" or name in self.scene.given]
-        self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in values])
+        self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in at_an_end])
         remark = NOMENCLATURE[quantity].note
         remarks = [f"{symbol_of(quantity)}: {remark}"] if remark else []
         idle = [note.text for note in about_idle(self.scene, inputs)]
         data = notes_on(scene, self.scene, shown, names)
         self.notes = tuple(dict.fromkeys([*notes[:1], *idle, *data, *remarks]))
+        self.values = evaluate(scene, quantity, x, y)
+        if not has_values(self.values):
+            raise NothingToDraw(quantity, self.scene)
+
+    def flat(self) -> Iterator[str]:
+        """Iterate over the sentence on values that are the same everywhere."""
+        if is_flat(self.values):
+            value = amount(self.quantity, extent(self.values)[1])
+            sentence = f"the same everywhere: {symbol(self.quantity)} = {value}."
+            yield f"{self.text}, {sentence}" if self.text else capitalized(sentence)
 
 
 def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
