@@ -172,20 +172,13 @@ PROGRAM = (
     HELP,
 )
 
-# Inputs that every question takes: shown where they are used, and among the further options.
-_ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
-_HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing")
-_HIDDEN_WHERE_USED = (
-    *OF_THE_PAIR,
-    "energy_ratio",
-    "adhesion_hysteresis",
-    "hysteresis_fraction",
-    "hamaker",
-    "hamaker2",
-    "cutoff",
-    "viscous_time",
-    "asperity_radius",
-)
+_OF_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2")
+# Inputs that every question takes, as it takes materials.
+_ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density",
+    *_OF_SPHERE_2, "atomic_spacing")  # fmt: skip
+# Inputs that stand among the further options of the help, even where they are used.
+_FURTHER = (*_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio", "adhesion_hysteresis", "hysteresis_fraction",
+    "hamaker", "hamaker2", "cutoff", "viscous_time", "asperity_radius")  # fmt: skip
 
 
 @cache
@@ -200,8 +193,8 @@ def input_options(quantities: tuple[str, ...], *, any_input: bool = False) -> tu
     depends = depends_on(quantities, LAWS)
     if any(map(differs, depends_on(quantities))):
         depends |= {"model"}
-    names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if any_input or name in depends)))
-    shown = {*depends, "material2", "radius2"} - {*_HIDDEN, *_HIDDEN_WHERE_USED}
+    names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if any_input or name in depends)))
+    shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
     return tuple(
         Option(name, quantity.option, metavar=quantity.example, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
