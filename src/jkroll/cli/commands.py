@@ -308,7 +308,7 @@ _COMMANDS = (
     Command("export", "Input of LAMMPS, LIGGGHTS, DustSimulation or DustCollider.", "PROGRAM [MATERIAL] [RADIUS]",
         _options_of_export, "runners:run_export", "lammps quartz 100nm --model dmt", DEM),
     Command("infer", "Inputs from measured values.", "INPUT [MATERIAL] [RADIUS]...",
-        lambda: (MEASURED, *_any_input(), *_OUTPUT), "infer:run_infer",
+        lambda: (MEASURED, *_any_input(), *_OUTPUT), "runners:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN", CONTACT),
     Command("batch", "Results for each row of a table.", "IN",
         _options_of_table, "runners:run_batch", "grains.csv -o forces.csv", ALL),
