@@ -6,7 +6,7 @@ The state is that of a load and a pull-off force, or of an approach in units of 
 # ruff: noqa: D102, N803, N806  (names of quantities and the paper's symbols)
 
 from collections.abc import Callable, Mapping
-from decimal import Context, Decimal, localcontext
+from decimal import Decimal, localcontext
 from typing import Any, NamedTuple
 
 import numpy
@@ -19,7 +19,6 @@ SYMBOLS = {
     "delta": "approach_at_load", "delta0": "approach", "z0": "atomic_spacing",
 }  # fmt: skip
 DIGITS = 60
-_CONTEXT = Context(prec=DIGITS)
 _STEP = Decimal("1e-20")  # of an input, relative, for a slope: its square is beyond the digits that are compared
 
 Way = Callable[..., Any]  # a function whose parameters are the paper's symbols
@@ -41,8 +40,8 @@ class Equations:
     def __init__(self, sqrt: Way, cbrt: Way, pi: Any, tolerance: Any, *, is_stable: bool = True) -> None:
         self.sqrt, self.cbrt, self.pi, self.tolerance, self.is_stable = sqrt, cbrt, pi, tolerance, is_stable
 
-    def reduced(self, one: Any, two: Any) -> Any:
-        return 1 / (1 / one + 1 / two)
+    def reduced(self, first: Any, second: Any) -> Any:
+        return 1 / (1 / first + 1 / second)
 
     def factor(self, P: Any, P_c: Any) -> Any:
         """Return the larger root x = â^(3/2) of P/P_c = 4(x² − x), Eq 5."""
@@ -132,10 +131,6 @@ class Equations:
         return state(v)[0] * self.cbrt(unit_force * R / K)
 
 
-def _cube_root(value: Decimal) -> Decimal:
-    return value ** (1 / Decimal(3))
-
-
 def _arc_tangent(value: Decimal) -> Decimal:
     """Return the arc tangent by its series, after eight halvings of the angle."""
     for _ in range(8):
@@ -158,7 +153,7 @@ def _root(function: Callable[[Decimal], Decimal], near: Decimal) -> Decimal:
 
 
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459")
-DECIMALS = Equations(Decimal.sqrt, _cube_root, PI, Decimal("1e-30"))
+DECIMALS = Equations(Decimal.sqrt, lambda value: value ** (1 / Decimal(3)), PI, Decimal("1e-30"))
 DOUBLES = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15)
 AS_PRINTED = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15, is_stable=False)
 
@@ -177,7 +172,7 @@ def digits(quantity: str, point: Mapping[str, float], moved: str = "") -> Decima
     An input is moved by a small step towards zero.
     """
     equation = getattr(DECIMALS, quantity)
-    with localcontext(_CONTEXT):
+    with localcontext(prec=DIGITS):
         given = {name: Decimal(point[name]) * (1 - _STEP * (name == moved)) for name in inputs_of(equation)}
         value: Decimal = equation(*given.values())
         return value
@@ -187,6 +182,6 @@ def exact(quantity: str, point: Mapping[str, float]) -> Exact:
     """Return the exact value of a quantity at a point, and its condition in the state and, by Maugis, in λ."""
     value = digits(quantity, point)
     states = {"load", "approach_at_load", "atomic_spacing"}.intersection(inputs_of(getattr(DECIMALS, quantity)))
-    with localcontext(_CONTEXT):
+    with localcontext(prec=DIGITS):
         slopes = [abs(digits(quantity, point, name) / value - 1) / _STEP for name in states] if value else []
         return Exact(float(value), float(value - Decimal(float(value))), float(sum(slopes)))

@@ -5,7 +5,6 @@ import platform
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import groupby
-from pathlib import Path
 from time import perf_counter_ns
 from typing import Any, NamedTuple, TextIO
 
@@ -29,14 +28,13 @@ PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), of the guide
 class Size(NamedTuple):
     """The extent of a measurement."""
 
-    points: int  # of each region, whose errors are measured
+    points: int  # of each region, whose errors are measured, and of the ordinary one, whose single numbers are timed
     elements: int  # of the arrays that are timed
-    numbers: int  # calls for one number that are timed
     repeats: int
 
 
-FULL = Size(points=500, elements=100_000, numbers=300, repeats=5)
-QUICK = Size(points=50, elements=20_000, numbers=30, repeats=2)
+FULL = Size(points=500, elements=100_000, repeats=5)
+QUICK = Size(points=50, elements=20_000, repeats=2)
 
 
 class Error(NamedTuple):
@@ -65,7 +63,6 @@ class Row(NamedTuple):
 
 Arrays = Mapping[str, Any]
 REGIONS = ("ordinary", "pull-off", "fold", "δ = 0", "extreme")
-_SEED = 1997
 _PULL_OFF_APPROACH = -(2 ** (-4 / 3))  # δ/δ0 at the pull-off force
 
 
@@ -75,7 +72,7 @@ def regions(count: int) -> Mapping[str, Arrays]:
     Ordinary ones are grains of 10 nm to 100 µm under loads from −0.8 to 2 P_c, or at approaches from −0.8 to 3 δ0. The
     others have sizes and properties of any magnitude. A load reaches no fold.
     """
-    random = numpy.random.default_rng(_SEED)
+    random = numpy.random.default_rng(1997)
 
     def powers(low: float, high: float) -> Any:
         return 10 ** random.uniform(low, high, count)
@@ -152,13 +149,12 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, r
         "60 digits": lambda few: [float(digits(quantity, point)) for point in few],
     }
     names = {name for way in (getattr(DECIMALS, quantity), *others.values()) for name in inputs_of(way)}
-    given = {
-        region: {name: arrays[name] for name in names} for region, arrays in points.items() if names <= arrays.keys()
-    }
+    reached = [region for region, arrays in points.items() if names <= arrays.keys()]
+    given = {region: {name: points[region][name] for name in names} for region in reached}
     listed = {region: each(arrays) for region, arrays in given.items()}
     wanted = {region: numpy.array([exact(quantity, point) for point in few]).T for region, few in listed.items()}
     many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
-    few = listed["ordinary"][: size.numbers]
+    few = listed["ordinary"]
     for ways, timed, count, at_points in ((by_arrays, many, size.elements, given), (by_points, few, len(few), listed)):
         times = _best({name: partial(way, timed) for name, way in ways.items()}, size.repeats)
         for name, way in ways.items():
@@ -218,14 +214,9 @@ def write_bench(out: TextIO, kind: str, size: Size) -> list[Row]:
 
 
 def machine() -> str:
-    """Return what the times depend on: processor and versions. Linux has the name of the processor in a file."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        lines = []
-    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
-    processor = next(names, platform.processor() or platform.machine())
-    return f"{processor}, Python {platform.python_version()}, numpy {numpy.__version__}, jkroll {__version__}"
+    """Return what the times depend on: processor and versions."""
+    versions = f"Python {platform.python_version()}, numpy {numpy.__version__}, jkroll {__version__}"
+    return f"{platform.processor() or platform.machine()}, {versions}"
 
 
 def _in_full(row: Row) -> list[Cell]:

@@ -14,8 +14,6 @@ from ..physics.jkr import FOLD_APPROACH
 from ..scene.wiring import plan_for
 from .equations import AS_PRINTED, DECIMALS, DOUBLES, Way, inputs_of
 
-_reduced = DOUBLES.reduced
-
 
 def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
     """Return the formulas that `jkroll.solve` runs, as a function of the inputs of a quantity."""
@@ -37,9 +35,6 @@ def _printed(quantity: str) -> dict[str, Way]:
         "s = √(1+P/P_c)": getattr(AS_PRINTED, quantity),
         "s = √((P+P_c)/P_c)": getattr(DOUBLES, quantity),
     }
-
-
-# --- The approach inverted --------------------------------------------------------------------------------------------
 
 
 def _by_radicals(delta: Any, delta0: Any) -> Any:
@@ -74,14 +69,11 @@ def _table() -> tuple[Any, Any]:
     return nodes, interp(nodes, 3 * y**4 - 2 * y, y**3)
 
 
-# --- The moment integrated --------------------------------------------------------------------------------------------
-
-
 def _half_circles(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -> Any:
     """Return Eq 19 with Eq 23, not linearised: its terms in ξ³ count as errors of Eq 25, which is exact."""
     a = DOUBLES.contact_radius_at_load(R1, R2, w, E, P, P_c)
     delta = DOUBLES.approach_at_load(R1, R2, w, E, P, P_c)
-    less, more = (E * A**2 * delta / 2 - E / (4 * _reduced(R1, R2)) * A**4 for A in (a - xi, a + xi))
+    less, more = (E * A**2 * delta / 2 - E / (4 * DOUBLES.reduced(R1, R2)) * A**4 for A in (a - xi, a + xi))
     return less - more
 
 
@@ -95,12 +87,9 @@ def _quadrature(points: int, *, in_angle: bool) -> Way:
         for node, weight in nodes:  # of X²/√(1 − r²/a²), which the pressure leaves
             r = (1 + node) / 2
             total = total + weight / 2 * (pi / 2 * sin(pi / 2 * r) ** 3 if in_angle else r**3 / sqrt(1 - r**2))
-        return 2 * E * xi / _reduced(R1, R2) * total * a**3 - xi * P
+        return 2 * E * xi / DOUBLES.reduced(R1, R2) * total * a**3 - xi * P
 
     return way
-
-
-# --- Between JKR and DMT: either limit, and a published fit -----------------------------------------------------------
 
 
 def _radius_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
@@ -108,7 +97,7 @@ def _radius_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
 
 
 def _radius_by_dmt(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
-    R = _reduced(R1, R2)
+    R = DOUBLES.reduced(R1, R2)
     return cbrt(3 / 4 * R / E * (P + 2 * pi * w * R))
 
 
@@ -118,7 +107,7 @@ def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
     The coefficients are those of the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of
     the article.
     """
-    R = _reduced(R1, R2)
+    R = DOUBLES.reduced(R1, R2)
     transition = TRANSITION_OVER_TABOR * cbrt(R * (w / E) ** 2) / z0
     alpha = (1 - exp(-transition / 0.924)) / 1.02
     power, power_of_radius = 4.04 * transition**1.4, 2.28 * transition**1.3
@@ -127,8 +116,6 @@ def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
     spread = (alpha + sqrt(1 + P / pull_off)) / (1 + alpha)
     return unloaded * cbrt(3 / 4 * pi * w * R**2 / E * spread**2)
 
-
-# --- All of them ------------------------------------------------------------------------------------------------------
 
 OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
     "pull_off_force": {"Eq 1": DOUBLES.pull_off_force},
