@@ -14,7 +14,7 @@ import numpy
 
 from ..errors import JkrollError
 from ..quantities.values import Measured
-from ..scene.scene import FOLLOWS, takes, takes_all
+from ..scene.scene import FOLLOWS, takes
 from .cells import Indices, Numbers
 from .columns import Columns, Row, Wanted, alike
 from .reasons import ROW
@@ -126,11 +126,8 @@ def groups(block: Block) -> Iterator[tuple[Indices, dict[str, Any]]]:
 
 def _kinds(name: str, column: Numbers) -> Indices:
     """Return the kind of each cell of a column."""
-    if takes_all(name, column.values):
-        kinds = numpy.full(len(column.values), _PLAIN)
-    else:
-        kinds = numpy.where(takes(name, column.values), _PLAIN, BAD)
-        kinds[numpy.isnan(column.values)] = _EMPTY
+    kinds = numpy.where(takes(name, column.values), _PLAIN, BAD)
+    kinds[numpy.isnan(column.values)] = _EMPTY
     if name in FOLLOWS:
         kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
     kinds[[*column.odd]] = BAD

@@ -17,7 +17,7 @@ from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, Range, of_sphere
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain
 from .failures import (
     RESTS_ON_SPACING,
@@ -42,15 +42,16 @@ def check_range(name: str, value: Any) -> None:
     """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
-    limits = NOMENCLATURE[name].range
-    if isinstance(value, NUMBER):
-        if not takes(name, value):
-            raise QuantityError(name, value, _wanted(limits, value))
-    elif not takes_all(name, value):
-        refused = ~takes(name, value)
-        place = tuple(places[0].item() for places in refused.nonzero())
-        first = value[place].item()
-        raise QuantityError(name, first, _wanted(limits, first), place=place)
+    are_taken, place = takes(name, value), ()
+    if not isinstance(value, NUMBER):
+        if are_taken.all():
+            return
+        place = tuple(places[0].item() for places in (~are_taken).nonzero())
+        value, are_taken = value[place].item(), False
+    if not are_taken:
+        limits = NOMENCLATURE[name].range
+        words = MAGNITUDE if limits.admits(value) else limits.words
+        raise QuantityError(name, value, words if isfinite(value) else "must be finite", place=place)
 
 
 def takes(name: str, value: Any) -> Any:
@@ -59,19 +60,6 @@ def takes(name: str, value: Any) -> Any:
     is_large_enough = (size >= LEAST) | limits.admits(0.0)
     is_small_enough = (size <= MOST) | (value == INFINITY)
     return limits.admits(value) & is_large_enough & is_small_enough
-
-
-def takes_all(name: str, values: Any) -> bool:
-    """Return whether a scene takes each element of an array: nearly always all lie between two that it takes."""
-    least, most = float(values.min(initial=INFINITY)), float(values.max(initial=-INFINITY))
-    return bool((most < INFINITY and takes(name, least) and takes(name, most)) or takes(name, values).all())
-
-
-def _wanted(limits: Range, value: float) -> str:
-    """Return the words for a number that is not taken: the range of its quantity, or that of all."""
-    if not isfinite(value):
-        return "must be finite"
-    return MAGNITUDE if limits.admits(value) else limits.words
 
 
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
@@ -222,9 +210,7 @@ class Scene:
         self.evaluated: dict[str, Evaluated] = {}  # arrays alone: numbers cost less than to remember them
         self.shared: Mapping[str, Evaluated] = {}  # of the scene in whose place this one may stand
         self.known = frozenset(self.values)
-        self.alternatives: dict[
-            str, Scene
-        ] = {}  # that may stand in its place, by their kind, made when they are asked for
+        self.alternatives: dict[str, Scene] = {}  # that may stand in its place, by their kind, made when asked for
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
