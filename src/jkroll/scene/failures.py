@@ -5,6 +5,7 @@ Below: the numbers for which the physics gives a formula no result, with the err
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isinf
+from operator import ge
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
@@ -171,26 +172,18 @@ class Failure(NoResult):
         self.kind, self.name, self.numbers, self.phrase = kind, name or kind.name, tuple(numbers), kind.phrase
 
     def reason(self) -> str:
-        """Return the words of its kind, with its numbers."""
+        """Return the words of its kind, with its numbers: with more digits where a value and its limit look the same.
+
+        A limit is one that may be typed: rounding does not put it beyond what a contact holds.
+        """
         if not self.numbers:
             return self.kind.words
-        value, *limits = self.numbers
-        told_apart = _amount(self.name, value, lambda text, form: text != amount(self.name, limits[0], form))
-        return self.kind.words.format(told_apart, *(_held(self.name, limit) for limit in limits))
-
-
-def _held(name: str, least: float) -> str:
-    """Return the least value that a contact holds as it may be typed: rounding does not put it beyond."""
-    return _amount(name, least, lambda text, _: parse_quantity(text, name) >= least)
-
-
-def _amount(name: str, value: float, is_enough: Callable[[str, Format], bool]) -> str:
-    """Return a value as results are shown, or with as many digits more as are enough."""
-    for digits in range(DIGITS, MAX_DIGITS + 1):
-        form = Format(digits=digits)
-        if is_enough(text := amount(name, value, form), form):
-            break
-    return text
+        for digits in range(DIGITS, MAX_DIGITS + 1):
+            value, *limits = (amount(self.name, number, Format(digits=digits)) for number in self.numbers)
+            held = (parse_quantity(text, self.name) for text in limits)
+            if value != limits[0] and all(map(ge, held, self.numbers[1:])):
+                break
+        return self.kind.words.format(value, *limits)
 
 
 def rests_on_spacing(error: JkrollError | None) -> bool:
