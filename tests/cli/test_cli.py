@@ -127,8 +127,8 @@ MESSAGES = {
     "yield-force quartz 100nm --load -11.78098nN": (
         1,
         (
-            "--load: -11.78098 nN breaks this contact, which holds a pull down to -11.78097 nN (-15.0037 nN by Maugis' "
-            "law: --model maugis)"
+            "--load: -11.78098 nN breaks this contact, which holds a pull down to -11.780972 nN (-15.003749 nN by "
+            "Maugis' law: --model maugis)"
         ),
     ),
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
