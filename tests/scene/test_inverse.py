@@ -255,7 +255,7 @@ def test_both_ends_of_what_a_quantity_can_be_are_exact(measured: float) -> None:
     ("name", "measured", "words"),
     [
         (None, {"pull_off_force": 3e-9}, "'None' cannot be inferred"),
-        (["gamma"], {"pull_off_force": 3e-9}, "cannot be inferred"),
+        (["gravity"], {"pull_off_force": 3e-9}, "'gravity' cannot be inferred"),
         ("gamma", None, "'None' is not one quantity and its value"),
         ("gamma", "pull_off_force=3nN", "is not one quantity and its value"),
         ("gamma", {3: 3e-9}, "'3' is not a quantity"),

@@ -432,8 +432,9 @@ def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
 @pytest.mark.parametrize(
     ("wanted", "measured", "words"),
     [
-        (["gamma", "young", "radius"], MEASURED, "cannot be inferred: one input can, or two"),
-        (["gamma", "surface_energy"], MEASURED, "cannot be inferred: one input can, or two"),
+        (["gamma", "young", "radius"], MEASURED, "'gamma,young,radius': one input can be inferred, or two that differ"),
+        (["gamma", "surface_energy"], MEASURED, "one input can be inferred, or two that differ"),
+        ([], {}, "one input can be inferred, or two that differ"),
         (["gamma", "gravity"], MEASURED, "'gravity' cannot be inferred"),
         (["gamma", "young"], {"stiffness": 1e3}, "is not two quantities and their values"),
         ("gamma", MEASURED, "is not one quantity and its value"),
@@ -444,6 +445,12 @@ def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
 def test_wrong_arguments_are_refused_in_words(wanted: Any, measured: dict[str, Any], words: str) -> None:
     with pytest.raises(JkrollError, match=words):
         infer(wanted, measured=measured, **PLANE)
+
+
+def test_a_list_of_one_input_is_a_list() -> None:
+    single = infer(["gamma"], measured={"pull_off_force": 3e-7}, **PLANE)
+    assert single == {"surface_energy": infer("gamma", measured={"pull_off_force": 3e-7}, **PLANE)}
+    assert single.condition == 1
 
 
 def test_the_command(run: Run) -> None:
@@ -506,8 +513,8 @@ def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
 @pytest.mark.parametrize(
     ("words", "code", "message"),
     [
-        ("infer gamma,young,radius quartz --measured P_c=3nN", 2, "infer finds one input or two, not 3"),
-        ("infer gamma,gamma quartz --measured P_c=3nN", 2, "'gamma,gamma' names one input twice"),
+        ("infer gamma,young,radius quartz --measured P_c=3nN", 2, "'gamma,young,radius': one input can be inferred, "),
+        ("infer gamma,gamma quartz --measured P_c=3nN", 2, "'gamma,gamma': one input can be inferred, or two "),
         ("infer gamma,yung quartz --measured P_c=3nN", 2, "'yung' cannot be inferred; did you mean youngs_modulus?"),
         (f"{WORDS}", 2, "infer needs what was measured: --measured pull_off_force=300nN --measured stiffness=1kN/m"),
         (f"{WORDS} --measured P_c=3nN", 2, "two inputs need two measured quantities, and 1 is given: "),

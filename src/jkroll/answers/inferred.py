@@ -54,6 +54,7 @@ class Inferred(Answer):
             self.scene, measured = problem.filled(), ()
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
         self.inputs = {name: in_words(name, value) for name, value in problem.echo().items()}
+        self._uncertainties = self._bars(self.solution)
         self.laws = {}  # what is found under each law stands beside the results
         self.displacement, self.validity = self.forward.displacement, self.forward.validity
         self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
@@ -78,13 +79,11 @@ class Inferred(Answer):
             for name, value in self.solution.values.items()
         )
 
-    @cached_property
-    def _uncertainties(self) -> tuple[Bars, Sources | None]:
-        return ({}, None) if self.solution is None else self._bars(self.solution)
-
-    def _bars(self, solution: Solution) -> tuple[Bars, Sources | None]:
-        """Return the error bars of a solution and their sources, if anything is uncertain."""
-        return uncertainties_of_unknowns(solution) if self.problem.is_uncertain else ({}, None)
+    def _bars(self, solution: Solution | None) -> tuple[Bars, Sources | None]:
+        """Return the error bars of a solution and their sources, if there is one and anything is uncertain."""
+        if solution is None or not self.problem.is_uncertain:
+            return {}, None
+        return uncertainties_of_unknowns(solution)
 
     @cached_property
     def _by_law(self) -> dict[str, Solution]:

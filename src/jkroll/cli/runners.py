@@ -59,12 +59,12 @@ def run_infer(call: Call) -> int:
     from ..answers.inferred import Inferred
     from ..answers.questions import Question
     from ..rows.infer import Problems
-    from ..scene.inverse import SIZES, already_given
+    from ..scene.inverse import SIZES, already_given, inputs_named
     from .question import check_format, write
 
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    names = _sought(call.subject)
+    names = inputs_named(call.subject.split(","))
     if call.alternatives:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
     for word in filter(is_table, call.words):
@@ -83,19 +83,6 @@ def run_infer(call: Call) -> int:
     if len(names) > 1 and len(problems) > MAX_PAIRS:
         raise BadRequest(f"{len(problems)} pairs are more than {MAX_PAIRS}, in which two inputs are looked for")
     return write(call, problems, Question(tuple(names), tuple(names)), form, Inferred)
-
-
-def _sought(text: str) -> list[str]:
-    """Read the inputs that are sought."""
-    from ..scene.inverse import input_named
-
-    words = text.split(",")
-    names = [*map(input_named, words)]
-    if len(names) > 2:
-        raise BadRequest(f"infer finds one input or two, not {len(names)}")
-    if len(set(names)) < len(names):
-        raise BadRequest(f"{quoted(text)} names one input twice")
-    return names
 
 
 def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spread]]:

@@ -12,7 +12,7 @@ from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import Spread, is_uncertain
 from ..scene.failures import MissingInput
-from ..scene.inverse import SIZES, Problem, already_given, input_named
+from ..scene.inverse import SIZES, Problem, already_given, inputs_named
 from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
@@ -126,7 +126,7 @@ class Problems(Sweep):
 
 
 class InferredValues(dict[str, Any]):
-    """The values of two inputs by name, and the condition number of both together."""
+    """The values of inputs by name, and the condition number of all together."""
 
     def __init__(self, values: Mapping[str, Any], condition: Any) -> None:
         super().__init__(values)
@@ -154,7 +154,7 @@ def infer(
     ----------
     wanted
         An input: surface_energy, work_of_adhesion, hamaker, yield_displacement, adhesion_hysteresis, youngs_modulus,
-        shear_strength, radius or load, or the word of its option. A list of two for both.
+        shear_strength, radius or load, or the word of its option. A list of one or two.
     measured
         One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`. For
         two inputs, two quantities.
@@ -164,7 +164,7 @@ def infer(
     Returns
     -------
     A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured value is
-    uncertain. For two inputs, a dict of these by name. Its attribute `condition` is the condition number of the
+    uncertain. For a list, a dict of these by name. Its attribute `condition` is the condition number of the
     logarithms of the measured quantities as functions of those of the inputs.
 
     Raises
@@ -182,7 +182,8 @@ def infer(
     >>> round(both["surface_energy"], 6), f"{both['youngs_modulus']:.4g}", round(both.condition, 2)
     (0.015915, '3.482e+10', 1.77)
     """
-    names = _names(wanted)
+    is_list = isinstance(wanted, list | tuple)
+    names = inputs_named([*map(str, wanted)] if is_list else [str(wanted)])
     if not isinstance(measured, Mapping) or len(measured) != len(names):
         problem, example = _ONE if len(names) == 1 else _TWO
         raise QuantityError("measured", str(measured), problem, f"write {{{example}}}")
@@ -207,14 +208,4 @@ def infer(
         values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in values.items()}
     elif arrays:
         values, condition = {name: value.reshape(shape) for name, value in values.items()}, condition.reshape(shape)
-    return InferredValues(values, condition) if len(names) > 1 else values[names[0]]
-
-
-def _names(wanted: str | Sequence[str]) -> list[str]:
-    """Return the names of one input, or of two."""
-    words = [*map(str, wanted)] if isinstance(wanted, list | tuple) else [str(wanted)]
-    names = [*map(input_named, words)]
-    if isinstance(wanted, list | tuple) and len({*names}) != 2:
-        remedy = 'write "gamma" or ["gamma", "young"]'
-        raise QuantityError("wanted", str(wanted), "cannot be inferred: one input can, or two", remedy)
-    return names
+    return InferredValues(values, condition) if is_list else values[names[0]]

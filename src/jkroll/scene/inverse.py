@@ -131,6 +131,14 @@ def input_named(word: str) -> str:
     raise CannotInfer(f"{quoted(word)} cannot be inferred; {meant}{', '.join(SIZES)} can")
 
 
+def inputs_named(words: Sequence[str]) -> list[str]:
+    """Return the inputs that one word or two stand for; raise CannotInfer if they cannot be inferred together."""
+    names = [input_named(word) for word in words]
+    if len(names) not in (1, 2) or len({*names}) < len(names):
+        raise CannotInfer(f"{quoted(','.join(words))}: one input can be inferred, or two that differ")
+    return names
+
+
 def already_given(name: str, stated: str) -> AlreadyGiven:
     """Return the error of a name that is asked for, where it, or an input from which it follows, is stated."""
     if name == stated:
