@@ -142,7 +142,7 @@ def slopes(x: Any, y: Any) -> Any:
 
 def _find_roots(solution: Solution, rows: Rows) -> None:
     """Solve for one unknown in some rows, among all sizes that a scene takes where none is among the usual ones."""
-    ((unknown,), problem) = solution.values, solution.problem.rows(rows)
+    (unknown,), problem = solution.problem.unknowns, solution.problem.rows(rows)
     values, failures = _scan(problem, len(rows), SIZES[unknown])
     lacking = [row for row, error in failures.items() if isinstance(error, NoSolution)]
     if lacking:
@@ -164,6 +164,7 @@ def _scan(problem: Problem, size: int, sizes: tuple[float, float]) -> tuple[Any,
     levels, scan = numpy.full(size, level, dtype=float), _scanned(problem, size, sizes)
     rows, roots = scan.crossings(levels)
     at_level = scan.rows[_are_level(scan.y, levels[scan.rows])]
+    # Nearly all rows have one root and no stretch, and need no closer look.
     is_plain = (numpy.bincount(rows, minlength=size) == 1) & (numpy.bincount(at_level, minlength=size) <= PER_DECADE)
     values, failures = numpy.full(size, nan), dict[int, JkrollError]()
     values[rows[is_plain[rows]]] = roots[is_plain[rows]]
@@ -398,9 +399,8 @@ class Pairs:
             is_nearer = size < distance[active]
             nearer = active[is_nearer]
             best[:, nearer], distance[nearer] = places[:, is_nearer], size[is_nearer]
-            inverse = numpy.linalg.pinv(
-                matrices, rcond=0.01 / MAX_CONDITION
-            )  # the shortest step where both change alike
+            # Where both quantities change alike, the pseudo-inverse gives the shortest step.
+            inverse = numpy.linalg.pinv(matrices, rcond=0.01 / MAX_CONDITION)
             newton = -numpy.einsum("kij,jk->ik", inverse, numpy.nan_to_num(residuals))
             limited = newton / numpy.maximum(1.0, numpy.hypot(*newton))
             steps[:, active] = numpy.where(is_nearer, limited, steps[:, active] / 2)
