@@ -74,7 +74,7 @@ def main() -> None:
     for title, table in (("PREFIXABLE", prefixable), ("PLAIN", plain)):
         print(f"{title} = {{  # name: numerator, denominator, powers of BASE_UNITS")
         for name, meaning in table.items():
-            print(f'    "{name}": {meaning},')
+            print(f'    "{name}": {tuple(meaning)},')
         print("}")
 
 

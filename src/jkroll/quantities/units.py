@@ -239,7 +239,7 @@ def _product(terms: Iterable[Term]) -> Unit:
     terms = list(terms)
     numerator, denominator, dimension = 1, 1, NUMBER
     for name, power in terms:
-        factor = _in_table(name) or _in_pint(name)
+        factor = _in_table(name) or lookup(name)
         if factor is None:
             raise UnknownUnit(name, terms)
         up, down = (factor.numerator, factor.denominator) if power > 0 else (factor.denominator, factor.numerator)
@@ -265,15 +265,6 @@ def _in_table(name: str) -> Unit | None:
     return None
 
 
-@lru_cache(maxsize=1000)
-def _in_pint(name: str) -> Unit | None:
-    """Return pint's meaning of a unit name; None for a long one, and for one that is no plain factor for pint."""
-    if len(name) > MAX_NAME:
-        return None
-    entry = lookup(name)
-    return None if entry is None else Unit(*entry)
-
-
 # --- Names of pint ----------------------------------------------------------------------------------------------------
 
 _DIGITS = 60
@@ -291,8 +282,9 @@ def registry(number: type = float) -> Any:
     return pint.UnitRegistry(non_int_type=number)
 
 
-def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
-    """Return numerator, denominator and dimension of a unit name in SI base units; None if it is no plain factor.
+@lru_cache(maxsize=1000)
+def lookup(name: str) -> Unit | None:
+    """Return pint's meaning of a unit name; None for a long one, and for one that is no plain factor for pint.
 
     A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
     Names that pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour),
@@ -300,8 +292,10 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
     the short ton there.
 
     >>> lookup("nm")
-    (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
+    Unit(numerator=1, denominator=1000000000, dimension=(0, 1, 0, 0, 0, 0, 0, 0))
     """
+    if len(name) > MAX_NAME:
+        return None
     from decimal import Decimal, localcontext
 
     with localcontext(prec=_DIGITS):
@@ -329,4 +323,4 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
             return None
         factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))
     numerator, denominator = factor.as_integer_ratio()
-    return numerator, denominator, tuple(int(power) for power in dimension)
+    return Unit(numerator, denominator, tuple(int(power) for power in dimension))
