@@ -48,7 +48,12 @@ class NoResult(JkrollError):
 
 
 class BadRequest(JkrollError):
-    """Error raised for arguments and options that do not make a request."""
+    """Error raised for arguments, options or cells that do not make a request, or make one that cannot be met."""
+
+    def __init__(self, problem: str, phrase: str = "") -> None:
+        """`phrase`: of a row's status, where it is not the problem."""
+        super().__init__(problem)
+        self.phrase = phrase
 
 
 class BadTable(JkrollError):

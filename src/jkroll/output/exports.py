@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import pi
 from typing import NamedTuple
 
-from ..errors import JkrollError
+from ..errors import BadRequest, JkrollError
 from ..physics.motion import ALL_STICK
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
@@ -175,26 +175,15 @@ _ABOUT_DUST_SIMULATION = (
 )
 
 
-class NotInProgram(JkrollError):
-    """Error raised for what another program cannot be told."""
-
-    def __init__(self, program: str, what: str) -> None:
-        super().__init__(program, what)
-        self.program, self.what = program, what
-
-    def __str__(self) -> str:
-        return f"export: {self.program} {self.what}"
-
-
 def _refuse_for_dust(scene: Scene, program: str, strength: str) -> None:
     """Raise the reason why a program for dust cannot have a scene; `strength`: its words for a given shear strength."""
     _refuse_state(scene, program)
     if not scene.is_identical:
         raise Failure(OF_IDENTICAL_SPHERES)
     if "shear_strength" in scene.given:
-        raise NotInProgram(program, strength)
+        raise BadRequest(f"export: {program} {strength}")
     if scene["poisson_ratio"] == 0:
-        raise NotInProgram(program, "divides by Poisson's ratio, which is 0 here")
+        raise BadRequest(f"export: {program} divides by Poisson's ratio, which is 0 here")
 
 
 def dust_simulation_material(scene: Scene) -> Iterator[str]:
@@ -250,7 +239,7 @@ def liggghts_input(scene: Scene) -> Iterator[str]:
     spheres = (1,) if scene.is_identical else (1, 2)
     solids = [tuple(scene[of_sphere(sphere, name)] for name in elastic) for sphere in spheres]
     if any(modulus == INFINITY for modulus, _ in solids):
-        raise NotInProgram("liggghts", "needs a finite Young's modulus of each body")
+        raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
     pairs = [scene]
     if not scene.is_identical:
         pairs = [pair_of(scene, 1), scene, scene, scene if at_wall else pair_of(scene, 2)]
@@ -284,9 +273,9 @@ def _energy_density(pair: Scene) -> float:
 
 
 def _refuse_state(scene: Scene, program: str) -> None:
-    """Raise NotInProgram for a load or an approach: a file is for all of them."""
+    """Raise BadRequest for a load or an approach: a file is for all of them."""
     if not STATE.isdisjoint(scene.stated) or scene.values["load"]:
-        raise NotInProgram(program, "finds the load by itself; give none")
+        raise BadRequest(f"export: {program} finds the load by itself; give none")
 
 
 # --- The registry -----------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ from math import isnan, nan
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..errors import JkrollError
+from ..errors import BadRequest, JkrollError
 from ..physics.elementary import where
 from ..quantities.values import is_uncertain, middle
 from ..scene.alternatives import DATA, beside, by_law, kinds_beside
@@ -35,15 +35,6 @@ _JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law 
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
-
-
-class OddRow(JkrollError):
-    """Error raised for a row that makes no scene, or states what has no column; also the remark on such a row."""
-
-    def __init__(self, problem: str, phrase: str = "") -> None:
-        """`phrase`: for its status, if that is not the problem."""
-        super().__init__(problem)
-        self.phrase = phrase
 
 
 class Wanted:
@@ -322,8 +313,8 @@ def fill_sides(
                 numbers[of_side] = value.sides[side]
 
 
-def left_out(wanted: Wanted, scene: Any, sources: "Sources") -> OddRow | None:
-    """Return the remark on uncertainties without columns, if there are some. Raises OddRow if a cell has one.
+def left_out(wanted: Wanted, scene: Any, sources: "Sources") -> BadRequest | None:
+    """Return the remark on uncertainties without columns, if there are some. Raises BadRequest if a cell has one.
 
     `scene`: a scene, or a problem of infer.
     """
@@ -332,9 +323,9 @@ def left_out(wanted: Wanted, scene: Any, sources: "Sources") -> OddRow | None:
     names = [*sources.given]
     if in_cells := [name for name in names if name in scene.uncertain]:
         problem = f"{in_cells[0]}: the cell has an uncertainty, {_NO_COLUMNS}"
-        raise OddRow(problem, "error bar without a column")
+        raise BadRequest(problem, "error bar without a column")
     materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))
-    return OddRow(f"{listed(materials)}: uncertainties are left out, {_NO_COLUMNS}", "error bars left out")
+    return BadRequest(f"{listed(materials)}: uncertainties are left out, {_NO_COLUMNS}", "error bars left out")
 
 
 # --- By arrays --------------------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ from typing import Any, overload
 
 import numpy
 
-from ..errors import JkrollError, NoResult
+from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import PROPERTIES, named
@@ -19,7 +19,7 @@ from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.uncertainty import measures_of, sources_of_results, uncertainties_of_unknowns
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
-from .columns import Columns, OddRow, Row, Wanted, fill_sides, left_out, repeated
+from .columns import Columns, Row, Wanted, fill_sides, left_out, repeated
 from .reasons import UNCERTAINTY
 from .sweep import Sweep
 
@@ -60,7 +60,9 @@ class Unknowns(Wanted):
         """Return the columns of arrays of measured values, and the rows that floats are to compute."""
         solids = [solid.name for solid, _ in scene.scene.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
-            raise OddRow("of which spheres an unknown is")  # solids of many rows have no name: each row by itself says
+            raise BadRequest(
+                "of which spheres an unknown is"
+            )  # solids of many rows have no name: each row by itself says
         size = len(rows)
         solved, inputs, sources = solutions(scene, size), scene.echo(), self.sources_in(scene)
         of_rows = {name: repeated(inputs.get(name), size) for name in self.inputs}

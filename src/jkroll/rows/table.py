@@ -21,7 +21,7 @@ from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
 from ..text import quoted
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
-from .columns import DOUBT, SIDES, STATUS, OddRow, Wanted, remarks_of
+from .columns import DOUBT, SIDES, STATUS, Wanted, remarks_of
 from .header import Header, check_inputs
 from .rows import BAD, Block, groups
 from .words import MATERIALS
@@ -112,7 +112,7 @@ class Table:
         if not self.unknown:
             return Scene(given, *spheres, model=self.model)
         if self.measured not in given:
-            raise OddRow(f"{self.measured}: the row has no measured value", "no measured value")
+            raise BadRequest(f"{self.measured}: the row has no measured value", "no measured value")
         from ..scene.inverse import Problem  # for which a table without an unknown does not pay
 
         return Problem.of([self.unknown], [self.measured], given, *spheres, model=self.model)
@@ -304,16 +304,16 @@ class TableBlock(Block):
         spheres |= {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
         scene = self.table.scene(given, *spheres.values())
         if LABEL in spheres.values() and scene.missing(self.table.wanted.names):
-            raise OddRow("names are no materials")  # each row by itself says which
+            raise BadRequest("names are no materials")  # each row by itself says which
         return scene
 
     def scene_of(self, row: int) -> Any:
-        """Return the scene of a row by itself. Raises OddRow, or an error of the scene."""
+        """Return the scene of a row by itself. Raises BadRequest, or an error of the scene."""
         if row in self.odd:
-            raise OddRow(self.odd[row])
+            raise BadRequest(self.odd[row])
         table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
         if all(cells[name].strip() == table.columns.texts[place].strip() for name, place in table.places.items()):
-            raise OddRow("the row repeats the header")
+            raise BadRequest("the row repeats the header")
         given: dict[str, Any] = {}
         spheres = dict(zip(MATERIALS, table.spheres, strict=True))
         labels: list[JkrollError] = []
@@ -337,4 +337,4 @@ class TableBlock(Block):
                 return scene
         errors = [*labels, *problems]
         phrases = dict.fromkeys(error.phrase or str(error) for error in errors)
-        raise OddRow("; ".join(map(str, errors)), "; ".join(phrases))
+        raise BadRequest("; ".join(map(str, errors)), "; ".join(phrases))

@@ -11,7 +11,7 @@ from itertools import product
 from math import erfc, fsum, inf, isfinite, sqrt
 from typing import Any, NamedTuple
 
-from ..errors import JkrollError
+from ..errors import BadRequest, JkrollError
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
@@ -24,22 +24,6 @@ ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are 
 STEPS = 64  # along each edge of the box of ranges
 ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
 FEW = 800  # places that floats compute in the time of importing numpy: those of up to three ranges
-
-
-class MixedKinds(JkrollError):
-    """Error raised for a range and a standard uncertainty in one scene."""
-
-    phrase = "± and range together"
-
-
-class TooManyRanges(JkrollError):
-    """Error raised for more ranges than can be combined."""
-
-    phrase = "too many ranges"
-
-
-class Inseparable(JkrollError):
-    """Error raised for a range of a radius on which the displacement of a material depends, itself a range at each."""
 
 
 # --- Sources ----------------------------------------------------------------------------------------------------------
@@ -74,7 +58,7 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
 
     A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice.
     All must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
-    Raises MixedKinds, TooManyRanges or Inseparable.
+    Raises BadRequest for what cannot be combined.
     """
     stated = [*measured, *(source for source in _stated(scene) if not set(used).isdisjoint(source.names))]
     of_materials = [source for source in _of_materials(scene) if not set(used).isdisjoint(source.names)]
@@ -82,18 +66,19 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
     if len(kinds) > 1 and stated:
         symbols = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in stated}
         mixed = f"{symbols[Measured]} has a standard uncertainty (±) and {symbols[Interval]} a range"
-        raise MixedKinds(f"{mixed}; give both as ± or both as ranges")
+        raise BadRequest(f"{mixed}; give both as ± or both as ranges", "± and range together")
     kind = Measured if Measured in kinds else Interval
     left_out = [source for source in of_materials if not isinstance(source.given, kind)]
     sources = Sources([source for source in (*stated, *of_materials) if isinstance(source.given, kind)], left_out)
     if kind is Interval:
         if len(sources.entering) > MAX_RANGES:
             count = len(sources.entering)
-            raise TooManyRanges(f"{count} ranges are more than {MAX_RANGES}; give some of these inputs one value")
+            problem = f"{count} ranges are more than {MAX_RANGES}; give some of these inputs one value"
+            raise BadRequest(problem, "too many ranges")
         moves_radius = not sources.given.keys().isdisjoint(("radius", "radius2"))
         if XI in sources.given and XI not in scene.stated and moves_radius:
             remedy = "give --xi, or single radii"
-            raise Inseparable(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
+            raise BadRequest(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
     return sources
 
 
