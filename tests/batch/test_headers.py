@@ -43,7 +43,8 @@ energy 1: E [J]
 energy 1.602176634e-19: E (eV)
 poisson_ratio 1: nu | ν | Nu1 | Poisson's ratio | Poisson ratio | poisson_ratio (-)
 poisson_ratio2 1: ν2
-speed 1: v [m/s] | Speed (m/s) | velocity (m/s) | v_imp (m/s)
+surface_energy 1e-3: γ (mN.m-1)
+speed 1: velocity [m.s-1] | Speed (m·s⁻¹) | velocity_mps | v [m/s] | Speed (m/s) | velocity (m/s) | v_imp (m/s)
 speed 1e-2: v_cm_s
 density 1: rho [kg/m3] | ρ (kg/m³) | density_kg_m3 | Density (kg/m^3) | rho_kgm3
 density 1e3: Rho (g/cm3) | density_g_cm3 | density_gcm3
@@ -75,7 +76,7 @@ READ[' "gamma [mJ/m2]"'] = ("surface_energy", 1e-3)
 _SIZE = "a radius is half of a diameter or a size, and r may be a distance"
 _SIZES = "r [nm] | r | d | D [nm] | diameter (nm) | diameter_um | Diameter | d_um | size | particle size [um] | r2_um"
 _LACKING = "(first cell '100'): neither has a unit. Write --column"
-_FACTOR = "a sign or a factor stands beside the word"
+_FACTOR = "a sign or a factor stands beside the word or its unit"
 REFUSED = {
     **dict.fromkeys(_SIZES.split(" | "), _SIZE),
     "r1 [nm]": _SIZE,
@@ -105,6 +106,9 @@ REFUSED = {
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
     "radius_au": "what stands behind radius is not its unit",
     "radius*1e9": _FACTOR,
+    "radius (×10⁻⁶ m)": _FACTOR,
+    "E [1e9 Pa]": _FACTOR,
+    "A (10^-20 J)": _FACTOR,
     "work_of_adhesion_mJ": "what stands behind work_of_adhesion is not its unit",
     "modulus (GPa)": "it may be Young's modulus, or E* of the contact",
     "normal force [nN]": "it may be a load, or a force that was measured",
@@ -130,7 +134,7 @@ REFUSED = {
 }
 PASSING = (
     "E | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | R_min | v_c | w | radius_in | load_case | "
-    "velocity_x (m/s) | bulk modulus (GPa) | 1/radius [1/nm] | tip radius (nm) | T [K] | "
+    "material_3 | velocity_x (m/s) | bulk modulus (GPa) | 1/radius [1/nm] | tip radius (nm) | T [K] | "
     "gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "

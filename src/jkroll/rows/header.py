@@ -63,6 +63,7 @@ _CUT = re.compile(
 _PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
 _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
+_FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
 _LONGEST = 120  # letters of a header that can be one
 # Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
 _SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
@@ -84,7 +85,7 @@ def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
     """
     if len(text) > _LONGEST:
         return Reading()
-    known = words.with_symbols() | words.meanings() | {word: Meaning([name]) for word, name in more}
+    known = words.known() | {word: Meaning([name]) for word, name in more} if more else words.known()
     splits = [*_splits(text)]
     exact = next(filter(None, (_exact(split, known) for split in splits)), None)
     return exact or _of_part(splits[0].word, more) or _refused(splits, known) or Reading()
@@ -142,9 +143,10 @@ def _of_part(text: str, more: tuple[tuple[str, str], ...]) -> Reading | None:
 def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading | None:
     """Return the refusal of a header that has the word of an input and cannot be read; None if it passes through."""
     for split in sorted(splits, key=lambda split: len(split.word), reverse=True):
-        bare = split._replace(word=re.sub(_FACTORS, "", split.word))
+        unit = re.sub(_FACTOR_OF_UNIT, "", split.unit) or split.unit
+        bare = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
         if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
-            return Reading(reading.name, problem="a sign or a factor stands beside the word")
+            return Reading(reading.name, problem="a sign or a factor stands beside the word or its unit")
         word, is_slip = _word_in(split.word, known)
         if not word:
             continue
@@ -158,14 +160,13 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
-            unit = [with_unit(name)] if split.unit[0].isalpha() else []
-            return Reading(name, problem=f"what stands behind {name} is not its unit", meant=unit)
+            meant = [with_unit(name)] if split.unit[0].isalpha() else []
+            return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
             is_last = unit_text and (is_slip or key(split.word).endswith(word))
-            is_of_either = not is_slip and NOMENCLATURE[name].sphere == 1
-            names = [name, NOMENCLATURE[name].twin] if is_of_either else [name]
+            names = [name, NOMENCLATURE[name].twin] if not is_slip and NOMENCLATURE[name].sphere == 1 else [name]
             is_open = not meaning.problem and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
             meant = [with_unit(each, unit_text if is_last else "UNIT") for each in names] if is_open else []
             return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
@@ -258,12 +259,11 @@ def stated_meanings(texts: Iterable[str], names: Iterable[str] = (), measured: s
     of_words = {word: measured for word in (key(measured), key(symbol)) if word}
     meanings: dict[str, Reading] = {}
     for text in texts:
-        head, is_pair, meaning = text.rpartition("=")
-        head = head.strip()
+        head, is_pair, meaning = map(str.strip, text.rpartition("="))
         if not is_pair or not head:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
         stated = reading_of(meaning, tuple(of_words.items()))
-        if meaning.strip() and (not stated.is_input or stated.is_symbol or stated.meant):
+        if meaning and (not stated.is_input or stated.is_symbol or stated.meant):
             problem = f": {stated.problem}" if stated.problem else ""
             raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; write one, as in radius [nm]")
         if head in meanings:
@@ -435,8 +435,7 @@ def check_inputs(header: Header, measured: str = "") -> None:
     if all(map(is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
     if measured:
-        option = _option("HEADER", with_unit(measured))
-        raise BadTable(f"header: no column has the measured {measured}; name it by {option}")
+        raise BadTable(f"header: no column has the measured {measured}; write {_option('HEADER', with_unit(measured))}")
     raise BadTable(
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
         f"Write {_option('HEADER', 'INPUT [UNIT]')}"

@@ -117,14 +117,15 @@ def symbols() -> dict[str, Meaning]:
 
 
 @cache
-def with_symbols() -> dict[str, Meaning]:
-    """Return what words mean that have the symbol of their input behind them, as in Young's modulus E."""
+def known() -> dict[str, Meaning]:
+    """Return what words mean, alone or with the symbol of their input behind them, as in Young's modulus E."""
     symbols_of: dict[str, list[str]] = {}
     for symbol, meaning in symbols().items():
         for name in () if meaning.problem else meaning.names:
             symbols_of.setdefault(name, []).append(key(symbol))
     words = [(word, meaning) for word, meaning in meanings().items() if meaning.names and not meaning.problem]
-    return {f"{word}{symbol}": meaning for word, meaning in words for symbol in symbols_of.get(meaning.names[0], ())}
+    both = {f"{word}{symbol}": meaning for word, meaning in words for symbol in symbols_of.get(meaning.names[0], ())}
+    return both | meanings()
 
 
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
@@ -166,10 +167,11 @@ _COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2
 @cache
 def units_by_letters() -> dict[str, list[str]]:
     """Return common units by their letters and digits, as they are and in small letters."""
-    units = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"]}
+    units = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"], "mps": ["m/s"]}
     for unit in _COMMON:
         letters = unit.replace("/", "")
-        for spelt in {letters, letters.casefold()}:
+        reciprocal = f"{letters}1" if "/" in unit and not letters[-1].isdigit() else letters  # m.s-1
+        for spelt in {letters, letters.casefold(), reciprocal}:
             units.setdefault(spelt, []).append(unit)
     return units | {"mn": [], "mj": []}  # milli or mega?
 
