@@ -23,7 +23,6 @@ from .call import Call, worded
 if TYPE_CHECKING:
     from ..rows.columns import Columns, Wanted
 
-MAX_CURVES = 1_000_000
 MAX_TABLE = 10_000  # rows of a table on a terminal
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
 
@@ -231,8 +230,6 @@ def _write_curve(call: Call) -> int:
     shown = question.headline if call.kind == "bare" else question.quantities
     form = call.form(shown)
     loads, sweep = call.loads, call.sweep
-    if (count := len(sweep)) > MAX_CURVES:
-        raise BadRequest(f"--curve: {count} pairs are more than {MAX_CURVES}")
     samples = [*at_states(sweep.kinds, loads)]
     failures = (AtState(sample, question).failure for sample in samples)
     if (first := next(failures)) is not None and None not in failures:

@@ -111,7 +111,7 @@ def lammps_input(scene: Scene) -> Iterator[str]:
             yield command.format(_coefficients(pair))
             steps.append(pair["time_step"])
         except MissingInput as error:
-            yield f"# {command.partition(' {')[0]} needs {error.needs()}"
+            yield f"# {command.partition(' {')[0]} {error.reason()}"
         except Failure as error:
             if error.kind != TWO_RIGID_BODIES:
                 raise

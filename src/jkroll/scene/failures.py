@@ -34,11 +34,10 @@ class MissingInput(JkrollError):
         return f"{NOMENCLATURE[self.wanted].sentence} {self.reason()}"
 
     def reason(self, verb: str = "needs") -> str:
-        """Return why there is no value, without the name of the quantity; the verb is "need" for several."""
-        return f"{verb} {self.needs()}"
+        """Return the missing inputs, the materials that do not have them, and how they are given; "need" for several.
 
-    def needs(self) -> str:
-        """Return the missing inputs, the materials that do not have them, and how they are given."""
+        The name of the quantity is left out.
+        """
         options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
         radii = [
             f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
@@ -50,7 +49,7 @@ class MissingInput(JkrollError):
             lead = f"{self.lacking}; "
         else:
             lead = "name a material, such as quartz, or " if {*self.missing} <= {*PROPERTIES} else ""
-        return f"{_in_words(self.missing)}; {lead}{give}"
+        return f"{verb} {_in_words(self.missing)}; {lead}{give}"
 
     def options(self) -> str:
         """Return the options by which the missing inputs are given, and that a material has them."""
@@ -70,16 +69,11 @@ class NotInLaw(MissingInput):
         return f"{self.wanted}: {self.reason()}"
 
     def reason(self, verb: str = "needs") -> str:
-        """Return the same of what is absent in the law."""
-        return f"not in {self.law}; {self._remedy}" if self.absent == (self.wanted,) else super().reason(verb)
-
-    def needs(self) -> str:
-        """Return the quantity that the law does not have."""
-        return f"{_in_words(self.absent)}, which {self.law} does not have; {self._remedy}"
-
-    @property
-    def _remedy(self) -> str:
-        return f"give --model {law_of(self.absent[0]) or DEFAULT_LAW}"
+        """Return the quantity that the law does not have, and the law to give."""
+        remedy = f"give --model {law_of(self.absent[0]) or DEFAULT_LAW}"
+        if self.absent == (self.wanted,):
+            return f"not in {self.law}; {remedy}"
+        return f"{verb} {_in_words(self.absent)}, which {self.law} does not have; {remedy}"
 
 
 def needs_in_words(missing: Iterable[str]) -> str:
