@@ -290,6 +290,15 @@ def test_refusals(
     assert words in str(caught.value)
 
 
+def test_a_load_that_is_left_open_counts_by_its_distance_from_pull_off() -> None:
+    """F = τπa² and 8G*a tell a alone: a³ goes as R²(1 + √(1 + P/P_c))², and R as this to a power from −1/2 to 0."""
+    given = {"radius2": math.inf, "surface_energy": 0.05, "youngs_modulus": 1e9, "poisson_ratio": 0.2}
+    measured = {"sliding_force": 1e-9, "tangential_stiffness": 10.0}
+    with pytest.raises(Unseparated, match=r"along R1 ∝ \(1 \+ P/P_c\)\^-") as caught:
+        found(("radius", "load"), measured, {**given, "shear_strength": 1e7})
+    assert -0.5 < float(caught.value.text.partition("P_c)^")[2].split()[0]) < 0
+
+
 def test_what_is_barely_separated_is_refused() -> None:
     """P_c over 2πwR goes to 3/4 for soft spheres under Maugis' law, and with that the only difference of two forces."""
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e6, "atomic_spacing": 4e-10}

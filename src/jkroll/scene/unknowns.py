@@ -359,10 +359,7 @@ class Pairs:
         return numpy.where(scales == 0, usual[:, None], scales)
 
     def slopes(self, places: Any) -> tuple[Any, Any]:
-        """Return the residuals at places, and a matrix of their derivatives for each: by quantity and unknown.
-
-        A derivative that has no value counts as 0, so that the matrix is singular.
-        """
+        """Return the residuals at places, and a matrix of their derivatives for each: by quantity and unknown."""
         count = places.shape[1]
         steps = _STEP * numpy.repeat([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]], count, axis=1)
         every = self.rows(numpy.tile(numpy.arange(count), 5))
@@ -370,7 +367,7 @@ class Pairs:
         middle = residuals[:, 0]
         around = [(residuals[:, low], middle, residuals[:, low + 1]) for low in (1, 3)]
         by_unknown = [slopes((-_STEP, 0.0, _STEP), points) for points in around]
-        return middle, numpy.nan_to_num(numpy.array(by_unknown).T)
+        return middle, numpy.array(by_unknown).T
 
     def measures(self, places: Any) -> tuple[Values, Any, Values]:
         """Return the values of the unknowns at places, their condition numbers, and the growths of errors."""
@@ -378,11 +375,11 @@ class Pairs:
         values = self.values(places)
         ends = [[self.values(places + shift) for shift in (-step, step)] for step in _STEP * numpy.eye(2)[:, :, None]]
         changes = numpy.array([[high[name] - low[name] for low, high in ends] for name in values]) / (2 * _STEP)
-        inverse = numpy.linalg.pinv(matrices, rcond=0.1 / MAX_CONDITION)
+        inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.1 / MAX_CONDITION)
         spreads = numpy.linalg.norm(numpy.moveaxis(changes, -1, 0) @ inverse, axis=2)
         with numpy.errstate(divide="ignore", invalid="ignore"):
             growths = {name: spread / abs(values[name]) for name, spread in zip(values, spreads.T, strict=True)}
-        return values, numpy.linalg.cond(matrices), growths
+        return values, _conditions(matrices), growths
 
     def improved(self, start: Any) -> tuple[Any, Any]:
         """Return the places to which Newton's method leads from others, and how far they are from solutions.
@@ -400,7 +397,7 @@ class Pairs:
             nearer = active[is_nearer]
             best[:, nearer], distance[nearer] = places[:, is_nearer], size[is_nearer]
             # Where both quantities change alike, the pseudo-inverse gives the shortest step.
-            inverse = numpy.linalg.pinv(matrices, rcond=0.01 / MAX_CONDITION)
+            inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.01 / MAX_CONDITION)
             newton = -numpy.einsum("kij,jk->ik", inverse, numpy.nan_to_num(residuals))
             limited = newton / numpy.maximum(1.0, numpy.hypot(*newton))
             steps[:, active] = numpy.where(is_nearer, limited, steps[:, active] / 2)
@@ -430,9 +427,9 @@ class Pairs:
 
     def pair(self) -> Any:
         """Return the place of the one pair. Raises the reason why there is none."""
-        residuals, matrices = self.slopes(self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))
-        known = matrices[numpy.isfinite(residuals).all(axis=0)]
-        if len(known) and not (numpy.linalg.cond(known) <= MAX_CONDITION / 10).any():
+        _, matrices = self.slopes(self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))
+        known = matrices[numpy.isfinite(matrices).all(axis=(1, 2))]
+        if len(known) and not (_conditions(known) <= MAX_CONDITION / 10).any():
             raise Unseparated(self.problem, self._left_open(known[len(known) // 2]))
         places, distance = self.improved(self._in_cells())
         order = numpy.argsort(distance)[: numpy.isfinite(distance).sum()]
@@ -440,7 +437,7 @@ class Pairs:
             raise self._failure()
         places, distance = places[:, order], distance[order]
         _, matrices = self.slopes(places)
-        conditions = numpy.linalg.cond(matrices)
+        conditions = _conditions(matrices)
         worst = int(conditions.argmax())
         if conditions[worst] > MAX_CONDITION:
             raise Unseparated(self.problem, self._left_open(matrices[worst]), float(conditions[worst]))
@@ -497,10 +494,18 @@ class Pairs:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
         steepest = max(matrix, key=lambda slope: float(numpy.hypot(*slope)))
         by_left, by_right = steepest.tolist()
-        left, right = (NOMENCLATURE[name].symbol for name in self.problem.unknowns)
+        symbols = [NOMENCLATURE[name].symbol for name in self.problem.unknowns]
         if min(abs(by_left), abs(by_right)) <= _LEFT_OPEN * max(abs(by_left), abs(by_right)):
-            return f"they leave {left if abs(by_left) < abs(by_right) else right} open"
+            return f"they leave {symbols[0] if abs(by_left) < abs(by_right) else symbols[1]} open"
+        if self.load is not None:
+            symbols[self.load] = "(1 + P/P_c)"  # by whose logarithm a load counts
+        left, right = symbols
         return f"both stay as they are along {left} ∝ {right}^{-by_right / by_left:.3g}"
+
+
+def _conditions(matrices: Any) -> Any:
+    """Return the condition numbers of matrices of derivatives, infinite where a derivative has no value."""
+    return numpy.linalg.cond(numpy.nan_to_num(matrices))
 
 
 def _distinct(places: Any, errors: Any) -> list[int]:
