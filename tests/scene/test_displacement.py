@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from harness import Run
-from jkroll.answers.alternatives import about_unmeasured, by_data, displacement_in_full, in_words
+from jkroll.answers.advice import about_unmeasured, displacement_in_full, in_place_of, in_words
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import ends_of, value_of
 from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, rolled_solid
@@ -34,7 +34,7 @@ def test_the_forces_are_those_that_are_compared() -> None:
 
 def ends(scene: Scene, name: str) -> tuple[float, float]:
     """Return the ends of a range by measured forces."""
-    return ends_of(by_data(scene, [name])[name])
+    return ends_of(in_place_of(scene, [name])["data"][name])
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
@@ -62,7 +62,7 @@ def test_each_quantity_follows_by_its_own_power(model: str) -> None:
     powers = {"yield_force": 1.0, "n_grav": 0.5, "r_min": -1.0, "n_roll": -1.0}
     for name, power in powers.items():
         assert ends(scene, name) == approx(sorted(scene[name] * end**power for end in (low, high)))
-    assert "pull_off_force" not in by_data(scene, ["pull_off_force", "yield_force"])
+    assert "pull_off_force" not in in_place_of(scene, ["pull_off_force", "yield_force"])["data"]
 
 
 def test_between_two_scalings() -> None:

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 import maugis_reference as reference
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.answers.alternatives import over_this_law
+from jkroll.answers.advice import over_this_law
 from jkroll.answers.answer import Answer
 from jkroll.answers.curve import STATES_OF_LAW, AtState, at_states
 from jkroll.answers.questions import QUESTIONS, question_about

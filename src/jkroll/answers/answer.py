@@ -9,7 +9,7 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import INFINITY, XI
-from ..scene.alternatives import DATA, by_law, factor_of_law
+from ..scene.alternatives import factor_of_law
 from ..scene.failures import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
@@ -131,7 +131,7 @@ class Answer:
         """The results under the other law, and their distance from these."""
         if self.scene.missing(["tabor_parameter"]):
             return {}
-        from .alternatives import over_this_law  # which a line in a pipe does not show
+        from .advice import over_this_law  # which a line in a pipe does not show
 
         return over_this_law(self.scene, self._known)
 
@@ -146,18 +146,16 @@ class Answer:
         """The worth of the assumed displacement for the results, as far as forces were measured."""
         if XI not in self.inputs:
             return None
-        from .alternatives import displacement_in_full  # most answers rest on no ξ, or on one that was given
+        from .advice import displacement_in_full  # most answers rest on no ξ, or on one that was given
 
         return displacement_in_full(self.scene, self._known)
 
     @cached_property
     def beside(self) -> Mapping[str, Mapping[str, Any]]:
         """Values that may stand in place of the results, by kind: the name of the other law, or DATA."""
-        from .alternatives import by_data, by_other_law  # which a line in a pipe does not show
+        from .advice import in_place_of  # which a line in a pipe does not show
 
-        scene, known = self.scene, self._known
-        found = {by_law(scene).law.name: by_other_law(scene, self.shown), DATA: by_data(scene, known)} if known else {}
-        return {kind: values for kind, values in found.items() if values}
+        return in_place_of(self.scene, self.shown) if self._known else {}
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
@@ -185,7 +183,7 @@ class Answer:
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for these results, with the values that may stand in their place."""
-        from .alternatives import in_words
+        from .advice import in_words
 
         headline = [name for name in self._known if name in self.question.headline]
         return in_words(doubt, self.scene, headline, self._known)

@@ -178,7 +178,7 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
         yield Note("result", "a: the spheres are bound without touching")
     if rolling(names, scene.law.name):
-        from .alternatives import about_unmeasured
+        from .advice import about_unmeasured
 
         if text := about_unmeasured(scene):
             yield Note("displacement", text)
@@ -271,7 +271,7 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
         with suppress(JkrollError):  # each row says which kinds do not go together
             yield from about_uncertainties({}, sources_of_results(scene, possible))
     if rolling(possible, scene.law.name) and assumes_displacement(scene):
-        from .alternatives import about_displacement_of_rows
+        from .advice import about_displacement_of_rows
 
         yield Note("displacement", about_displacement_of_rows(scene))
     yield from about_given(scene, possible, *entering(scene, names))

@@ -10,7 +10,7 @@ from math import inf, isfinite, log, nan
 from typing import Any, TextIO
 
 from .. import __version__
-from ..answers.alternatives import readings_of
+from ..answers.advice import readings_of
 from ..answers.answer import Answer
 from ..answers.notes import every_line
 from ..answers.results import Result

@@ -1,14 +1,14 @@
 """A user's request for a plot as a map or curves: with caption, notes, and limits of the model that are exceeded."""
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from functools import partial
+from functools import cached_property, partial
 from math import isclose, log, nan
 from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy
 
-from ..answers.alternatives import advised
+from ..answers.advice import advised
 from ..answers.notes import about_given, about_idle, about_middles
 from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
@@ -177,7 +177,7 @@ def curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
         *(sentence for field in fields for sentence in field.flat()),
         *_gaps(quantity, fields),
         *_doubts_along(x, fields),
-        *_farthest_off(quantity, x, curves, fields),
+        *_farthest_off(x, fields),
     )
     notes += dict.fromkeys(note for field in fields for note in field.notes)
     return Picture("", (Panel(x, y, tuple(curves), tuple(marks)),), caption), tuple(notes)
@@ -198,7 +198,7 @@ def _doubts_along(x: Axis, fields: "Sequence[Field]") -> Iterator[str]:
     places: dict[str, list[tuple[str, str]]] = {}  # the curves and their parts, by what holds there
     for field in fields:
         has_value = numpy.isfinite(field.values)
-        for doubt in judged(field.limits, over(field.given, x), [field.quantity]):
+        for doubt in field.doubts:
             for _, text, is_beyond in beyond(doubt, field.given.law, has_value):
                 places.setdefault(text, []).append((field.text, _part(x, is_beyond, has_value)))
     for text, parts in places.items():
@@ -217,23 +217,22 @@ def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:
     return f"{symbol(x.name)} = {' to '.join(ends)}"
 
 
-def _farthest_off(quantity: str, x: Axis, curves: Sequence[Curve], contexts: "Sequence[Field]") -> Iterator[str]:
+def _farthest_off(x: Axis, fields: "Sequence[Field]") -> Iterator[str]:
     """Iterate over the sentence on the place at which the law of curves is farthest off, with the value by Maugis'."""
     places = []
-    for curve, context in zip(curves, contexts, strict=True):
-        of_law = [limit for limit in context.limits if limit.bits & OF_LAW]
-        for doubt in judged(of_law, over(context.given, x), [quantity]):
-            is_off = numpy.isfinite(curve.y) & (doubt.excess > 0)
+    for field in fields:
+        for doubt in (doubt for doubt in field.doubts if doubt.limit.bits & OF_LAW):
+            is_off = numpy.isfinite(field.values) & (doubt.excess > 0)
             excess = numpy.where(is_off, doubt.excess, 0.0)
             most = int(excess.argmax())
-            places += [(float(excess[most]), float(curve.x[most]), curve, context)] if is_off.any() else []
-    if not places or len({context.given.law.name for context in contexts}) > 1:  # several laws can be compared
+            places += [(float(excess[most]), float(x.values()[most]), field)] if is_off.any() else []
+    if not places or len({field.given.law.name for field in fields}) > 1:  # several laws can be compared
         return
-    _, value, curve, context = max(places, key=itemgetter(0))
-    here = context.given.replace(**x.inputs(value))
+    _, value, field = max(places, key=itemgetter(0))
+    quantity, here = field.quantity, field.given.replace(**x.inputs(value))
     if told := advised(here, quantity):
         place = f"{symbol(x.name)} = {amount(x.name, float(f'{value:.2g}'))}"
-        place += f" ({curve.text})" if curve.text and curves[1:] else ""
+        place += f" ({field.text})" if field.text and len(fields) > 1 else ""
         own = amount(quantity, here[quantity], Format(digits=3))
         yield f"{here.law.title} is farthest off at {place}: {symbol(quantity)} {told} by Maugis' law, {own} here."
 
@@ -247,8 +246,8 @@ class Field:
     def __init__(self, request: PlotRequest, text: str, scene: Scene, x: Axis, y: Axis | None = None) -> None:
         """Evaluate the quantity of a request in a scene; `text`: the label of a curve."""
         self.text, self.given, self.quantity = text, scene, (quantity := request.quantity)
-        axes = [axis for axis in (x, y) if axis is not None]
-        at_an_end = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
+        self.axes = [axis for axis in (x, y) if axis is not None]
+        at_an_end = {name: value for axis in self.axes for name, value in axis.inputs(axis.high).items()}
         self.scene = scene.replace(**at_an_end)  # what a quantity needs is the same all along an axis
         self.limits: list[Limit] = []
         notes = []
@@ -275,6 +274,11 @@ class Field:
         self.values = evaluate(scene, quantity, x, y)
         if not has_values(self.values):
             raise NothingToDraw(quantity, self.scene)
+
+    @cached_property
+    def doubts(self) -> list[Doubt]:
+        """The limits, judged at each point."""
+        return judged(self.limits, over(self.given, *self.axes), [self.quantity])
 
     def flat(self) -> Iterator[str]:
         """Iterate over the sentence on values that are the same everywhere."""

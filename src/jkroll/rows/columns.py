@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import BadRequest, JkrollError
 from ..physics.elementary import where
 from ..quantities.values import is_uncertain, middle
-from ..scene.alternatives import DATA, beside, by_law, kinds_beside
+from ..scene.alternatives import DATA, beside, by_law, names_beside
 from ..scene.failures import (
     OF_IDENTICAL_SPHERES,
     Failure,
@@ -54,12 +54,11 @@ class Wanted:
 
         `sides`: of the uncertainties of quantities, and of what may stand in their place, those of SIDES that have
         columns, by key; None where uncertainties are not wanted. `doubts`: whether limits are judged. `alternatives`:
-        by the quantity, the kinds of what may stand in its place and has columns: the name of a law, DATA.
+        by kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
         """
         self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
-        self.alternatives = {name: kinds for name, kinds in alternatives.items() if name in self.names}
-        self._beside = {f"{name}_by_{kind}": kind for name, kinds in self.alternatives.items() for kind in kinds}
-        ranges = {key: ("low", "high") for key, kind in self._beside.items() if kind == DATA}
+        self.alternatives = alternatives
+        ranges = {f"{name}_by_{DATA}": ("low", "high") for name in alternatives.get(DATA, ())}
         self.uncertainties = sides is not None
         self.sides = {
             key: tuple(side for side in SIDES if side in some) for key, some in {**(sides or {}), **ranges}.items()
@@ -80,7 +79,7 @@ class Wanted:
 
     def beside(self, name: str) -> dict[str, str]:
         """Return the keys of the columns of what may stand in place of a quantity: "pull_off_force_by_maugis"."""
-        return {kind: f"{name}_by_{kind}" for kind in self.alternatives.get(name, ())}
+        return {kind: f"{name}_by_{kind}" for kind, names in self.alternatives.items() if name in names}
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
@@ -97,7 +96,7 @@ class Wanted:
 
         `scenes`: of each kind of rows.
         """
-        kinds = kinds_beside(scenes, [name for name in self.names if name in names])
+        names_of = names_beside(scenes, [name for name in self.names if name in names])
         sides = {name: {*some} for name, some in self.sides.items()}
         for scene in scenes:
             if scene.is_uncertain:
@@ -105,16 +104,13 @@ class Wanted:
 
                 other = by_law(scene)
                 with suppress(JkrollError):  # sources of two kinds give no error bars
-                    for name, some in sides_of_results(other, [*kinds]).items():
+                    for name, some in sides_of_results(other, names_of.get(other.law.name, [])).items():
                         sides.setdefault(f"{name}_by_{other.law.name}", set()).update(some)
-        return self.with_columns(alternatives=kinds, sides=sides if self.uncertainties else None)
+        return self.with_columns(alternatives=names_of, sides=sides if self.uncertainties else None)
 
     def numbers_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
         """Return what may stand in place of the quantities shown, with their uncertainties, by their keys."""
-        names_of: dict[str, list[str]] = {}
-        for name in shown:
-            for kind in self.alternatives.get(name, ()):
-                names_of.setdefault(kind, []).append(name)
+        names_of = {kind: [name for name in names if name in shown] for kind, names in self.alternatives.items()}
         return {
             f"{name}_by_{kind}": value
             for kind, values in beside(scene, names_of).items()

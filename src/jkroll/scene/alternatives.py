@@ -180,16 +180,16 @@ def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
 DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
 
 
-def kinds_beside(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, tuple[str, ...]]:
-    """Return by quantity the kinds of alternatives that have columns: the name of the other law, and DATA.
+def names_beside(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, list[str]]:
+    """Return the quantities that have alternatives, by kind: the name of the other law, and DATA.
 
     `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
     """
-    others = {by_law(scene).law.name for scene in scenes}
+    others = {other_law(scene.law.name) for scene in scenes}
     law = others.pop() if len(others) == 1 else BETWEEN
     moved = {name for scene in scenes for name in moved_by_law(scene, names)}
     rolled = {name for scene in scenes if _may_be_rolled(scene) for name in rolling(names, scene.law.name)}
-    return {name: (*([law] if name in moved else ()), *([DATA] if name in rolled else ())) for name in names}
+    return {law: [name for name in names if name in moved], DATA: [name for name in names if name in rolled]}
 
 
 def _may_be_rolled(scene: Scene) -> bool:
@@ -202,17 +202,18 @@ def _may_be_rolled(scene: Scene) -> bool:
 def beside(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
     """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
 
-    `names_of`: the quantities of each kind, of which those that a scene does not have are left out. An error stands for
-    a quantity that has no value.
+    `names_of`: the quantities of each kind. An error stands for one that has no value. A kind that a scene does not
+    have is left out.
     """
-    law, found = other_law(scene.law.name), {}
-    if law in names_of:
-        found[law] = _with_bars(scene, names_of[law], by_law)
-    solid = solid_of_kind(scene) if DATA in names_of else ""
-    if solid and (is_near := _is_near(scene, solid)) is not False:
-        lows, highs = (_with_bars(scene, names_of[DATA], end) for end in (at_least_measured, at_most_measured))
-        found[DATA] = {name: _between(lows[name], highs[name], is_near) for name in names_of[DATA]}
-    return found
+    law, values = other_law(scene.law.name), {}
+    if moved := names_of.get(law):
+        values[law] = _with_bars(scene, moved, by_law)
+    rolled = names_of.get(DATA)
+    solid = solid_of_kind(scene) if rolled else ""
+    if rolled and solid and (is_near := _is_near(scene, solid)) is not False:
+        lows, highs = (_with_bars(scene, rolled, end) for end in (at_least_measured, at_most_measured))
+        values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
+    return values
 
 
 def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene]) -> dict[str, Any]:

@@ -1,11 +1,11 @@
-"""Alternatives to the results of one scene: by another law of attraction, or by forces that were measured."""
+"""Advice on the results of one scene: what may stand in their place, in full for programs and in words for people."""
 
 from collections.abc import Collection, Sequence
 from typing import Any
 
 from ..errors import JkrollError
 from ..quantities.formatting import span
-from ..quantities.laws import BETWEEN
+from ..quantities.laws import BETWEEN, other_law
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import ends_of, is_uncertain, middle
 from ..scene.alternatives import (
@@ -25,7 +25,7 @@ from ..scene.alternatives import (
     factor_of_law,
     farthest,
     is_at_displacement,
-    moved_by_law,
+    names_beside,
     ratio,
     rolled_solid,
     rolling,
@@ -43,24 +43,18 @@ _OF_POLYSTYRENE = "polystyrene has 42 nm at 5 µm"  # Sümer & Sitti
 _ELSEWHERE = f"{_OF_POLYSTYRENE}, ice 0.19 mm at 1 mm"  # Musiolik & Wurm 2019
 
 
-def by_other_law(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """Return the answers under the law that holds between JKR and DMT; under that law, those of JKR.
+def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """Return what may stand in place of results, by kind: under the other law, and by measured forces as ranges.
 
     None stands for a quantity that has no value there. One that is not among them is the same.
     """
-    other = by_law(scene)
-    differing = {*other.missing(names), *moved_by_law(scene, names)}
-    return _values(scene, other.law.name, [name for name in names if name in differing])
-
-
-def by_data(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """Return the answers with the displacements that forces measured on the same solid mean, as ranges."""
-    return _values(scene, DATA, rolling(names, scene.law.name))
-
-
-def _values(scene: Scene, kind: str, names: Sequence[str]) -> dict[str, Any]:
-    found = beside(scene, {kind: names} if names else {}).get(kind, {})
-    return {name: None if isinstance(value, JkrollError) else value for name, value in found.items()}
+    law, lacking = other_law(scene.law.name), by_law(scene).missing(names)
+    names_of = names_beside([scene], names)
+    names_of[law] = [name for name in names if name in lacking or name in names_of[law]]
+    return {
+        kind: {name: None if isinstance(value, JkrollError) else value for name, value in values.items()}
+        for kind, values in beside(scene, names_of).items()
+    }
 
 
 # --- In full, for programs --------------------------------------------------------------------------------------------
@@ -73,7 +67,7 @@ def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, A
     """
     law, other = scene.law.name, by_law(scene)
     known = {name: value for name, value in scene.numbers(*names).items() if value}
-    values = by_other_law(scene, [*known])
+    values = in_place_of(scene, [*known]).get(other.law.name, {})
     half = {} if law == BETWEEN else at_half_spacing(other).numbers(*values)
     rolled = rolling(values, BETWEEN)
     reading = at_other_reading(scene) if rolled else None
@@ -112,7 +106,7 @@ def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] |
         found["here"] = [end[XI] for end in ends]
         both = [name for name in rolled if own.get(name) and name in low and name in high]
         found["over_assumed"] = {name: [low[name] / own[name], high[name] / own[name]] for name in both}
-        found["values"] = {name: [*ends_of(value)] for name, value in by_data(scene, both).items()}
+        found["values"] = {name: [*ends_of(value)] for name, value in in_place_of(scene, both).get(DATA, {}).items()}
     return found
 
 
@@ -178,7 +172,7 @@ def advised(scene: Scene, name: str) -> str:
 
 def _about_displacement(scene: Scene, names: Sequence[str]) -> str:
     """Return what stands in place of answers with the assumed ξ: "Q = 89–270 pN by forces on SiO2 of 1 µm"."""
-    values = by_data(scene, names[:MAX_TOLD])
+    values = in_place_of(scene, names[:MAX_TOLD]).get(DATA, {})
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(one))}" for name, one in values.items() if one)
     return f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi){_beyond_hysteresis(scene)}"
 
