@@ -13,7 +13,6 @@ import pytest
 
 from harness import Run, Stream
 from jkroll import physics, solve
-from jkroll.bench.equations import DECIMALS, exact
 from jkroll.bench.report import (
     DEFAULT,
     HEADS,
@@ -29,7 +28,7 @@ from jkroll.bench.report import (
     regions,
     write_bench,
 )
-from jkroll.bench.ways import OTHER_WAYS, QUANTITIES
+from jkroll.bench.ways import DECIMALS, OTHER_WAYS, QUANTITIES, exact
 from maugis_reference import at_load, mpf
 from reference import BOUND, conditions, exact_results, ulp_error
 from relative import approx

@@ -41,7 +41,7 @@ from matplotlib.mathtext import MathTextParser
 from matplotlib.text import Text
 
 from jkroll.pictures.page import FINE, figure_of, line_of, settings
-from jkroll.pictures.styles import BORDER, DARK, PAPER, STYLES, Style
+from jkroll.pictures.picture import BORDER, DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them

@@ -18,8 +18,7 @@ from ..physics.pair import reduced_radius
 from ..pictures.picture import Axis, Curve, Mark, Panel, Picture
 from ..quantities.formatting import significant
 from ..text import say
-from .equations import DECIMALS, Way, digits, exact, inputs_of
-from .ways import OTHER_WAYS, QUANTITIES, our_way
+from .ways import DECIMALS, OTHER_WAYS, QUANTITIES, Way, digits, exact, inputs_of, our_way
 
 DEFAULT = "jkroll, arrays"
 PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), of the guide

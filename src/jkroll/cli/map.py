@@ -11,9 +11,8 @@ from ..output.files import text_output, whole_file
 from ..output.writers import write_columns
 from ..pictures.curves import PANELS, curves_of_contact
 from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map
-from ..pictures.picture import Axis, Map, Picture
+from ..pictures.picture import STYLES, Axis, Map, Picture
 from ..pictures.request import PlotRequest, curves_of, map_of, mark_at
-from ..pictures.styles import STYLES
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW

@@ -24,8 +24,25 @@ from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import
 from .. import __version__
 from ..quantities.formatting import PREFIXABLE, engineering, pretty
 from ..quantities.markup import lines, plain, typeset
-from .picture import Axis, Curve, Map, Mark, Panel, Picture, Region, described, evaluate, over, quantity_of
-from .styles import DASHES, LETTER, LOOKS, SIZE, STYLES, Style
+from .picture import (
+    DASHES,
+    LETTER,
+    LOOKS,
+    SIZE,
+    STYLES,
+    Axis,
+    Curve,
+    Map,
+    Mark,
+    Panel,
+    Picture,
+    Region,
+    Style,
+    described,
+    evaluate,
+    over,
+    quantity_of,
+)
 
 FINE = 401  # points a side of a map, between which its lines are straight
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches

@@ -23,6 +23,7 @@ from ..scene.limits import LIMITS, OF_LAW, Doubt, Limit, judged, percent, touche
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
 from .picture import (
+    BORDER,
     SAME,
     Axis,
     Curve,
@@ -38,7 +39,6 @@ from .picture import (
     is_flat,
     over,
 )
-from .styles import BORDER
 
 SIDE = 201  # points a side of a map, unless its axes say another number
 ALONG = 1001  # points of a curve

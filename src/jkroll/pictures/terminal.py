@@ -10,8 +10,7 @@ import numpy
 from ..quantities.formatting import amount, in_units
 from ..quantities.markup import plain, symbol
 from ..text import fitting, say, terminal_width, width_of, wrapped
-from .picture import Axis, Map, Panel, Picture, bracketed, described, evaluate, extent, over, quantity_of
-from .styles import LOOKS, PAPER
+from .picture import LOOKS, PAPER, Axis, Map, Panel, Picture, bracketed, described, evaluate, extent, over, quantity_of
 
 ROWS, COLUMNS = 13, 9  # of a map
 CURVE_ROWS = 11  # of each curve
