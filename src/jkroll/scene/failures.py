@@ -1,4 +1,4 @@
-"""Errors about a scene: inputs that are missing or exclude each other, and results that do not exist, by their kinds.
+"""Errors about a scene: inputs that are missing, and results that do not exist, by their kinds.
 
 Below: the numbers for which the physics gives a formula no result, with the error that says why.
 """
@@ -88,17 +88,6 @@ def _in_words(names: Iterable[str]) -> str:
 
 def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
-
-
-class Contradiction(JkrollError):
-    """Error raised for names of inputs that cannot be given together."""
-
-    def __init__(self, names: Sequence[str], words: str = "exclude each other: one follows from the other") -> None:
-        super().__init__(tuple(names), words)
-        self.names, self.words = tuple(names), words
-
-    def __str__(self) -> str:
-        return f"{listed(self.names)} {self.words}"
 
 
 class Kind(NamedTuple):

@@ -14,8 +14,8 @@ from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
 from ..quantities.values import Uncertain, is_uncertain, middle
 from ..text import listed, quoted
-from .failures import MAX_DIGITS, Contradiction, MissingInput
-from .scene import EXCLUSIVE, Scene
+from .failures import MAX_DIGITS, MissingInput
+from .scene import EXCLUSIVE, Scene, check_exclusive
 
 Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
 
@@ -251,8 +251,7 @@ class Problem(NamedTuple):
         """Raise the error of a problem that has no solution whatever the measured values are."""
         for name in self.unknowns:
             input_named(name)
-        if len(self.unknowns) > 1 and any({*self.unknowns} <= {*names} for names in EXCLUSIVE):
-            raise Contradiction(self.unknowns)
+        check_exclusive(self.unknowns)
         for stated in self.scene.stated:
             if stated in self.measured:
                 raise already_given(stated, stated)

@@ -19,10 +19,10 @@ from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain
+from ..text import listed
 from .failures import (
     RESTS_ON_SPACING,
     TWO_RIGID_BODIES,
-    Contradiction,
     Failure,
     MissingInput,
     NotInLaw,
@@ -181,7 +181,7 @@ class Scene:
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
-        _check_exclusive(given)
+        check_exclusive(given)
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: value for name, value in given.items() if is_uncertain(value)}
         self.stated = {**given, **{name: value.value for name, value in self.uncertain.items()}}
@@ -498,11 +498,11 @@ class Scene:
         return name in self.law.by_spacing and self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
 
 
-def _check_exclusive(given: Collection[str]) -> None:
-    """Raise Contradiction for inputs of which one follows from the other."""
+def check_exclusive(given: Collection[str]) -> None:
+    """Raise BadRequest for inputs of which one follows from the other."""
     for names in EXCLUSIVE:
         if len(both := [name for name in names if name in given]) > 1:
-            raise Contradiction(both)
+            raise BadRequest(f"{listed(both)} exclude each other: one follows from the other")
 
 
 def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:

@@ -4,14 +4,14 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from typing import TYPE_CHECKING, Any, overload
 
-from ..errors import JkrollError
+from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..physics.elementary import NUMBER
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, as_input, named
 from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
-from .failures import NO_END, Contradiction, reason_of, without_value
+from .failures import NO_END, reason_of, without_value
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -192,7 +192,7 @@ def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) ->
         if name not in NOMENCLATURE:
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
-            raise Contradiction((words[name], word), "are one quantity; give it once")
+            raise BadRequest(f"{words[name]} and {word} are one quantity; give it once")
         is_float = isinstance(value, float)
         values[name] = float(value) if is_float else _number(name, _content(name, value), registries)
     return values, registries[-1] if registries else None
