@@ -270,6 +270,16 @@ def test_a_word_with_a_doubt_has_it_with_the_number_of_a_sphere_too(text: str) -
         understood([text])
 
 
+@pytest.mark.parametrize("other", ["G12 [GPa]", "nu12", "ν_xy", "E3 [GPa]", "E_3_GPa"])
+def test_moduli_along_directions_are_not_those_of_two_spheres(other: str) -> None:
+    with pytest.raises(BadTable, match="says that it is along a direction"):
+        understood(["E1 [GPa]", "E2 [GPa]", other])
+    stated = stated_meanings(["E1 [GPa]=youngs_modulus", "E2 [GPa]="])
+    assert [column.name for column in understood(["E1 [GPa]", "E2 [GPa]", other], [], stated).inputs] == [
+        "youngs_modulus"
+    ]
+
+
 @pytest.mark.parametrize("parts", [("radius", "radius_err"), ("radius", "radius_minus", "radius_plus")])
 def test_the_advice_for_values_without_a_unit_reads_their_uncertainty_too(parts: tuple[str, ...]) -> None:
     with pytest.raises(BadTable, match=r"Write --column 'radius=radius \[UNIT\]', or --column 'radius='"):

@@ -123,6 +123,12 @@ def test_a_cell_is_read_or_refused_with_the_true_reason(cell: str) -> None:
         assert found == expected
 
 
+def test_per_cent_behind_an_error_bar_may_be_of_the_value_where_the_column_is_in_per_cent_too() -> None:
+    (column,) = understood(["filling_factor [%]"]).inputs
+    with pytest.raises(QuantityError, match="has a % that can be read in two ways"):
+        column.read("40±5 %")
+
+
 @pytest.mark.parametrize("cell", ["1e-7", "1E−07", "1×10⁻⁷", "１e-7", "1.0 x 10^-7"])
 def test_a_value_keeps_the_unit_of_its_column_where_its_error_bar_has_another(cell: str) -> None:
     """However its power of ten is written."""

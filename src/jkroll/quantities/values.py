@@ -429,7 +429,7 @@ def _plus_minus(left: str, right: str, unit_in: UnitIn) -> Measured:
     value, unit_text = split_number(left)
     uncertainty, unit_of_error = split_number(right)
     if unit_of_error.startswith("%"):
-        if unit_of_error != "%" or unit_text == "%":
+        if unit_of_error != "%" or unit_in(unit_text) == parse_unit("%"):
             raise BadUnit("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
         share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
         return _measured(value, unit_in(unit_text), share)

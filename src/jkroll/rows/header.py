@@ -197,7 +197,7 @@ def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
 # --- All headers of a table -------------------------------------------------------------------------------------------
 
 _MAX_SAID = 60  # columns that pass through and are named
-_OF_DIRECTIONS = r"(?i)\s*(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])"
+_OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
 _ENDS = ("low", "high")
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # of the columns of a value, by part
