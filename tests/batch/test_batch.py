@@ -176,7 +176,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     assert unknown.startswith("note: no material 'quarz'; did you mean quartz? jkroll materials lists all")
     assert unknown.endswith(": row 3")
     assert [*lines[1:], failed] == [
-        "note: assumed ξ = 200 pm (--xi), no load (--load)",
+        "assumed: ξ = 200 pm (--xi), no load (--load), z0 = 400 pm (--z0)",
         (
             "note: 2 of 3 rows are doubtful (law-off-2x in 2, xi-over-limit in 1, xi-over-contact in 1, slides-first "
             "in 1 and 4 more); column doubt says why"
@@ -688,7 +688,7 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
     assert ran.err.splitlines() == [
         "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
         "note: no column and no option gives a radius; what needs one is left out",
-        "note: assumed no load (--load)",
+        "assumed: no load (--load)",
         "note: unchecked in 1 of 1 rows: a limit could not be judged, as it needs an input that is not given",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[

@@ -798,11 +798,15 @@ def test_a_quantity_that_some_cells_show_is_given_for_all_rows(run: Run) -> None
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("--material quartz --quantities yield_force", "note: assumed ξ = 200 pm (--xi), no load (--load)"),
-        ("--material quartz --quantities yield_force --xi 1nm --load 0N", ""),
-        ("--material quartz --quantities pull_off_force", ""),
-        ("--material quartz --quantities contact_radius_at_load", "note: assumed no load (--load)"),
-        ("--materials own.toml --material own --quantities yield_force", "note: assumed no load (--load)"),
+        (
+            "--material quartz --quantities yield_force",
+            "assumed: ξ = 200 pm (--xi), no load (--load), z0 = 400 pm (--z0)",
+        ),
+        ("--material quartz --quantities yield_force --xi 1nm --load 0N", "assumed: z0 = 400 pm (--z0)"),
+        ("--material quartz --quantities pull_off_force", "assumed: z0 = 400 pm (--z0)"),
+        ("--material quartz --quantities pull_off_force --z0 4angstrom", ""),
+        ("--material quartz --quantities contact_radius_at_load", "assumed: no load (--load), z0 = 400 pm (--z0)"),
+        ("--materials own.toml --material own --quantities yield_force", "assumed: no load (--load)"),
     ],
 )
 def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, said: str) -> None:
@@ -880,7 +884,6 @@ def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
         ("--z0 3angstrom --quantities pull_off_force", ""),
         ("--z0 3angstrom --quantities pull_off_force --young 1GPa --poisson 0.3 --model maugis --no-doubt", ""),
         ("--young inf --quantities pull_off_force --no-doubt", ""),
-        ("--z0 3angstrom --quantities pull_off_force --no-doubt", "note: --z0 changes no result here\n"),
     ],
 )
 def test_an_option_that_changes_nothing_is_told(run: Run, words: str, said: str) -> None:

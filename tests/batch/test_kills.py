@@ -116,7 +116,7 @@ def test_an_interrupt_leaves_nothing(words: str, number: int, code: int) -> None
         assert process.returncode == 1  # it was done before the signal came
         Path("out.csv").unlink()
     assert re.fullmatch(
-        r"read: .*\n(?:note: assumed .*\n)?jkroll: interrupted after \d+ rows\n" if "batch" in words else "", message
+        r"read: .*\n(?:assumed: .*\n)?jkroll: interrupted after \d+ rows\n" if "batch" in words else "", message
     )
     assert {*os.listdir()} <= before
 

@@ -25,7 +25,7 @@ def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_no_bar_in_a_pipe(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm]\n" + "100\n" * 100, encoding="utf-8")
     before = {*sys.modules}
-    assumed = "note: assumed ξ = 200 pm (--xi), no load (--load)"
+    assumed = "assumed: ξ = 200 pm (--xi), no load (--load)"
     said = "note: unchecked in 100 of 100 rows: a limit could not be judged, as it needs an input that is not given"
     assert run("batch grains.csv -o out.csv --jobs 1") == (0, "", f"read: radius [nm]\n{assumed}\n{said}\n")
     assert "rich.progress" not in {*sys.modules} - before

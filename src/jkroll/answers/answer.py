@@ -24,6 +24,7 @@ from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, doubts
 from ..scene.scene import Scene
 from .notes import (
     about_given,
+    about_idle,
     about_limits,
     about_lost_contacts,
     about_missing,
@@ -31,6 +32,7 @@ from .notes import (
     about_values,
     assumed,
     entering,
+    idle_of,
 )
 from .questions import Question
 from .results import Note, Result, model_error, over_spacing, propagated_of, with_law
@@ -212,7 +214,8 @@ class Answer:
         scene = self.scene
         found, sources = self._uncertainties
         return (
-            *about_given(scene, self._possible, *self._entering),
+            *about_given(scene, self._possible, self._entering[0]),
+            *about_idle(idle_of(scene, self._entering[1])),
             *about_values(scene, self._known),
             *about_missing([*self.results], self.errors),
             *about_limits(self.validity),

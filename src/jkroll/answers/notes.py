@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Source, Sources
     from .answer import Answer
 
+Rows = tuple[Scene, Sequence[str]]  # of a kind: a scene that stands for them, and the quantities that it shows
+
 _SHORT = Format(digits=4)
 _RULES = {  # by which quantities follow that could have been given
     "contacts": "as many contacts as grains in each, n_c = N",
@@ -70,8 +72,9 @@ def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_
     `has_values`: whether a rule gives the same value in all rows of which the scene is one.
     """
     steps = {step.name for step in scene.plan(*names).steps}
-    is_mixed = scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
-    if not is_mixed or "surface_energy2" not in inputs:
+    energies = [scene.given.get(name) for name in ("surface_energy", "surface_energy2")]
+    are_equal = all(isinstance(energy, float) for energy in energies) and energies[0] == energies[1]
+    if are_equal or "surface_energy2" not in inputs:
         steps.discard("work_of_adhesion")
     rules = {name: rule for name, rule in _RULES.items() if name in steps}
     for name, value in scene.numbers(*rules).items() if has_values else ():
@@ -86,8 +89,8 @@ def assumed_value(name: str) -> str:
     return f"{value} ({NOMENCLATURE[name].option})"
 
 
-def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str], needed: Collection[str]) -> Iterator[Note]:
-    """Iterate over the notes that follow from what is given; `inputs` and `needed`: as from `entering`."""
+def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> Iterator[Note]:
+    """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
     if texts := assumed(scene, inputs, names).values():
         yield Note("assumed", f"assumed: {', '.join(texts)}")
     steps = {step.name for step in scene.plan(*names).steps}
@@ -111,24 +114,21 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str], nee
         yield Note("assumption", text)
     if "contact_shear_modulus" in steps and not are_alike:
         yield Note("assumption", "k_s without Dundurs' coupling of unlike solids")
-    yield from about_idle(scene, needed)
     yield from _about_data(scene, inputs)
 
 
-def about_idle(scene: Scene, entering: Collection[str]) -> Iterator[Note]:
-    """Iterate over a note on the inputs that were given though no result depends on them, if there are some.
+def idle_of(scene: Scene, needed: Collection[str]) -> list[str]:
+    """Return the inputs that were given though nothing depends on them; `needed`: those on which something does.
 
-    `entering`: those on which one does. What makes an area rigid is refused, and so changes something.
+    What makes an area rigid is refused, and so changes something.
     """
-    entering = {*entering, *(OF_AREA if scene.is_rigid else ())}
-    if idle := [name for name in scene.stated if name not in entering]:
-        yield Note("caveat", idle_in_words(idle))
+    return [name for name in scene.stated if name not in needed and not (scene.is_rigid and name in OF_AREA)]
 
 
-def idle_in_words(names: Sequence[str]) -> str:
-    """Return the sentence on inputs that change nothing."""
+def about_idle(names: Sequence[str]) -> list[Note]:
+    """Return the note on inputs that change nothing, if there are some."""
     options = [NOMENCLATURE[name].option or name for name in names]
-    return f"{listed(options)} change{'' if options[1:] else 's'} no result here"
+    return [Note("caveat", f"{listed(options)} change{'' if options[1:] else 's'} no result here")] if names else []
 
 
 def _about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
@@ -274,16 +274,30 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
         from .advice import about_displacement_of_rows
 
         yield Note("displacement", about_displacement_of_rows(scene))
-    yield from about_given(scene, possible, *entering(scene, names))
+    inputs, _ = entering(scene, names)
+    yield from about_given(scene, possible, inputs)
     yield from about_spinning(scene, possible)
     yield from about_limits(doubts(scene, possible))
+
+
+def assumed_of_kinds(kinds: Iterable[Rows]) -> dict[str, str]:
+    """Return what was assumed for rows of some kinds, each with the option that sets it, by name."""
+    texts: dict[str, str] = {}
+    for scene, names in kinds:
+        texts |= assumed(scene, entering(scene, names)[0], scene.possible(names), has_values=False)
+    return texts
+
+
+def idle_of_kinds(kinds: Iterable[Rows]) -> list[str]:
+    """Return the inputs on which nothing depends in rows of any kind."""
+    first, *others = (idle_of(scene, entering(scene, names)[1]) for scene, names in kinds)
+    return [name for name in first if all(name in idle for idle in others)]
 
 
 class OfRows:
     """The notes of rows: empty cells, and doubts with their numbers of rows, counted while columns are written."""
 
-    def __init__(self, kinds: Iterable[tuple[Scene, Sequence[str]]]) -> None:
-        """`kinds`: a scene of each kind of rows, with the quantities that it shows."""
+    def __init__(self, kinds: Iterable[Rows]) -> None:
         from ..rows.reasons import Tally
 
         self._kinds = [*kinds]
@@ -301,10 +315,7 @@ class OfRows:
     @cached_property
     def assumed(self) -> dict[str, str]:
         """The assumptions about rows, each with the option that sets it, by name."""
-        texts: dict[str, str] = {}
-        for scene, names in self._kinds:
-            texts |= assumed(scene, entering(scene, names)[0], scene.possible(names), has_values=False)
-        return texts
+        return assumed_of_kinds(self._kinds)
 
     def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:
         """Return the lines to print; `has_table`: whether they are below a table, whose head has what was assumed.
@@ -322,7 +333,7 @@ class OfRows:
             of_gaps = (gaps.sentence() if self.tally.rows > 1 else gaps.words for gaps in self.tally.gaps.values())
             notes += [Note("missing", text) for text in of_gaps]
             of_kinds = dict.fromkeys(note for kind in self._kinds for note in notes_on_rows(*kind))
-            notes += [note for note in of_kinds if note.kind != "assumed"]
+            notes += [*about_idle(idle_of_kinds(self._kinds)), *(note for note in of_kinds if note.kind != "assumed")]
             notes += [Note("assumed", f"assumed: {', '.join(self.assumed.values())}")] if self.assumed else []
         return _lines(notes, has_head=has_table)
 

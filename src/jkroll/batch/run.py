@@ -114,15 +114,16 @@ def said_of(table: Table) -> tuple[str, ...]:
 
     They say how it is read, which inputs are assumed, which options change nothing, and what enters no error bar.
     """
-    reading, idle = table.columns.reading(), table.idle
-    if not (table.assumed or idle or table.left_out):
-        return (reading,)
-    from ..answers.notes import assumed_value, idle_in_words, left_out_in_words
+    from ..answers.notes import about_idle, assumed_of_kinds, idle_of_kinds, left_out_in_words
 
-    notes = ["assumed " + ", ".join(map(assumed_value, table.assumed))] if table.assumed else []
-    notes += [idle_in_words(idle)] if idle else []
-    notes += left_out_in_words(table.left_out)
-    return reading, *(f"note: {text}" for text in notes)
+    assumed = [
+        text for name, text in assumed_of_kinds(table.kinds).items() if name not in table.given | table.of_solids
+    ]
+    # What is infinite may make a body rigid in some rows.
+    idle = [name for name in idle_of_kinds(table.kinds) if table.fixed.get(name, INFINITY) != INFINITY]
+    notes = [*(note.text for note in about_idle(idle)), *left_out_in_words(table.left_out)]
+    head = [f"assumed: {', '.join(assumed)}"] if assumed else []
+    return table.columns.reading(), *head, *(f"note: {text}" for text in notes)
 
 
 # --- A table ----------------------------------------------------------------------------------------------------------

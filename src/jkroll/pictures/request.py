@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..answers.advice import advised
-from ..answers.notes import about_given, about_idle, about_middles
+from ..answers.notes import about_given, about_idle, about_middles, idle_of
 from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
@@ -268,7 +268,7 @@ class Field:
         self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in at_an_end])
         remark = NOMENCLATURE[quantity].note
         remarks = [f"{symbol_of(quantity)}: {remark}"] if remark else []
-        idle = [note.text for note in about_idle(self.scene, inputs)]
+        idle = [note.text for note in about_idle(idle_of(self.scene, inputs))]
         data = notes_on(scene, self.scene, shown, names)
         self.notes = tuple(dict.fromkeys([*notes[:1], *idle, *data, *remarks]))
         self.values = evaluate(scene, quantity, x, y)
@@ -303,7 +303,7 @@ def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequenc
     `given`: the scene as a user gave it, of which `scene` is one point.
     """
     uncertain = {name: measured for name in inputs if (measured := given.uncertainty_of(name)) is not None}
-    return [note.text for note in (*about_middles(uncertain), *about_given(scene, [*names], inputs, scene.stated))]
+    return [note.text for note in (*about_middles(uncertain), *about_given(scene, [*names], inputs))]
 
 
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:

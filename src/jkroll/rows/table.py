@@ -12,13 +12,11 @@ import numpy
 
 from ..errors import BadRequest, BadTable, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
-from ..quantities.laws import DEFAULT_LAW, law_named
+from ..quantities.laws import law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
 from ..scene.failures import MissingInput, NotInLaw
-from ..scene.limits import LIMITS
-from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
-from ..scene.wiring import depends_on
+from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, Wanted, remarks_of
@@ -71,6 +69,8 @@ class Table:
         self.said = {"model": self.model} if self.model is not None else {}  # columns of text, the same in all rows
         self.readers = [Reader(column) for column in columns.inputs]
         self.lookups = {name: Lookup(known, solid) for name, solid in zip(MATERIALS, self.spheres, strict=True)}
+        solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
+        self.of_solids = {XI for solid in solids if solid.displacement is not None}  # which nothing assumes
         self.given = columns.names | self.fixed.keys()
         # Names in the first rows that are, or may be, no material's, with their messages.
         self.labels, aliases = _names_of_materials(columns, rows, known)
@@ -80,7 +80,8 @@ class Table:
             self.wanted = self.wanted.with_alternatives(scenes, self.wanted.names)
         self.labels = self.labels and {**self.labels, **aliases}
         self.left_out = self._add_sides(rows, uncertainty=uncertainty)
-        self.assumed = self._assumed(scenes)
+        # A scene of each kind of rows, with the quantities that it shows, or that were measured.
+        self.kinds = [(scene.filled(), [measured]) if unknown else (scene, self.wanted.names) for scene in scenes]
         for text in columns.texts:
             if text.strip() in self.added:
                 remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
@@ -90,18 +91,6 @@ class Table:
     def added(self) -> list[str]:
         """The headers of all columns that are added."""
         return [*self.said, *self.wanted.heads(header), *remarks_of(self.wanted)]
-
-    @property
-    def idle(self) -> list[str]:
-        """The inputs of options on which no result and no limit can depend.
-
-        One that is infinite is left out: it may make a body rigid.
-        """
-        law = [self.model or DEFAULT_LAW]
-        entering = depends_on([self.measured] if self.unknown else self.wanted.names, law)
-        if self.wanted.doubts:
-            entering |= depends_on([limit.name for limit in LIMITS if limit.touches & entering], law)
-        return [name for name, value in self.fixed.items() if name not in entering and value != INFINITY]
 
     def scene(self, given: Mapping[str, Any], *spheres: Material | None) -> Any:
         """Return the scene of inputs and of the materials of both spheres, or the problem of a measured one.
@@ -206,17 +195,6 @@ class Table:
             return []
         self.wanted = self.wanted.with_columns(sides=dict.fromkeys(self.wanted.keys, sides))
         return [source for each in of_rows for source in each.left_out]
-
-    def _assumed(self, scenes: Sequence[Any]) -> list[str]:
-        """Return the inputs that nothing gives."""
-        solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
-        given = self.given | ({XI} if any(solid.displacement is not None for solid in solids) else set())
-        used = {
-            name
-            for scene in scenes
-            for name in (scene.used() if self.unknown else scene.inputs_of(*scene.possible(self.wanted.names)))
-        }
-        return [name for name in DEFAULTS if name in used - given]
 
 
 def _names_of_materials(columns: Header, rows: Cells, known: Materials) -> tuple[dict[str, str], dict[str, str]]:
