@@ -446,3 +446,8 @@ def test_a_part_of_the_values_within_error_bars_is_beyond_pull_off(names: list[s
         sources = sources_of_results(scene, ["contact_radius_at_load"])
         assert len(sources.entering) == len(names)
         assert part_beyond_pull_off(scene, sources) == approx(expected, rel=1e-6)
+
+
+def test_without_a_pull_off_force_no_load_is_beyond_it() -> None:
+    load = Measured(1e-9, 1e-10)
+    assert part_beyond_pull_off(Scene({"radius": 1e-7, "load": load}), Sources([Source(("load",), load)])) == 0

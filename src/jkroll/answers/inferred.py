@@ -91,7 +91,7 @@ class Inferred(Answer):
         steps = self.scene.plan(*self.problem.measured).steps
         solutions: dict[str, Solution] = {}
         for law in LAWS:
-            other = self.problem._replace(scene=self.problem.scene.replace(model=law))
+            other = self.problem.replace(model=law)
             with suppress(MissingInput, NoResult):
                 if other.filled().plan(*self.problem.measured).steps != steps:
                     solutions[law] = solution(other)

@@ -183,11 +183,14 @@ def part_beyond_pull_off(scene: Scene, sources: Sources) -> float:
 
     They and the distance P + P_c are taken as normally distributed.
     """
-    bars, _ = uncertainties(scene, ["pull_off_force"], sources=sources)
+    if not (force := scene.numbers("pull_off_force")):
+        return 0.0
+    bars, _ = uncertainties(scene, [*force], sources=sources)
     of_force = [bar.uncertainty.spread for bar in bars.values() if isinstance(bar, Propagated)]
     of_load = [source.given.spread for source in sources.entering if "load" in source.names]
     spread = hypot(*of_force, *of_load)
-    return erfc((scene["load"] + scene["pull_off_force"]) / (sqrt(2) * spread)) / 2 if spread else 0.0
+    distance = scene["load"] + force["pull_off_force"]
+    return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
 
 
 def _propagated(outcomes: Outcomes, values: Mapping[str, Any], sources: Sequence[Source], one_by_one: float) -> Bars:
