@@ -171,7 +171,7 @@ def infer(
 
     Raises
     ------
-    AlreadyGiven, CannotInfer, MissingInput, QuantityError, UnknownMaterial, UnknownQuantity
+    BadRequest, MissingInput, QuantityError, UnknownMaterial, UnknownQuantity
         An input is wrong, or one is missing.
     NoDependence, NoSolution, SeveralSolutions; of two inputs Unseparated
         No value gives the measured one, or several do; or the condition number is above 1e8. Arrays hold nan there

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import inf
 from typing import Any, NamedTuple
 
-from ..errors import JkrollError, NoResult
+from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Material
 from ..quantities.errors import nearest
 from ..quantities.formatting import DIGITS, Format, amount
@@ -37,14 +37,6 @@ AS_SHOWN = 1e-3  # relative difference of a quantity at a solution, or at the di
 
 
 # --- Why there is no one solution -------------------------------------------------------------------------------------
-
-
-class CannotInfer(JkrollError):
-    """Error raised for a word of no input that can be inferred, or where no formula gives what was measured."""
-
-
-class AlreadyGiven(JkrollError):
-    """Error raised where an unknown, or the measured quantity, is given as an input, too."""
 
 
 class Unsolved(NoResult):
@@ -123,27 +115,27 @@ class Unseparated(Unsolved):
 
 
 def input_named(word: str) -> str:
-    """Return the input that a word stands for; raise CannotInfer if it cannot be inferred."""
+    """Return the input that a word stands for; raise BadRequest if it cannot be inferred."""
     if (name := named(word)) in SIZES:
         return name
     guess = None if word in NOMENCLATURE else nearest(word, SIZES)
     meant = f"did you mean {guess}? " if guess else ""
-    raise CannotInfer(f"{quoted(word)} cannot be inferred; {meant}{', '.join(SIZES)} can")
+    raise BadRequest(f"{quoted(word)} cannot be inferred; {meant}{', '.join(SIZES)} can")
 
 
 def inputs_named(words: Sequence[str]) -> list[str]:
-    """Return the inputs that one word or two stand for; raise CannotInfer if they cannot be inferred together."""
+    """Return the inputs that one word or two stand for; raise BadRequest if they cannot be inferred together."""
     names = [input_named(word) for word in words]
     if len(names) not in (1, 2) or len({*names}) < len(names):
-        raise CannotInfer(f"{quoted(','.join(words))}: one input can be inferred, or two that differ")
+        raise BadRequest(f"{quoted(','.join(words))}: one input can be inferred, or two that differ")
     return names
 
 
-def already_given(name: str, stated: str) -> AlreadyGiven:
+def already_given(name: str, stated: str) -> BadRequest:
     """Return the error of a name that is asked for, where it, or an input from which it follows, is stated."""
     if name == stated:
-        return AlreadyGiven(f"{name} is given and asked for; leave one of the two out")
-    return AlreadyGiven(f"{name} is asked for, and {stated} is given: one follows from the other")
+        return BadRequest(f"{name} is given and asked for; leave one of the two out")
+    return BadRequest(f"{name} is asked for, and {stated} is given: one follows from the other")
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
@@ -273,7 +265,7 @@ class Problem(NamedTuple):
                 raise
             option = NOMENCLATURE[quantity].option or quantity
             remedy = f"give it as {option}, and ask for {self.unknowns[0]} without infer"
-            raise CannotInfer(f"{quantity} is an input, and no formula gives it; {remedy}") from error
+            raise BadRequest(f"{quantity} is an input, and no formula gives it; {remedy}") from error
 
     def failure(self) -> JkrollError:
         """Return the reason why a measured quantity has no value for any values of the unknowns."""
