@@ -61,11 +61,11 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
 def _path(scene: Scene, most: float) -> tuple[list[str], Any, Any]:
     """Return the names of the states of a force curve up to a load, their approaches, and their loads."""
     path = states(scene, Loads(-inf, most), POINTS)
-    parts = [
+    groups = [
         values_of(scene.replace(**{given: numpy.array([state.value for state in group])}), _FORCE)
         for given, group in groupby(path, key=lambda state: state.given)
     ]
-    approaches, forces = (numpy.concatenate([part[name] for part in parts]) for name in _FORCE)
+    approaches, forces = (numpy.concatenate([group[name] for group in groups]) for name in _FORCE)
     return [state.name for state in path], approaches, forces
 
 
@@ -191,8 +191,8 @@ def curves_of_contact(
 
 def across(first: float, last: float) -> Any:
     """Return positions between two ends, closer to each other near the ends, where the pressure is steep."""
-    parts = (1 - numpy.cos(numpy.linspace(0, numpy.pi, POINTS)[1:-1])) / 2
-    return first + (last - first) * parts
+    shares = (1 - numpy.cos(numpy.linspace(0, numpy.pi, POINTS)[1:-1])) / 2
+    return first + (last - first) * shares
 
 
 def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel:

@@ -367,10 +367,10 @@ def _label_contours(axes: Any, contours: Any, texts: Sequence[str], taken: list[
 def _points_of_lines(axes: Any) -> Any:
     """Return points along all lines on axes, in pixels. Those of contours are close to each other as they are."""
     paths = [line.get_transform().transform_path(line.get_path()) for line in axes.lines]
-    parts = [path.interpolated(200 // max(1, len(path.vertices)) + 1).vertices for path in paths]
+    points = [path.interpolated(200 // max(1, len(path.vertices)) + 1).vertices for path in paths]
     contours = (drawing for drawing in axes.collections if not getattr(drawing, "filled", False))
-    parts += [axes.transData.transform(path.vertices) for drawing in contours for path in drawing.get_paths()]
-    return numpy.concatenate([*parts, numpy.empty((0, 2))])
+    points += [axes.transData.transform(path.vertices) for drawing in contours for path in drawing.get_paths()]
+    return numpy.concatenate([*points, numpy.empty((0, 2))])
 
 
 def _count(box: Any, points: Any) -> int:

@@ -43,7 +43,7 @@ from .picture import (
 SIDE = 201  # points a side of a map, unless its axes say another number
 ALONG = 1001  # points of a curve
 MAX_POINTS = 4_000_000  # of a map, and of all curves together
-_EVERYWHERE = "everywhere"  # the part of a curve that is all of it
+_EVERYWHERE = "everywhere"  # the stretch of a curve that is all of it
 
 
 class PlotRequest(NamedTuple):
@@ -195,21 +195,21 @@ def _doubts_along(x: Axis, fields: "Sequence[Field]") -> Iterator[str]:
     if unjudged:
         which = f" for {', '.join(unjudged)}" if len(unjudged) < len(fields) else ""
         yield f"Limits are not judged{which}."
-    places: dict[str, list[tuple[str, str]]] = {}  # the curves and their parts, by what holds there
+    places: dict[str, list[tuple[str, str]]] = {}  # the curves and their stretches, by what holds there
     for field in fields:
         has_value = numpy.isfinite(field.values)
         for doubt in field.doubts:
             for _, text, is_beyond in beyond(doubt, field.given.law, has_value):
-                places.setdefault(text, []).append((field.text, _part(x, is_beyond, has_value)))
-    for text, parts in places.items():
-        if parts == [(field.text, _EVERYWHERE) for field in fields]:
+                places.setdefault(text, []).append((field.text, _stretch(x, is_beyond, has_value)))
+    for text, stretches in places.items():
+        if stretches == [(field.text, _EVERYWHERE) for field in fields]:
             yield f"Everywhere {text}."
         else:
-            yield f"{'; '.join(', '.join(filter(None, part)) for part in parts)}: {text}."
+            yield f"{'; '.join(', '.join(filter(None, stretch)) for stretch in stretches)}: {text}."
 
 
-def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:
-    """Return the part of a curve on which something holds."""
+def _stretch(x: Axis, is_beyond: Any, has_value: Any) -> str:
+    """Return the stretch of a curve on which something holds."""
     if (is_beyond == has_value).all():
         return _EVERYWHERE
     where = x.values()[is_beyond]
@@ -309,14 +309,14 @@ def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequenc
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
     """Return the first sentence of a caption: the quantity, its equation, and the law that was named."""
     entry = NOMENCLATURE[quantity]
-    parts = [capitalized(entry.sentence), symbol(quantity)]
+    clauses = [capitalized(entry.sentence), symbol(quantity)]
     equations = {equation_of(scene, quantity) for scene in scenes}
     laws = {scene.law.title for scene in scenes if scene.stated_model is not None}
     if len(equations) == 1 and (equation := equations.pop()):
-        parts.append(f"Eq ({equation})" if equation.isdigit() else equation)
+        clauses.append(f"Eq ({equation})" if equation.isdigit() else equation)
     if len(laws) == 1:
-        parts.append(f"under {laws.pop()}")
-    return ", ".join(parts) + "."
+        clauses.append(f"under {laws.pop()}")
+    return ", ".join(clauses) + "."
 
 
 def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
