@@ -12,7 +12,7 @@ from ..output.writers import write_columns
 from ..pictures.curves import PANELS, curves_of_contact
 from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map
 from ..pictures.picture import STYLES, Axis, Map, Picture
-from ..pictures.request import PlotRequest, curves_of, map_of, mark_at
+from ..pictures.request import PlotRequest, curves_of, map_of
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
@@ -80,7 +80,7 @@ def run_figure(call: Call) -> int:
     if name not in FIGURE_NAMES:
         given = f"{quoted(name)} is not a figure with data" if name else "figure needs a name"
         raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
-    materials = call.materials
+    materials, marks = call.materials, marks_of(call.mark)
     if name in PROFILES:
         refused = {
             "--as-printed": call.as_printed,
@@ -90,12 +90,11 @@ def run_figure(call: Call) -> int:
         for flag, is_given in refused.items():
             if is_given:
                 raise BadRequest(f"figure {name} takes no {flag}")
-        return _deliver(PROFILES[name](materials, marks_of(call.mark)), (), call)
-    drawn = paper_map(name, materials, as_printed=call.as_printed, is_plain=call.plain)
+        return _deliver(PROFILES[name](materials, marks), (), call)
+    drawn = paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain)
     if call.as_printed and not drawn.printed:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
-    marks = [mark_at(text, materials, drawn.scene, drawn.x, drawn.y) for text in marks_of(call.mark)]
-    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), call)
+    return _deliver(drawn, (), call)
 
 
 def draw_contact(call: Call) -> int:

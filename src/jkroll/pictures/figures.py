@@ -98,12 +98,14 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
 }
 
 
-def paper_map(name: str, materials: Materials, *, as_printed: bool = False, is_plain: bool = False) -> Map:
-    """Return a map of the paper. `is_plain`: without the limits of the model."""
+def paper_map(
+    name: str, materials: Materials, marks: Sequence[str] = (), *, as_printed: bool = False, is_plain: bool = False
+) -> Map:
+    """Return a map of the paper with marked grains. `is_plain`: without the limits of the model."""
     declared = PAPER_MAPS[name]
     scenes = (("", Scene(declared.given)),)
     limits = () if is_plain else DRAWN_LIMITS
-    drawn, _ = map_of(PlotRequest(declared.quantity, declared.x, RADII, scenes, (), materials, limits))
+    drawn, _ = map_of(PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits))
     printed = declared.printed if as_printed else ""
     dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed, each below its contour.",) if printed else ()
     return drawn._replace(

@@ -53,7 +53,7 @@ class PlotRequest(NamedTuple):
     x: Axis
     y: Axis | None
     scenes: tuple[tuple[str, Scene], ...]  # a curve each, with its label
-    marks: tuple[str, ...]
+    marks: Sequence[str]
     materials: Materials
     limits: Sequence[Limit] = LIMITS  # of which those that concern the quantity are drawn or told
 
