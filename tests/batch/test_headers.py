@@ -51,6 +51,8 @@ density 1e3: Rho (g/cm3) | density_g_cm3 | density_gcm3
 yield_displacement 1e-9: xi [nm]
 load 1e-9: P (nN) | P_nN | Load/nN | load <nN>
 load 1e-6: load (µN)
+load 1e-12: load_pN | loadPN | load_p_n | load P (pN)
+hamaker 1e-18: hamaker_aJ | Hamaker constant A (aJ)
 hamaker 1e-21: A (zJ) | hamaker_zJ | Hamaker constant (zJ)
 gravity 1: g [m/s2]
 atomic_spacing 1e-9: z0 (nm)

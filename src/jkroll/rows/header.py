@@ -85,7 +85,7 @@ def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
     """
     if len(text) > _LONGEST:
         return Reading()
-    known = words.known() | {word: Meaning([name]) for word, name in more} if more else words.known()
+    known = words.meanings() | {word: Meaning([name]) for word, name in more}
     splits = [*_splits(text)]
     exact = next(filter(None, (_exact(split, known) for split in splits)), None)
     return exact or _of_part(splits[0].word, more) or _refused(splits, known) or Reading()
@@ -105,7 +105,7 @@ def _splits(text: str) -> Iterator[_Split]:
 def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
     word, unit, is_explicit, is_mangled = split
-    meaning = known.get(key(word))
+    meaning = known.get(key(word)) or (words.with_symbol(word) if is_explicit else None)
     is_symbol = meaning is None
     if is_symbol and (is_explicit or (not is_mangled and len(squeezed(unit)) > 1 and word[:1].isalpha())):
         meaning = words.symbols().get(symbol_of(word))

@@ -116,16 +116,14 @@ def symbols() -> dict[str, Meaning]:
     return _of_spheres({symbol: Meaning(inputs) for symbol, inputs in names.items()} | _DOUBTFUL_SYMBOLS)
 
 
-@cache
-def known() -> dict[str, Meaning]:
-    """Return what words mean, alone or with the symbol of their input behind them, as in Young's modulus E."""
-    symbols_of: dict[str, list[str]] = {}
-    for symbol, meaning in symbols().items():
-        for name in () if meaning.problem else meaning.names:
-            symbols_of.setdefault(name, []).append(key(symbol))
-    words = [(word, meaning) for word, meaning in meanings().items() if meaning.names and not meaning.problem]
-    both = {f"{word}{symbol}": meaning for word, meaning in words for symbol in symbols_of.get(meaning.names[0], ())}
-    return both | meanings()
+def with_symbol(text: str) -> Meaning | None:
+    """Return the meaning of a word that has the symbol of its input behind it, as in Young's modulus E; else None.
+
+    The symbol is as it is written, and stands behind a blank: load_pN is no load P in newtons.
+    """
+    word, _, symbol = text.rpartition(" ")
+    meaning, of_symbol = meanings().get(key(word)), symbols().get(symbol_of(symbol))
+    return meaning if meaning and of_symbol and {*meaning.names} <= {*of_symbol.names} else None
 
 
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
