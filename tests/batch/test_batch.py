@@ -687,8 +687,8 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
     ran = run("batch sizes.csv --material quartz -o out.csv")
     assert ran.err.splitlines() == [
         "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
-        "note: no column and no option gives a radius; what needs one is left out",
         "assumed: no load (--load)",
+        "note: no column and no option gives a radius; what needs one is left out",
         "note: unchecked in 1 of 1 rows: a limit could not be judged, as it needs an input that is not given",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[

@@ -74,13 +74,13 @@ class Job(NamedTuple):
         return is_input(name, self.meanings([name]))
 
     def table(self, names: tuple[str, ...], rows: list[list[str]], preamble: int = 0) -> Table:
-        """Return the table with this header, and say how it is read. `rows`: the cells of its first rows.
+        """Return the table with this header. `rows`: the cells of its first rows.
 
         `preamble`: the number of lines before the header that are passed over.
         """
         columns = understood(names, rows, self.meanings(names), self.inputs)._replace(preamble=preamble)
         try:
-            table = Table(
+            return Table(
                 columns,
                 rows,
                 self.inputs,
@@ -96,34 +96,29 @@ class Job(NamedTuple):
             if not self.quiet:
                 say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
             raise
-        notes = [f"note: {message}" for message in table.labels.values() if message]  # labels may be meant as materials
+
+    def about(self, table: Table) -> tuple[str, ...]:
+        """Return the lines about a table as a whole.
+
+        They say how it is read, which inputs are assumed, which labels may be meant as materials, which options change
+        nothing, and what enters no error bar.
+        """
+        from ..answers.notes import about_idle, assumed_of_kinds, idle_of_kinds, left_out_in_words
+
+        given = table.given | table.of_solids
+        assumed = [text for name, text in assumed_of_kinds(table.kinds).items() if name not in given]
+        notes = [message for message in table.labels.values() if message]
         if "radius" not in table.given and not self.quantities:
-            notes.append("note: no column and no option gives a radius; what needs one is left out")
-        reading, *others = said_of(table)
-        for line in () if self.quiet else (reading, *notes, *others):
-            say_wrapped(line, sys.stderr)
-        return table
+            notes.append("no column and no option gives a radius; what needs one is left out")
+        # What is infinite may make a body rigid in some rows.
+        idle = [name for name in idle_of_kinds(table.kinds) if table.fixed.get(name, INFINITY) != INFINITY]
+        notes += [*(note.text for note in about_idle(idle)), *left_out_in_words(table.left_out)]
+        head = [f"assumed: {', '.join(assumed)}"] if assumed else []
+        return table.columns.reading(), *head, *(f"note: {text}" for text in notes)
 
 
 def _cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-def said_of(table: Table) -> tuple[str, ...]:
-    """Return the lines about a table as a whole.
-
-    They say how it is read, which inputs are assumed, which options change nothing, and what enters no error bar.
-    """
-    from ..answers.notes import about_idle, assumed_of_kinds, idle_of_kinds, left_out_in_words
-
-    assumed = [
-        text for name, text in assumed_of_kinds(table.kinds).items() if name not in table.given | table.of_solids
-    ]
-    # What is infinite may make a body rigid in some rows.
-    idle = [name for name in idle_of_kinds(table.kinds) if table.fixed.get(name, INFINITY) != INFINITY]
-    notes = [*(note.text for note in about_idle(idle)), *left_out_in_words(table.left_out)]
-    head = [f"assumed: {', '.join(assumed)}"] if assumed else []
-    return table.columns.reading(), *head, *(f"note: {text}" for text in notes)
 
 
 # --- A table ----------------------------------------------------------------------------------------------------------
@@ -206,12 +201,15 @@ def convert_one(path: str, job: Job) -> Tally:
         else:
             source = lines_of(file, given, job.is_read, excel_safe=job.excel_safe)
         table = job.table(source.form.names, source.form.sample, source.form.preamble)
+        said = job.about(table)
+        for line in () if job.quiet else said:
+            say_wrapped(line, sys.stderr)
         with whole_file(job.target) as output:
             is_file = isinstance(output.name, str) and os.path.isfile(output.name)
             place = output.name if is_file else ""
             convert = Converter(source.form, table, wanted.compression, strict=job.strict, path=place)
             tally = _convert(source, convert, output, job)
-    return tally._replace(said=said_of(table))
+    return tally._replace(said=said)
 
 
 def _convert(source: Source, convert: Converter, output: BinaryIO, job: Job) -> Tally:

@@ -48,28 +48,25 @@ class Lists(Block):
     def __init__(self, sweep: "Sweep", start: int, stop: int) -> None:
         """`start`, `stop`: the places of the rows in the sweep."""
         pairs, *places, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.sizes)
-        self.sweep, self.places = sweep, dict(zip(sweep.spreads, places, strict=True))
-        self.cases = [(pair, model) for pair in sweep.pairs for model in sweep.models]
-        self.of_cases = pairs * len(sweep.models) + laws
+        self.sweep, self.start, self.pairs, self.laws = sweep, start, pairs, laws
         self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
-        numbers = {name: self._numbers(name) for name in self.places if name not in self.fixed}
-        super().__init__(stop - start, numbers, [self.of_cases])
+        of_inputs = zip(sweep.spreads, places, strict=True)
+        numbers = {name: self._numbers(name, of_input) for name, of_input in of_inputs if name not in self.fixed}
+        super().__init__(stop - start, numbers, [pairs, laws])
 
     def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the scene of the inputs of rows that are alike."""
-        pair, model = self.cases[self.of_cases[rows[0]]]
+        pair, model = self.sweep.pairs[self.pairs[rows[0]]], self.sweep.models[self.laws[rows[0]]]
         return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
 
     def scene_of(self, row: int) -> Any:
         """Return the scene of a row by itself."""
-        given = {name: self.sweep.value(name, int(places[row])) for name, places in self.places.items()}
-        pair, model = self.cases[self.of_cases[row]]
-        return self.sweep.scene(given, *pair, model=model)
+        return self.sweep.row(self.start + row)
 
-    def _numbers(self, name: str) -> Numbers:
-        """Return the values of an input."""
-        places, back = numpy.unique(self.places[name], return_inverse=True)
-        values = [*map(partial(self.sweep.value, name), places.tolist())]
+    def _numbers(self, name: str, places: Indices) -> Numbers:
+        """Return the values of an input. `places`: those of the values in its lists and ranges."""
+        distinct, back = numpy.unique(places, return_inverse=True)
+        values = [*map(partial(self.sweep.value, name), distinct.tolist())]
         numbers = numpy.array([value if isinstance(value, float) else value.value for value in values])
         uncertain = {row: values[place] for row, place in enumerate(back) if not isinstance(values[place], float)}
         return Numbers(numbers[back], (), uncertain)

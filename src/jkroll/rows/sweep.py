@@ -63,13 +63,18 @@ class Sweep:
         """Return the number of rows."""
         return prod(self.sizes)
 
+    def row(self, place: int) -> Any:
+        """Return a row as a scene of numbers."""
+        place, law = divmod(place, len(self.models))
+        given = {}
+        for name in reversed([*self.spreads]):  # the last one changes first
+            place, of_input = divmod(place, self.starts[name][-1])
+            given[name] = self.value(name, of_input)
+        return self.scene({name: given[name] for name in self.spreads}, *self.pairs[place], model=self.models[law])
+
     def scenes(self) -> Iterator[Any]:
         """Iterate over the rows as scenes of numbers."""
-        values = [[*chain.from_iterable(spreads)] for spreads in self.spreads.values()]
-        for pair in self.pairs:
-            for row in product(*values):
-                for model in self.models:
-                    yield self.scene(dict(zip(self.spreads, row, strict=True)), *pair, model=model)
+        return map(self.row, range(len(self)))
 
     # --- What is wanted -----------------------------------------------------------------------------------------------
 
@@ -92,12 +97,7 @@ class Sweep:
             raise Failure(OF_IDENTICAL_SPHERES)
         names = [name for name in quantities if name in shown]
         inputs, sides = entering(self.kinds, lambda scene: self.shown(scene, names, named), names)
-        return Wanted(
-            names,
-            named=named,
-            inputs=in_order(inputs - shown),
-            sides=sides,
-        )
+        return Wanted(names, named=named, inputs=in_order(inputs - shown), sides=sides)
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> "Wanted":
         """Return the columns of quantities alone: those not asked for by name may concern identical spheres only."""

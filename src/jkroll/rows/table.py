@@ -69,8 +69,6 @@ class Table:
         self.said = {"model": self.model} if self.model is not None else {}  # columns of text, the same in all rows
         self.readers = [Reader(column) for column in columns.inputs]
         self.lookups = {name: Lookup(known, solid) for name, solid in zip(MATERIALS, self.spheres, strict=True)}
-        solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
-        self.of_solids = {XI for solid in solids if solid.displacement is not None}  # which nothing assumes
         self.given = columns.names | self.fixed.keys()
         # Names in the first rows that are, or may be, no material's, with their messages.
         self.labels, aliases = _names_of_materials(columns, rows, known)
@@ -80,6 +78,8 @@ class Table:
             self.wanted = self.wanted.with_alternatives(scenes, self.wanted.names)
         self.labels = self.labels and {**self.labels, **aliases}
         self.left_out = self._add_sides(rows, uncertainty=uncertainty)
+        solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
+        self.of_solids = {XI for solid in solids if solid.displacement is not None}  # which nothing assumes
         # A scene of each kind of rows, with the quantities that it shows, or that were measured.
         self.kinds = [(scene.filled(), [measured]) if unknown else (scene, self.wanted.names) for scene in scenes]
         for text in columns.texts:
