@@ -7,20 +7,19 @@ from itertools import chain, islice
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..answers.answer import Answer
 from ..answers.notes import OfRows, lines_of
 from ..answers.questions import QUESTIONS, Question, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
-from ..output.answered import write_json, write_plain
-from ..output.files import text_output
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.sweep import Sweep
+from ..scene.scene import Scene
 from ..scene.wiring import formula_of
 from ..text import ending, fitting, quoted, say_wrapped
 from .call import Call, worded
 
 if TYPE_CHECKING:
+    from ..answers.answer import Answer
     from ..rows.columns import Columns, Wanted
 
 MAX_TABLE = 10_000  # rows of a table on a terminal
@@ -36,10 +35,17 @@ def run_question(call: Call) -> int:
     form = call.form(question.quantities)
     if call.quantities:
         _refuse_inputs(question, call.sweep)
-    return write(call, call.sweep, question, form, partial(Answer, question))
+    return write(call, call.sweep, question, form, partial(_answer, question))
 
 
-def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: Callable[[Any], Answer]) -> int:
+def _answer(question: Question, scene: Scene) -> "Answer":
+    """Return the answer to a question of a scene; rows that are written with fewer words import nothing of it."""
+    from ..answers.answer import Answer
+
+    return Answer(question, scene)
+
+
+def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: "Callable[[Any], Answer]") -> int:
     """Write what is asked, as rows or as answers; return the exit code. `answer`: returns that of a row."""
     count = len(sweep)
     is_one = count == 1 and call.kind in ("plain", "table") and call.target is None
@@ -87,7 +93,7 @@ def _refuse_inputs(question: Question, sweep: Sweep) -> None:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answer: Callable[[Any], Answer]) -> int:
+def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answer: "Callable[[Any], Answer]") -> int:
     """Write a row for each scene; return the exit code."""
     is_shown = call.kind == "table" and call.target is None and len(sweep) <= sweep.most_in_table
     if call.kind == "bare":
@@ -157,11 +163,13 @@ def _failed(call: Call, failed: int, count: int, first: JkrollError | None) -> i
 # --- Answers ----------------------------------------------------------------------------------------------------------
 
 
-def _write_answers(call: Call, answers: Iterable[Answer], count: int, form: Format) -> int:
+def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Format) -> int:
     """Write answers one by one, and the notes of a single one unless these are in it; return the exit code."""
+    from ..output.files import text_output
+
     failures: list[JkrollError] = []
 
-    def watched() -> Iterator[Answer]:
+    def watched() -> "Iterator[Answer]":
         for answer in answers:
             if answer.failure is not None:
                 if count == 1 and call.kind not in ("explain", "cite") and answer.has_no_headline:
@@ -171,6 +179,8 @@ def _write_answers(call: Call, answers: Iterable[Answer], count: int, form: Form
 
     with text_output(call.target or "-") as out:
         if call.kind == "json":
+            from ..output.answered import write_json
+
             write_json(watched(), count, out, form)
         elif call.kind == "explain":
             from ..output.sources import write_explanation
@@ -187,7 +197,7 @@ def _write_answers(call: Call, answers: Iterable[Answer], count: int, form: Form
     return _failed(call, len(failures), count, failures[0] if failures else None)
 
 
-def _write_answer(call: Call, answer: Answer, out: TextIO, form: Format) -> None:
+def _write_answer(call: Call, answer: "Answer", out: TextIO, form: Format) -> None:
     """Write a single answer as text, and its notes."""
     is_table = call.kind == "table"
     if is_table:
@@ -195,6 +205,8 @@ def _write_answer(call: Call, answer: Answer, out: TextIO, form: Format) -> None
 
         scene_table(answer, out, form._replace(typed=call.typed))
     else:
+        from ..output.answered import write_plain
+
         write_plain(answer, out, form, alternatives=call.alternatives)
     out.flush()
     if not (call.quiet and call.kind == "bare"):
