@@ -41,7 +41,6 @@ def yield_force_of_moment(*, yield_moment: Moment, radius: Length) -> Force:
         Q = M/R1
 
     Source:   Eq (10).
-    Valid:    As the moment.
     """
     return yield_moment / radius
 
@@ -52,7 +51,6 @@ def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) ->
         Q/P_c
 
     Source:   As Eq (27).
-    Valid:    As the forces.
     """
     return yield_force / pull_off_force
 
@@ -76,7 +74,6 @@ def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, 
         M²/(2k) = Mξ/(2R)
 
     Source:   As the moment and its stiffness.
-    Valid:    As the moment.
     """
     return yield_moment * yield_displacement / (2 * reduced_radius)
 
@@ -221,6 +218,5 @@ def atomic_spacing_of_cutoff(*, cutoff: Length) -> Length:
         z0 = (√3/2)D0
 
     Source:   The 3–9 law has w = A/(16πz0²); with w = A/(12πD0²).
-    Valid:    As the work of adhesion.
     """
     return sqrt(0.75) * cutoff

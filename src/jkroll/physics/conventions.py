@@ -162,7 +162,6 @@ def restructuring_energy_ormel(*, roll_energy_quarter_turn: Energy) -> Energy:
         E_restr = E_roll, E_roll = 6π²γRξ (90 degrees)
 
     Source:   Ormel et al. 2007.
-    Valid:    As 5E_roll.
     """
     return roll_energy_quarter_turn
 
@@ -173,7 +172,7 @@ def restructuring_speed(*, restructuring_energy: Energy, monomers: Number, mass:
         v = √(4E_restr/(N m1))
 
     Source:   E = ½(N m1/2)v², N grains in each.
-    Valid:    As the energy; a head-on collision.
+    Valid:    A head-on collision.
     """
     return _speed(restructuring_energy, monomers, mass)
 
@@ -184,7 +183,7 @@ def restructuring_speed_ormel(*, restructuring_energy_ormel: Energy, monomers: N
         v = √(4E_restr/(N m1))
 
     Source:   E = ½(N m1/2)v², N grains in each.
-    Valid:    As the energy; a head-on collision.
+    Valid:    A head-on collision.
     """
     return _speed(restructuring_energy_ormel, monomers, mass)
 
@@ -217,7 +216,7 @@ def disruption_speed(*, disruption_energy: Energy, monomers: Number, mass: Mass)
         v = √(4E_disr/(N m1)), which is √(80E_break/m1) for n_c = N
 
     Source:   E = ½(N m1/2)v², N grains in each.
-    Valid:    As the energy; a head-on collision.
+    Valid:    A head-on collision.
     """
     return _speed(disruption_energy, monomers, mass)
 
@@ -230,7 +229,7 @@ def disruption_speed_dust_simulation(
         v = √(4E_disr/(N m1)), which is √(80E_break/m1) for n_c = N
 
     Source:   E = ½(N m1/2)v², N grains in each.
-    Valid:    As the energy; a head-on collision.
+    Valid:    A head-on collision.
     """
     return _speed(disruption_energy_dust_simulation, monomers, mass)
 

@@ -51,7 +51,7 @@ def sliding_displacement(*, sliding_force: Force, tangential_stiffness: Stiffnes
         s = F_slide/k_s, which is (2 − ν)a/(16π) for identical solids with the default τ
 
     Source:   Lumajord/DustSimulation.
-    Valid:    As the force: an order of magnitude.
+    Valid:    An order of magnitude.
     """
     return sliding_force / tangential_stiffness
 
@@ -62,7 +62,6 @@ def sliding_energy(*, sliding_force: Force, sliding_displacement: Length) -> Ene
         F_slide s/2
 
     Source:   Work of a force that rises linearly.
-    Valid:    As the force.
     """
     return sliding_force * sliding_displacement / 2
 
@@ -109,7 +108,7 @@ def twisting_angle(*, twisting_moment: Moment, twisting_stiffness: Moment) -> An
         φ = M_twist/k_t, which is 1/(16π) for identical solids with the default τ
 
     Source:   Lumajord/DustSimulation.
-    Valid:    As the moment: an order of magnitude.
+    Valid:    An order of magnitude.
     """
     return twisting_moment / twisting_stiffness
 
@@ -120,7 +119,6 @@ def twisting_energy(*, twisting_moment: Moment, twisting_angle: Angle) -> Energy
         M_twist φ/2
 
     Source:   Work of a moment that rises linearly.
-    Valid:    As the moment.
     """
     return twisting_moment * twisting_angle / 2
 
@@ -152,8 +150,8 @@ def peeling_radius(
 
     load_margin  [1]  ≥ 0
 
-    Source:   As the force: the root of the sum of both release rates is double there.
-    Valid:    As the force.
+    Source:   As the peeling force: the root of the sum of both release rates is double there.
+    Valid:    As the peeling force.
     """
     margin = within(load_margin >= 0, load_margin)
     return cbrt(9 / 8 * pi * work_of_adhesion * reduced_radius**2 * (1 + margin**2) / contact_modulus)
@@ -166,7 +164,6 @@ def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peelin
 
     Source:   While T rises, the contact shrinks and T/(πa²τ) grows: it slides first if that reaches 1 before the
               contact peels.
-    Valid:    As the peeling force.
     """
     return peeling_force / (pi * shear_strength * peeling_radius**2)
 
@@ -207,7 +204,6 @@ def rolling_over_sliding(*, yield_force: Force, sliding_or_peeling_force: Force)
         Q/T_first
 
     Source:   Forces at the centre of sphere 1: below 1, it rolls first.
-    Valid:    As the forces.
     """
     return yield_force / sliding_or_peeling_force
 
