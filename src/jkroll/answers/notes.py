@@ -359,11 +359,8 @@ def lines_of(answer: "Answer", *, has_head: bool = False, quiet: bool = False) -
 def every_line(answer: "Answer") -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
     every = _by_importance([*answer.notes, *answer.doubts()], answer.width)
-    return [f"{_lead(note)}: {note.text}" for note in every if note.kind != "material"]
-
-
-def _lead(note: Note) -> str:
-    return "warning" if note.kind == "warning" else "note"
+    texts = [(note.text, "warning" if note.kind == "warning" else "note") for note in every if note.kind != "material"]
+    return [f"{lead}: {text}" for text, lead in texts]
 
 
 def _lines(notes: Iterable[Note], width: float = 0.0, *, has_head: bool) -> list[str]:

@@ -18,153 +18,75 @@ class Question(NamedTuple):
     beside: Mapping[str, str] = MappingProxyType({})
 
 
+def _question(headline: str, quantities: str = "", beside: Mapping[str, str] = MappingProxyType({})) -> Question:
+    """Return the question of a command from the names of quantities, with blanks between them."""
+    return Question((*headline.split(),), (*(quantities or headline).split(),), beside=beside)
+
+
 _QUESTIONS = {
-    "pull-off": Question(
-        ("pull_off_force",),
-        ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones", "pull_off_force_rough"),
+    "pull-off": _question(
+        "pull_off_force",
+        "pull_off_force pull_off_force_dmt pull_off_force_lennard_jones pull_off_force_rough",
         beside={"pull_off_force_dmt": "DMT"},
     ),
-    "yield-force": Question(
-        ("yield_force",),
-        (
-            "yield_force",
-            "yield_force_fixed_load",
-            "yield_force_ratio",
-            "yield_moment",
-            "yield_angle",
-            "yield_displacement",
-        ),
+    "yield-force": _question(
+        "yield_force",
+        "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
     ),
-    "r-min": Question(("r_min",), ("r_min",)),
-    "n-grav": Question(("n_grav",), ("n_grav", "gravity_moment", "bond_number")),
-    "frequencies": Question(
-        ("vertical_frequency", "rolling_frequency"),
-        (
-            "vertical_frequency",
-            "rolling_frequency",
-            "rolling_frequency_as_printed",
-            "rolling_frequency_no_slip",
-            "sliding_frequency",
-            "twisting_frequency",
-            "rayleigh_time",
-        ),
+    "r-min": _question("r_min"),
+    "n-grav": _question("n_grav", "n_grav gravity_moment bond_number"),
+    "frequencies": _question(
+        "vertical_frequency rolling_frequency",
+        "vertical_frequency rolling_frequency rolling_frequency_as_printed rolling_frequency_no_slip "
+        "sliding_frequency twisting_frequency rayleigh_time",
         beside={"rolling_frequency_as_printed": ""},
     ),
-    "n-roll": Question(("n_roll",), ("n_roll_after_impact", "n_roll", "n_roll_energy_balance")),
-    "contact": Question(
-        ("contact_radius_at_load", "approach_at_load"),
-        (
-            "contact_radius",
-            "approach",
-            "load",
-            "contact_radius_at_load",
-            "approach_at_load",
-            "load_ratio",
-            "contact_radius_ratio",
-            "approach_ratio",
-            "stiffness",
-            "hertz_pressure",
-            "boussinesq_pressure",
-            "well_energy",
-            "pull_off_work",
-            "pull_off_work_at_dead_load",
-            "sticking_energy",
-        ),
+    "n-roll": _question("n_roll", "n_roll_after_impact n_roll n_roll_energy_balance"),
+    "contact": _question(
+        "contact_radius_at_load approach_at_load",
+        "contact_radius approach load contact_radius_at_load approach_at_load load_ratio contact_radius_ratio "
+        "approach_ratio stiffness hertz_pressure boussinesq_pressure well_energy pull_off_work "
+        "pull_off_work_at_dead_load sticking_energy",
     ),
-    "moment": Question(
-        ("yield_moment",),
-        (
-            "yield_moment",
-            "yield_displacement",
-            "unloaded_moment",
-            "half_circles_moment",
-            "fixed_approach_moment",
-            "rolling_stiffness",
-            "mean_rolling_moment",
-            "mean_rolling_force",
-        ),
+    "moment": _question(
+        "yield_moment",
+        "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
+        "mean_rolling_moment mean_rolling_force",
     ),
 }
 # What stands beside a headline and contradicts it; Eq (41) as printed does so in `frequencies` alone.
 _BESIDE = ("n_roll_energy_balance", "n_roll_after_impact")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
-    tuple(
-        name
-        for question in _QUESTIONS.values()
-        for name in question.quantities
-        if name in (*question.headline, *_BESIDE)
-    ),
-)
-# Not in the report, which has one number for each quantity and no conventions.
-_ENERGIES = Question(
-    ("fold_energy", "pull_off_work", "break_energy_dust_simulation", "sticking_energy"),
-    (
-        "fold_energy",
-        "well_energy",
-        "pull_off_work",
-        "break_energy_dust_simulation",
-        "pull_off_work_at_dead_load",
-        "sticking_energy",
-        "sticking_energy_paszun_dominik",
-        "sticking_energy_pencil_code",
-        "roll_energy",
-        "roll_energy_quarter_turn",
-        "roll_energy_half_turn",
-        "sticking_speed",
-        "sticking_speed_paszun_dominik",
-        "sticking_speed_pencil_code",
-    ),
-)
-_IMPACT = Question(
-    ("restitution",),
-    ("restitution", "sticking_speed", "viscosity_number", "lost_energy", "n_roll_after_impact"),
-)
-_RESISTANCES = Question(
-    ("yield_force", "sliding_force", "twisting_moment"),
-    (
-        "rolling_stiffness",
-        "yield_displacement",
-        "yield_angle",
-        "yield_force",
-        "yield_moment",
-        "yield_energy",
-        "tangential_stiffness",
-        "sliding_displacement",
-        "sliding_force",
-        "sliding_energy",
-        "sliding_or_peeling_force",
-        "peeling_force",
-        "peeling_radius",
-        "twisting_stiffness",
-        "twisting_angle",
-        "twisting_moment",
-        "twisting_energy",
-    ),
-)
-_AGGREGATES = Question(
-    ("restructuring_energy", "disruption_energy"),
-    (
-        "restructuring_energy",
-        "restructuring_speed",
-        "restructuring_energy_ormel",
-        "restructuring_speed_ormel",
-        "disruption_energy",
-        "disruption_speed",
-        "disruption_energy_dust_simulation",
-        "disruption_speed_dust_simulation",
-        "compressive_strength",
-        "tensile_strength",
-    ),
+    tuple(name for each in _QUESTIONS.values() for name in each.quantities if name in (*each.headline, *_BESIDE)),
 )
 QUESTIONS: Mapping[str, Question] = MappingProxyType(
     {
         **_QUESTIONS,
         "report": _REPORT,
-        "energies": _ENERGIES,
-        "impact": _IMPACT,
-        "resistances": _RESISTANCES,
-        "aggregates": _AGGREGATES,
+        # Not in the report, which has one number for each quantity and no conventions.
+        "energies": _question(
+            "fold_energy pull_off_work break_energy_dust_simulation sticking_energy",
+            "fold_energy well_energy pull_off_work break_energy_dust_simulation pull_off_work_at_dead_load "
+            "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
+            "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
+            "sticking_speed_pencil_code",
+        ),
+        "impact": _question(
+            "restitution", "restitution sticking_speed viscosity_number lost_energy n_roll_after_impact"
+        ),
+        "resistances": _question(
+            "yield_force sliding_force twisting_moment",
+            "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "
+            "tangential_stiffness sliding_displacement sliding_force sliding_energy sliding_or_peeling_force "
+            "peeling_force peeling_radius twisting_stiffness twisting_angle twisting_moment twisting_energy",
+        ),
+        "aggregates": _question(
+            "restructuring_energy disruption_energy",
+            "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
+            "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
+            "compressive_strength tensile_strength",
+        ),
     }
 )
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

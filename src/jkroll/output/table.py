@@ -32,12 +32,11 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
-LIST_WIDTH = 80  # of a list with texts in several lines, on a narrower terminal
 _DIGITS = 4  # of a value on a terminal
 _OF_A_RANGE = 2  # of its ends
 _NONE = "–"
 _GAP = 2  # blanks between columns
-_LEAST_TEXT = 20  # of a text in several lines
+_LEAST_TEXT = 24  # of a text in several lines
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}
 
 
@@ -64,14 +63,10 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
 
 
 def _results(answer: "Answer") -> "list[Result]":
-    """Return the results that have a row: those without a note of their own, or another result of the same value."""
-    values = {result.value for result in answer.results if not NOMENCLATURE[result.name].note}
-    return [
-        result
-        for result in answer.results
-        if result.name not in answer.question.beside
-        and not (result.value is not None and NOMENCLATURE[result.name].note and result.value in values)
-    ]
+    """Return the results that have a row: not those with a note of their own and the value of a result without one."""
+    results = [result for result in answer.results if result.name not in answer.question.beside]
+    values = {result.value for result in results if not NOMENCLATURE[result.name].note} - {None}
+    return [result for result in results if not NOMENCLATURE[result.name].note or result.value not in values]
 
 
 def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
@@ -302,13 +297,13 @@ def _of_rows(columns: Iterable[Column], are_shown: Sequence[bool]) -> list[Colum
 
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
-    """Write rows of texts; the last column is broken into lines where it is wider than the terminal, or than 80."""
+    """Write rows of texts; the last column is broken into lines where it is wider than the terminal."""
     rows = [*rows]
     others = [Column(head, cells, is_right=False) for head, *cells in zip(heads, *rows, strict=True)][:-1]
-    room = max(terminal_width(), LIST_WIDTH) - sum(_sizes(others, out))
+    room = max(terminal_width() - sum(_sizes(others, out)), _LEAST_TEXT)
     lines = []
     for *cells, text in rows:
-        first, *further = wrap(fitting(text, out), max(room, _LEAST_TEXT)) or [""]
+        first, *further = wrap(fitting(text, out), room) or [""]
         lines += [(*cells, first), *((*[""] * len(cells), line) for line in further)]
     _print([Column(head, cells, is_right=False) for head, *cells in zip(heads, *lines, strict=True)], out)
 
