@@ -269,6 +269,11 @@ def _in_table(name: str) -> Unit | None:
 
 _DIGITS = 60
 _SPEED = (0, 1, -1, 0, 0, 0, 0, 0)
+# Not the astronomical unit, the grain and the short ton, nor lengths: a radius (rod), (chain) or (pp) is of a thing.
+_OTHER_WORDS = frozenset(
+    """au gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
+    smi th""".split()
+)
 
 
 @cache
@@ -288,8 +293,7 @@ def lookup(name: str) -> Unit | None:
 
     A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
     Names that pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour),
-    the yarn count Nm, the px of a screen, au, which may be an arbitrary unit, and gr and ton, which are the grain and
-    the short ton there.
+    the yarn count Nm, the px of a screen, and words with another meaning in this field or for most people.
 
     >>> lookup("nm")
     Unit(numerator=1, denominator=1000000000, dimension=(0, 1, 0, 0, 0, 0, 0, 0))
@@ -316,9 +320,7 @@ def lookup(name: str) -> Unit | None:
         dimension = (kilogram, *(powers.pop(base, 0) for base in BASE_UNITS[1:]))
         if powers or any(power != int(power) for power in dimension) or zero.magnitude != 0 or one.magnitude <= 0:
             return None
-        is_misread = (
-            is_plural_of_symbol or unit_name in ("number_meter", "css_pixel") or name in ("au", "gr", "ton", "tons")
-        )
+        is_misread = is_plural_of_symbol or unit_name in ("number_meter", "css_pixel") or name in _OTHER_WORDS
         if is_misread or (prefix and dimension == _SPEED and unit_name != "meter_per_second"):
             return None
         factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))

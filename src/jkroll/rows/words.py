@@ -206,8 +206,8 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
     is_clear = is_known and (letters in by_letters or small not in by_letters)
     units = [text] if is_explicit or is_clear or text in ("1", "-") else []
     if not (is_explicit and is_known):
-        units += by_letters.get(letters, [])
-        units += by_letters.get(small, []) if text.islower() or text.isupper() else []
+        others = by_letters.get(letters, []) + (by_letters.get(small, []) if text.islower() or text.isupper() else [])
+        units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is no N/m
     return next((unit for unit in units if fits(unit, name)), "")
 
 
