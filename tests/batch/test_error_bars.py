@@ -223,3 +223,16 @@ def test_a_range_that_enters_no_error_bar_is_told(run: Run) -> None:
     assert "note: error bars: ranges are left out beside ±: ξ\n" in run(f"{words} yield_force").err
     assert "left out" not in run(f"{words} pull_off_force").err
     assert "ranges are left out beside ±: ξ" in run("yield-force own 950nm --materials own.toml").err
+
+
+def test_a_displacement_that_a_material_states_is_not_assumed(run: Run) -> None:
+    """Though none of the options gives it, and the first rows alone say which materials there are."""
+    Path("own.toml").write_text(
+        '[materials.own]\nsurface_energy = { value = "25 mJ/m2" }\n'
+        'yield_displacement = { value = "2 nm", radius = "0.95 um" }\n',
+        encoding="utf-8",
+    )
+    words = "batch x.csv -o out.csv --materials own.toml --quantities yield_force --no-doubt"
+    for name, is_assumed in {"own": False, "quartz": True}.items():
+        Path("x.csv").write_text(f"material,radius [nm]\n{name},950\n", encoding="utf-8")
+        assert ("ξ = 200 pm" in run(words).err) == is_assumed

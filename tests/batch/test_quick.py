@@ -2,6 +2,7 @@
 
 import csv
 import io
+import pickle
 from unittest.mock import patch
 
 from hypothesis import given, settings
@@ -94,6 +95,12 @@ def test_the_quick_way_is_taken() -> None:
     assert not one_by_one.called
     first, *others = found.output.splitlines()[:300]
     assert others == [first] * 299
+
+
+def test_another_process_converts_alike() -> None:
+    text = b"a,quartz,100,1,0.2,50 nm\nb,quartz,-5,0,0.2,50 nm\n"
+    convert = converter("csv", "\n", excel_safe=False)
+    assert pickle.loads(pickle.dumps(convert)).converted(text) == convert.converted(text)
 
 
 @settings(deadline=None)

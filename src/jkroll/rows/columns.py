@@ -57,7 +57,7 @@ class Wanted:
         by kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
         """
         self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
-        self.alternatives = alternatives
+        self.alternatives = {**alternatives}
         ranges = {f"{name}_by_{DATA}": ("low", "high") for name in alternatives.get(DATA, ())}
         self.uncertainties = sides is not None
         self.sides = {

@@ -87,6 +87,10 @@ class Table:
                 remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
                 raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what another process needs: the rows are its own, and what is said of all of them is not."""
+        return {**self.__dict__, "kinds": []}
+
     @property
     def added(self) -> list[str]:
         """The headers of all columns that are added."""
