@@ -811,6 +811,7 @@ def test_a_quantity_that_some_cells_show_is_given_for_all_rows(run: Run) -> None
         ("--material quartz --quantities yield_force --xi 1nm --load 0N", "assumed: z0 = 400 pm (--z0)"),
         ("--material quartz --quantities pull_off_force", "assumed: z0 = 400 pm (--z0)"),
         ("--material quartz --quantities pull_off_force --z0 4angstrom", ""),
+        ("--material quartz --quantities pull_off_force --no-doubt", ""),
         ("--material quartz --quantities contact_radius_at_load", "assumed: no load (--load), z0 = 400 pm (--z0)"),
         ("--materials own.toml --material own --quantities yield_force", "assumed: no load (--load)"),
     ],
@@ -890,6 +891,7 @@ def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
         ("--z0 3angstrom --quantities pull_off_force", ""),
         ("--z0 3angstrom --quantities pull_off_force --young 1GPa --poisson 0.3 --model maugis --no-doubt", ""),
         ("--young inf --quantities pull_off_force --no-doubt", ""),
+        ("--z0 3angstrom --quantities pull_off_force --no-doubt", "note: --z0 changes no result here\n"),
     ],
 )
 def test_an_option_that_changes_nothing_is_told(run: Run, words: str, said: str) -> None:

@@ -53,14 +53,15 @@ _FIRST_DOUBT, _AFTER_ERROR_BARS = "doubt", "assumed"  # the kinds in whose place
 # --- What is given ----------------------------------------------------------------------------------------------------
 
 
-def entering(scene: Scene, names: Sequence[str]) -> tuple[set[str], set[str]]:
+def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], set[str]]:
     """Return the inputs of quantities, and those on which anything depends, or would if more were given.
 
+    `judges`: whether limits are judged, which depend on inputs, too.
     The atomic spacing is among the former if it enters a limit, as it enters few answers. A load that enters limits
     alone is not among the latter: it was meant for more.
     """
     possible = scene.possible(names)
-    every = [*names, *(limit.name for limit in touched(scene, possible))]
+    every = [*names, *(limit.name for limit in (touched(scene, possible) if judges else ()))]
     own, of_limits = {*scene.inputs_of(*possible)}, {*scene.inputs_of(*scene.possible(every))}
     needed = (own | of_limits) - (STATE_OR_LOAD - own) | depends_on(scene.missing(every), [scene.law.name])
     return own | of_limits.intersection(["atomic_spacing"]), needed
@@ -280,17 +281,18 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
     yield from about_limits(doubts(scene, possible))
 
 
-def assumed_of_kinds(kinds: Iterable[Rows]) -> dict[str, str]:
+def assumed_of_kinds(kinds: Iterable[Rows], *, judges: bool = True) -> dict[str, str]:
     """Return what was assumed for rows of some kinds, each with the option that sets it, by name."""
     texts: dict[str, str] = {}
     for scene, names in kinds:
-        texts |= assumed(scene, entering(scene, names)[0], scene.possible(names), has_values=False)
+        inputs, _ = entering(scene, names, judges=judges)
+        texts |= assumed(scene, inputs, scene.possible(names), has_values=False)
     return texts
 
 
-def idle_of_kinds(kinds: Iterable[Rows]) -> list[str]:
+def idle_of_kinds(kinds: Iterable[Rows], *, judges: bool = True) -> list[str]:
     """Return the inputs on which nothing depends in rows of any kind."""
-    first, *others = (idle_of(scene, entering(scene, names)[1]) for scene, names in kinds)
+    first, *others = (idle_of(scene, entering(scene, names, judges=judges)[1]) for scene, names in kinds)
     return [name for name in first if all(name in idle for idle in others)]
 
 

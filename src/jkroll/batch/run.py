@@ -105,13 +105,15 @@ class Job(NamedTuple):
         """
         from ..answers.notes import about_idle, assumed_of_kinds, idle_of_kinds, left_out_in_words
 
-        given = table.given | table.of_solids
-        assumed = [text for name, text in assumed_of_kinds(table.kinds).items() if name not in given]
+        given, judges = table.given | table.of_solids, table.wanted.doubts
+        every = assumed_of_kinds(table.kinds, judges=judges)
+        assumed = [text for name, text in every.items() if name not in given]
         notes = [message for message in table.labels.values() if message]
         if "radius" not in table.given and not self.quantities:
             notes.append("no column and no option gives a radius; what needs one is left out")
         # What is infinite may make a body rigid in some rows.
-        idle = [name for name in idle_of_kinds(table.kinds) if table.fixed.get(name, INFINITY) != INFINITY]
+        idle = idle_of_kinds(table.kinds, judges=judges)
+        idle = [name for name in idle if table.fixed.get(name, INFINITY) != INFINITY]
         notes += [*(note.text for note in about_idle(idle)), *left_out_in_words(table.left_out)]
         head = [f"assumed: {', '.join(assumed)}"] if assumed else []
         return table.columns.reading(), *head, *(f"note: {text}" for text in notes)
