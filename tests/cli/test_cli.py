@@ -105,7 +105,7 @@ MESSAGES = {
     ),
     "contact quartz 100nm --curve --load=:50nN": (
         2,
-        "--curve goes through many loads; give --load as FROM:TO, such as -5nN:20nN",
+        "--load: ':50nN' has no lower end; write both, as in -5nN:20nN (an example); pull-off is at -11.781 nN",
     ),
     "contact gold 100nm": (2, f"contact needs Young's modulus and Poisson's ratio; {GOLD}"),
     "n-roll gold 100nm": (

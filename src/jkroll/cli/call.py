@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, materials_of_user
-from ..quantities.formatting import Format
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
@@ -142,7 +142,15 @@ class Call:
 
         if "approach_at_load" in self.values:
             raise BadRequest("--curve goes through all approaches; it takes none")
-        return loads_of(self.values["load"]) if "load" in self.values else None
+        text = self.values.get("load")
+        if text is None:
+            return None
+        ends = text.split(":")
+        if len(ends) == 2 and not all(ends):
+            pull_off = amount("load", -self.sweep.kinds[0]["pull_off_force"])
+            lacking = f"--load: {quoted(text)} has no {'upper' if ends[0] else 'lower'} end"
+            raise BadRequest(f"{lacking}; write both, as in -5nN:20nN (an example); pull-off is at {pull_off}")
+        return loads_of(text)
 
     @cached_property
     def pairs(self) -> list[Pair]:
