@@ -113,10 +113,13 @@ def _is_near(scene: Scene, solid: str) -> Any:
 
 def solid_of_kind(scene: Scene) -> str:
     """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
+    return _solid_of_both(scene) if assumes_displacement(scene) else ""
+
+
+def _solid_of_both(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it."""
     solid = scene.material
-    if solid is None or not (measured := measured_solid(solid)) or not assumes_displacement(scene):
-        return ""
-    return measured if scene.material2 in (None, solid) else ""
+    return measured_solid(solid) if solid is not None and scene.material2 in (None, solid) else ""
 
 
 def measured_solid(material: Material) -> str:
@@ -136,10 +139,7 @@ def assumes_displacement(scene: Scene) -> bool:
 
 def displacements_where_measured(scene: Scene) -> tuple[float, float]:
     """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
-    is_same = (
-        scene.material is not None and SIO2 in scene.material.aliases and scene.material2 in (None, scene.material)
-    )
-    own = scene.numbers("work_of_adhesion", "contact_modulus") if is_same else {}
+    own = scene.numbers("work_of_adhesion", "contact_modulus") if _solid_of_both(scene) == SIO2 else {}
     given = {"radius": ROLLED["radius"], **own} if len(own) == 2 else ROLLED
     spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
     pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
@@ -150,7 +150,7 @@ def displacements_where_measured(scene: Scene) -> tuple[float, float]:
 def _measured(scene: Scene) -> Interval:
     """Return the measured displacement of a solid, scaled to the radii of a scene."""
     displacement = _OF_POLYSTYRENE
-    if scene.material is not None and SIO2 in scene.material.aliases:
+    if _solid_of_both(scene) == SIO2:
         low, high = displacements_where_measured(scene)
         displacement = Displacement(Interval._make(((low + high) / 2, low, high, "range")), ROLLED["radius"])
     return displacement.scaled(2 * scene["reduced_radius"])
