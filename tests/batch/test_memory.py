@@ -97,4 +97,6 @@ def test_memory_does_not_grow_with_rows(command: str) -> None:
         found.append(most)
     print(f"{command}: {found[0]:.0f} and {found[1]:.0f} MB")
     assert max(found) < LIMITS["parquet" if "parquet" in command else "csv"]
-    assert found[1] < found[0] + 20
+    assert (
+        found[1] < found[0] + 40
+    )  # runs of one table differ by 25; the further rows are 50 MB of text, or 130 of numbers
