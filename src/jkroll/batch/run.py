@@ -15,8 +15,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 from ..answers.questions import EVERYTHING, quantities_named
 from ..errors import BadRow, BadTable, missing_extra
 from ..materials.library import Materials
-from ..output.files import whole_file
-from ..output.writers import WRITERS, columns_of, written
+from ..output.writers import WRITERS, columns_of, whole_file, written
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY
 from ..rows.columns import Columns, Wanted, remarks_of
@@ -39,7 +38,7 @@ WIDTH = 60  # of the line of progress, in characters
 
 
 class Job(NamedTuple):
-    """What a run of `batch` is asked for: its options, the inputs that fill gaps of rows, and the known materials."""
+    """The request of a run of `batch`: its options, the inputs that fill gaps of rows, and the known materials."""
 
     inputs: Mapping[str, str]
     known: Materials
@@ -280,7 +279,7 @@ class Progress:
 # --- Lists and ranges -------------------------------------------------------------------------------------------------
 
 
-def write_columns(
+def write_file(
     wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool, quiet: bool
 ) -> None:
     """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""

@@ -7,8 +7,7 @@ import numpy
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
-from ..output.files import text_output, whole_file
-from ..output.writers import write_columns
+from ..output.writers import text_output, whole_file, write_columns
 from ..pictures.curves import PANELS, curves_of_contact
 from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map
 from ..pictures.picture import STYLES, Axis, Map, Picture

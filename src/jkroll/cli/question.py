@@ -122,7 +122,7 @@ def deliver(call: Call, wanted: "Wanted", notes: OfRows, blocks: "Iterable[Colum
     """Write columns to stdout, as a table or as lines of text, or to a file; return whether it was a table."""
     every = notes.watch(blocks)
     if call.target is not None:
-        from ..batch.run import write_columns as write_file
+        from ..batch.run import write_file
 
         write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
         return False
@@ -165,7 +165,7 @@ def _failed(call: Call, failed: int, count: int, first: JkrollError | None) -> i
 
 def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Format) -> int:
     """Write answers one by one, and the notes of a single one unless these are in it; return the exit code."""
-    from ..output.files import text_output
+    from ..output.writers import text_output
 
     failures: list[JkrollError] = []
 
