@@ -222,6 +222,7 @@ def about_displacement_of_rows(scene: Scene) -> str:
     solid = solid_of_kind(scene)
     if scene.material is not None and not solid:
         return f"ξ is assumed (--xi): no ξ of {scene.material.name} was measured"
-    of_silica = f"forces on {SIO2} of 1 µm mean {span(XI, *displacements_where_measured(scene))}"
+    ends = span(XI, *displacements_where_measured(scene))
+    of_silica = f"forces on {SIO2} of 1 µm mean {ends} under {scene.law.title}"
     measured = of_silica if solid in ("", SIO2) else _OF_POLYSTYRENE
     return f"ξ is assumed (--xi): {measured}, and it grows with the sphere"
