@@ -123,6 +123,10 @@ REFUSED = {
     "gamma [nm]": "what stands behind surface_energy is not its unit",  # no N/m
     "E_eff [GPa]": "it may be Young's modulus, or E* of the contact",
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
+    "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
+    "rho_p [kg/m3]": "it may be density",
+    "ρs (g/cm³)": "it may be density",
+    "nu_p [-]": "it may be poisson_ratio",
     "second radius (nm)": "'second radius (nm)=radius [nm]' or --column 'second radius (nm)=radius2 [nm]'",
     "applied tip load [nN]": "=load [nN]'",
     "mean gamma (mJ/m2)": "=surface_energy [mJ/m2]'",
@@ -144,6 +148,7 @@ PASSING = (
     "gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
+    "E_loss (GPa) | rho_bulk [kg/m3] | num [-] | E_s_GPa | nu_e [Hz] | "
     "speed of sound (m/s) | contact angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s]"
 ).split(" | ")
 

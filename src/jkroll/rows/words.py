@@ -49,6 +49,9 @@ _DOUBTFUL_SYMBOLS = {
     "Eeff": _MODULUS,
 }
 
+# Symbols of solids, whose index may say which of them: E_s, rho_p, Es; nu only with a gap before it.
+_WITH_INDEX = re.compile(r"(E|rho|nu)(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])")
+
 # Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
 SHARED = (*"energy speed velocity angle approach contacts monomers gravity cutoff xi z0 surfacetension".split(),)
 # Beside a word they make it another quantity.
@@ -124,6 +127,16 @@ def with_symbol(text: str) -> Meaning | None:
     word, _, symbol = text.rpartition(" ")
     meaning, of_symbol = meanings().get(key(word)), symbols().get(symbol_of(symbol))
     return meaning if meaning and of_symbol and {*meaning.names} <= {*of_symbol.names} else None
+
+
+def with_index(text: str) -> str:
+    """Return the key of the property of a solid whose symbol a text is, with an index; "" for another text.
+
+    >>> with_index("E_s"), with_index("ρp"), with_index("E_loss"), with_index("num")
+    ('youngsmodulus', 'density', '', '')
+    """
+    parts = _WITH_INDEX.fullmatch(ascii_text(text))
+    return key(symbols()[parts[1]].names[0]) if parts and (parts[2] or "").casefold() not in OTHERS else ""
 
 
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
