@@ -76,7 +76,10 @@ def meanings(line: str) -> dict[str, tuple[str, float]]:
 READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning in meanings(line).items()}
 READ[' "gamma [mJ/m2]"'] = ("surface_energy", 1e-3)
 _SIZE = "a radius is half of a diameter or a size, and r may be a distance"
-_SIZES = "r [nm] | r | d | D [nm] | diameter (nm) | diameter_um | Diameter | d_um | size | particle size [um] | r2_um"
+_SIZES = (
+    "r [nm] | r | d | D [nm] | d_p [um] | Dp (nm) | diameter (nm) | diameter_um | Diameter | d_um | size | "
+    "particle size [um] | r2_um"
+)
 _LACKING = "(first cell '100'): neither has a unit. Write --column"
 _FACTOR = "a sign or a factor stands beside the word or its unit"
 REFUSED = {

@@ -43,7 +43,7 @@ _DOUBTFUL_WORDS = {
     "hysteresis": Meaning(["adhesion_hysteresis"], "it may be another hysteresis"),
 }
 _DOUBTFUL_SYMBOLS = {
-    **dict.fromkeys("r d D".split(), _SIZE),
+    **dict.fromkeys("r d D dp Dp".split(), _SIZE),
     **dict.fromkeys("Fn FN".split(), _FORCE),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),
     "Eeff": _MODULUS,
