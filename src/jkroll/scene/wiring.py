@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
-from ..quantities.laws import DEFAULT_LAW, Routes, differs, law_of, routes, routes_anywhere
+from ..quantities.laws import DEFAULT_LAW, Routes, law_of, routes, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, of_sphere
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
@@ -153,11 +153,6 @@ def in_order(names: Collection[str]) -> tuple[str, ...]:
 def depends_on(names: Iterable[str], models: Collection[str] = (DEFAULT_LAW,)) -> frozenset[str]:
     """Return every name on which quantities can depend under some laws, whatever is given."""
     return _dependence(tuple(names), tuple(models))
-
-
-def has_law(name: str) -> bool:
-    """Return whether a quantity can differ between the laws of attraction."""
-    return any(map(differs, depends_on((name,))))
 
 
 @cache
