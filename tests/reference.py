@@ -586,7 +586,6 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     # aggregates
     "contacts": lambda n: n,
     "restructuring_energy": lambda E_roll: 5 * E_roll,
-    "restructuring_energy_ormel": lambda E_roll: E_roll,
     "restructuring_speed": lambda E_restr, n, m1: sqrt(4 * E_restr / (n * m1)),
     "restructuring_speed_ormel": lambda E_restr_1, n, m1: sqrt(4 * E_restr_1 / (n * m1)),
     "disruption_energy": lambda E_break, n_c: 20 * n_c * E_break,

@@ -49,7 +49,6 @@ from .physics.conventions import disruption_speed as disruption_speed
 from .physics.conventions import disruption_speed_dust_simulation as disruption_speed_dust_simulation
 from .physics.conventions import fold_energy as fold_energy
 from .physics.conventions import restructuring_energy as restructuring_energy
-from .physics.conventions import restructuring_energy_ormel as restructuring_energy_ormel
 from .physics.conventions import restructuring_speed as restructuring_speed
 from .physics.conventions import restructuring_speed_ormel as restructuring_speed_ormel
 from .physics.conventions import roll_energy as roll_energy

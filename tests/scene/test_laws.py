@@ -296,7 +296,7 @@ def test_no_result_of_a_law_comes_by_a_formula_of_jkr(model: str) -> None:
 
 
 # Quantities of their own that are also what some law has for another.
-SHARED = ("kinetic_energy", "contact_radius_at_load", "pull_off_force_dmt")
+SHARED = ("kinetic_energy", "contact_radius_at_load", "pull_off_force_dmt", "roll_energy_quarter_turn")
 
 
 def test_every_route_leads_to_a_formula_of_the_nomenclature() -> None:

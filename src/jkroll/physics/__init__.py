@@ -5,7 +5,13 @@ is all the wiring there is. Parameters are passed by name, because three radii, 
 five forces are easily exchanged.
 
 A formula gives a float for floats, and an array for arrays, which broadcast. Its annotations have the units, by their
-names in `dimensions`. Its arguments are positive, but for those that have a line in its docstring.
+names in `dimensions`. Its arguments are positive, but for these, where its docstring does not say otherwise:
+
+- loads and approaches have a sign, and tension is negative; so have pressures, positions and `load_constant`;
+- `radius2` is infinite for a plane, Young's moduli are for a rigid body, `mass2` and `moment_of_inertia2` if held;
+- `radius_ratio` is 0 on a plane, edge ratios and `contact_radius_at_load` are 0 without contact;
+- `load_margin` is 0 at pull-off, and negative between pull-off and the fold;
+- Poisson's ratios lie between −1 and 1/2, filling factors below 0.74.
 """
 
 from collections.abc import Callable, Mapping

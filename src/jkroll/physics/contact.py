@@ -17,9 +17,6 @@ def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -
 
     Source:   Eq (1).
     Valid:    Large, soft spheres (JKR); small, hard ones tend to 4πγR (DMT).
-
-    >>> f"{pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
-    '1.1781e-08'
     """
     return 3 / 2 * pi * work_of_adhesion * reduced_radius
 
@@ -73,8 +70,6 @@ def load_margin(*, load: Force, pull_off_force: Force) -> Number:
 
         s = √(1 + P/P_c)
 
-    load  [N]  any; tension is negative
-
     Source:   Eq (5), solved for â^(3/2) = (1 + s)/2.
     Valid:    P ≥ −P_c. Beyond, a float raises ValueError and an array holds NaN.
     """
@@ -85,8 +80,6 @@ def load_factor(*, load_margin: Number) -> Number:
     """Return the factor by which the load scales the rolling moment: 1 without load, 1/2 at pull-off.
 
         x = â^(3/2) = (1 + s)/2
-
-    load_margin  [1]  ≥ 0; negative between pull-off and the fold
 
     Source:   Eq (5).
     Valid:    The stable branch.
@@ -123,7 +116,6 @@ def contact_area(*, contact_radius_at_load: Length) -> Area:
 
         A_c = πa²
 
-    Source:   Geometry.
     Valid:    Any law of attraction.
     """
     return pi * contact_radius_at_load**2
@@ -133,8 +125,6 @@ def load_ratio(*, load: Force, pull_off_force: Force) -> Number:
     """Return the load over the pull-off force.
 
         P/P_c
-
-    load  [N]  any; tension is negative
 
     Source:   Eq (4).
     Valid:    −1 at pull-off.
@@ -147,8 +137,6 @@ def contact_radius_ratio(*, contact_radius_at_load: Length, contact_radius: Leng
 
         a/a0
 
-    contact_radius_at_load  [m]  ≥ 0
-
     Source:   Eq (4).
     Valid:    In JKR 0.630 at pull-off and 0.303 where fixed grips let go.
     """
@@ -160,8 +148,6 @@ def approach_ratio(*, approach_at_load: Length, approach: Length) -> Number:
 
         δ/δ0
 
-    approach_at_load  [m]  any
-
     Source:   Eq (4).
     Valid:    In JKR −0.397 at pull-off and −0.825 where fixed grips let go.
     """
@@ -172,8 +158,6 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
     """Return the normal stiffness of the contact: (6/5)E*a0 without load, 0 at pull-off.
 
         dP/dδ = 6 E*a s/(2 + 3s)
-
-    load_margin  [1]  ≥ 0; negative between pull-off and the fold
 
     Source:   Eqs (5) and (6); Eq (34) without load.
     Valid:    Small vibrations about the load.
@@ -224,9 +208,6 @@ def pressure(
 
         p(r) = p_H √(1 − r²/a²) + p_B/√(1 − r²/a²)
 
-    distance             [m]   ≥ 0, below a
-    boussinesq_pressure  [Pa]  any; negative in equilibrium
-
     Source:   Eq (12); Eq (7) lost both square roots in print.
     Valid:    0 ≤ r < a.
     """
@@ -241,8 +222,6 @@ def boussinesq_pressure_at_approach(
     """Return the flat-punch part of the pressure in a contact of given radius and approach, in equilibrium or not.
 
         p_B = E*δ/(πa) − p_H/2
-
-    approach_at_load  [m]  any
 
     Source:   Eq (14); put into Eq (12) it is Eq (15).
     Valid:    Any circular contact.

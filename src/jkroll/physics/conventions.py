@@ -45,10 +45,8 @@ def roll_energy(*, unloaded_moment: Moment, rolling_angle: Angle) -> Energy:
 
         E_roll = Mθ, M = 4P_cξ
 
-    rolling_angle  [rad]  > 0; the turn of sphere 1 while body 2 is held
-
     Source:   Work of a moment; M is Eq (26).
-    Valid:    A contact that rolls with the full lag ξ all the way; Eq (43) has a mean moment of half as much.
+    Valid:    A turn of sphere 1 while body 2 is held, with the full lag ξ all the way; Eq (43) has half this moment.
     """
     return unloaded_moment * rolling_angle
 
@@ -156,16 +154,6 @@ def restructuring_energy(*, roll_energy_quarter_turn: Energy) -> Energy:
     return 5 * roll_energy_quarter_turn
 
 
-def restructuring_energy_ormel(*, roll_energy_quarter_turn: Energy) -> Energy:
-    """Return the impact energy at which aggregates begin to restructure, as Ormel et al. take it.
-
-        E_restr = E_roll, E_roll = 6π²γRξ (90 degrees)
-
-    Source:   Ormel et al. 2007.
-    """
-    return roll_energy_quarter_turn
-
-
 def restructuring_speed(*, restructuring_energy: Energy, monomers: Number, mass: Mass) -> Speed:
     """Return the relative speed at which two equal aggregates begin to restructure.
 
@@ -239,8 +227,6 @@ def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filli
 
         P = (E_roll/R1³)(1/φ − 1/φ_max)⁻³, E_roll = 6π²γR1ξ (180 degrees), φ_max = 0.74
 
-    filling_factor  [1]  0 to 0.74
-
     Source:   As coded in danieljprice/phantom, porosity.f90, which has another E_roll; it tends to Kataoka et al. 2013,
               E_roll φ³/R1³, with E_roll as StephaneMichoulier/Pamdeas has it.
     Valid:    φ < 0.74. Static: an impact needs more.
@@ -253,8 +239,6 @@ def tensile_strength(*, work_of_adhesion: SurfaceEnergy, radius: Length, filling
     """Return the tension that tears an aggregate.
 
         P = 0.6 φ^1.8 γ/R1, γ = w/2
-
-    filling_factor  [1]  0 to 0.74
 
     Source:   Tatsuuma et al. 2019, as coded in StephaneMichoulier/Pamdeas, disruption.cpp, and danieljprice/phantom.
     Valid:    Filling factors of 0.01 to 0.5.

@@ -23,9 +23,6 @@ def symmetric_pressure(
 
         p_s = (E′/2R)[√(a² − x²) + (C − a²/2)/√(a² − x²)]
 
-    position       [m]   any
-    load_constant  [m²]  any
-
     Source:   Eq (56), which solves Eq (51).
     Valid:    |x| < a ≪ R, C ≤ a²/2; beyond, the surfaces would interpenetrate outside the strip.
     """
@@ -47,9 +44,6 @@ def asymmetric_pressure(
 
         p_a = (E′/2R)[√(a² − X²) + (C − a²/2 + ξX)/√(a² − X²)]
 
-    position_in_strip  [m]   −a to a
-    load_constant      [m²]  any
-
     Source:   Eq (64), which solves Eq (51). The C inside Eq (63) is minus this one.
     Valid:    |X| < a ≪ R, ξ ≤ a/2 − C/a; beyond, the leading edge, X = a, would interpenetrate.
     """
@@ -62,8 +56,6 @@ def load_per_length(*, cylinder_radius: Length, plane_strain_modulus: Stress, lo
     """Return the load on the cylinder per length; tension is negative.
 
         P = πE′C/(2R)
-
-    load_constant  [m²]  any
 
     Source:   Eqs (59) and (65): it does not depend on ξ.
     Valid:    a ≪ R.
@@ -107,8 +99,6 @@ def contact_point_moment(
 
         M(x = 0) = M(X = 0) − ξP = (π/4)(E′/R)ξ(a² − 2C)
 
-    load_constant  [m²]  any
-
     Source:   Eqs (69) and (70), which has +2C for −2C and ≈ for =.
     Valid:    As Eq (64). Without adhesion it vanishes.
     """
@@ -130,8 +120,6 @@ def half_strips_moment(
     """Return the moment of two half-strips of width a + ξ and a − ξ at the same load, per length.
 
         M = M½(a − ξ) − M½(a + ξ) = (E′/2R)ξ(a² − 2C + ξ²/3)
-
-    load_constant  [m²]  any
 
     Source:   Eqs (76) and (77), multiplied out so that no digit is lost.
     Valid:    ξ < a. Where ξ ≪ a it is Eq (78), 2/π of the exact Eq (70) for any load.

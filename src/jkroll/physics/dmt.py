@@ -13,8 +13,6 @@ def contact_radius_dmt(
 
         a = (3R(P + 2πwR)/(4E*))^(1/3)
 
-    load  [N]  any; tension is negative
-
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    P ≥ −2πwR; small, hard spheres. Below, a float raises ValueError and an array holds NaN.
     """
@@ -26,8 +24,6 @@ def contact_radius_dmt_at_approach(*, approach_at_load: Length, reduced_radius: 
     """Return the radius of the contact circle at an approach, in DMT.
 
         a = √(Rδ)
-
-    approach_at_load  [m]  ≥ 0
 
     Source:   Hertz; Derjaguin, Muller & Toporov 1975.
     Valid:    δ ≥ 0. Below, a float raises ValueError and an array holds NaN.
@@ -99,8 +95,6 @@ def adhesive_force_dmt(*, load: Force, work_of_adhesion: SurfaceEnergy, reduced_
     """Return Hertz' load at the contact radius less the load, in DMT: the pull-off force, at every load.
 
         F_a = 2πwR
-
-    load  [N]  any; tension is negative
 
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    P ≥ −2πwR. Below, a float raises ValueError and an array holds NaN.

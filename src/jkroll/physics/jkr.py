@@ -49,8 +49,6 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
         3x^(4/3) − 2x^(1/3) = δ/δ0
 
-    approach_at_load  [m]  any
-
     Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ −
               δ̂_fold).
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
@@ -62,8 +60,6 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
     """Return √(1 + P/P_c) at an approach of the centres, and its negative beyond pull-off.
 
         s = 2x − 1 = (1 + 2(δ/δ0)/x^(1/3))/3
-
-    approach_at_load  [m]  any
 
     Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1
               loses.
@@ -156,8 +152,6 @@ def contact_area_at_fold(*, contact_radius_at_fold: Length) -> Area:
     """Return the area of the contact circle at which fixed grips let go.
 
         A_fold = πa_fold²
-
-    contact_radius_at_fold  [m]  ≥ 0
 
     Source:   Geometry.
     Valid:    Any law of attraction; 0 where the grips hold on to spheres that attract without touching.

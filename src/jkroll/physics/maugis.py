@@ -25,8 +25,6 @@ def edge_ratio_at_load(
 
         v = a/√(c² − a²)
 
-    load  [N]  any; tension is negative
-
     Source:   Maugis 1992, by Newton's method.
     Valid:    Loads above pull-off. Below, a float raises ValueError and an array holds NaN.
     """
@@ -49,8 +47,6 @@ def edge_ratio_at_approach(
 
         v = a/√(c² − a²)
 
-    approach_at_load  [m]  any
-
     Source:   Maugis 1992, by Newton's method.
     Valid:    Approaches above the fold. Beyond, a float raises ValueError and an array holds NaN.
     """
@@ -70,8 +66,6 @@ def zone_span(
     """Return the span √(c² − a²) of the ring of attraction around a contact.
 
         T = (πwR²/K)^(1/3)/(⅔λ²G2 + √((⅔λ²G2)² + λG1/2))
-
-    edge_ratio  [1]  ≥ 0; 0 without contact
 
     Source:   Maugis 1992, solved for T.
     Valid:    Contact.
@@ -93,9 +87,6 @@ def zone_span_at_approach(
 
         c²/2 − bc = δ + 2/(πλ), b = 8λ/3π without contact, in the units of `dugdale`
 
-    edge_ratio        [1]  ≥ 0; 0 without contact
-    approach_at_load  [m]  any
-
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     Valid:    Approaches above the fold.
     """
@@ -114,8 +105,6 @@ def contact_radius_maugis(*, edge_ratio: Number, zone_span: Length) -> Length:
 
         a = vT
 
-    edge_ratio  [1]  ≥ 0; 0 without contact
-
     Source:   Maugis 1992.
     Valid:    a ≪ R.
     """
@@ -126,8 +115,6 @@ def zone_radius(*, edge_ratio: Number, zone_span: Length) -> Length:
     """Return the radius of the edge of the ring of attraction, where bonds break.
 
         c = T√(1 + v²)
-
-    edge_ratio  [1]  ≥ 0; 0 without contact
 
     Source:   Maugis 1992.
     Valid:    c ≪ R.
@@ -141,8 +128,6 @@ def approach_maugis(
     """Return the approach of the centres at which a contact is in a state.
 
         δ = a²/R − 2σ0T/E*
-
-    edge_ratio  [1]  ≥ 0; 0 without contact
 
     Source:   Maugis 1992.
     Valid:    Contact.
@@ -164,8 +149,6 @@ def approach_maugis_at_load(
 
         δ = 3P/(4E*a) + (σ0T/(2E*))(3(v + 1/v)θ − 1), θ = arctan(1/v), in which less cancels where v > 1
         δ of `approach_maugis` elsewhere
-
-    load  [N]  tension negative; the one at which the contact has this edge ratio
 
     Source:   Maugis 1992.
     Valid:    Contact.
@@ -191,8 +174,6 @@ def load_maugis(
 
         P = 4E*a³/(3R) − 2σ0(aT + c²θ), θ = arctan(1/v)
 
-    edge_ratio  [1]  ≥ 0; 0 without contact
-
     Source:   Maugis 1992.
     """
     hertz = 4 / 3 * contact_modulus * cube(edge_ratio * zone_span) / reduced_radius
@@ -206,8 +187,6 @@ def stiffness_maugis(
 
         dP/dδ = 2E*T (vG3 − qD)/(G3 − qh), q = 2σ0R/(E*T); the functions of v are those of `dugdale`
 
-    edge_ratio  [1]  ≥ 0; 0 without contact
-
     Source:   Derivative of Maugis' solution along its curve.
     Valid:    Above the fold.
     """
@@ -220,8 +199,6 @@ def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_str
     """Return Hertz' load at the contact radius less the load: the rolling moment per displacement of the ring.
 
         F_a = 4E*a³/(3R) − P = 2σ0(aT + c²θ), θ = arctan(1/v)
-
-    edge_ratio  [1]  ≥ 0; 0 without contact
 
     Source:   Maugis 1992.
     Valid:    In contact or apart.
@@ -242,10 +219,8 @@ def contact_displacement(
 
         ξ_contact = ξ/(1 + E*T/(σ0R))
 
-    edge_ratio  [1]  > 0; without contact, a float raises ValueError and an array holds NaN
-
     Source:   First order in ξ.
-    Valid:    ξ ≪ a.
+    Valid:    ξ ≪ a. Without contact, a float raises ValueError and an array holds NaN.
     """
     lag = within(edge_ratio > 0, yield_displacement)
     return lag / (1 + contact_modulus * zone_span / (cohesive_stress * reduced_radius))
@@ -290,8 +265,6 @@ def unloaded_approach_maugis(
     """Return the approach of the centres without load.
 
         δ0 = (σ0T/E*)(3G3/(2v) − 2), T = a0/v
-
-    unloaded_radius_maugis  [m]  > 0
 
     Source:   Maugis 1992.
     Valid:    a0 ≪ R.
@@ -391,8 +364,6 @@ def contact_radius_at_fold_maugis(
     """Return the radius of the contact circle at which fixed grips let go.
 
         a_fold = v_fold T; 0 if λ < 0.938, where they hold on to spheres that attract without contact
-
-    edge_ratio_at_fold  [1]  ≥ 0
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     """

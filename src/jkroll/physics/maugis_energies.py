@@ -28,9 +28,6 @@ def state_energy_maugis(
 
         Φ = ∫ P dδ, in closed form in `dugdale.energy`
 
-    edge_ratio  [1]  ≥ 0; 0 without contact
-    zone_span   [m]  ≥ 0
-
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     """
@@ -171,8 +168,6 @@ def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -
     """Return the product of the pull-off force and the depth at which fixed grips let go.
 
         F_cδ_c = −P_c δ_fold
-
-    fold_approach_maugis  [m]  negative
 
     Source:   As in JKR, from the force and the approach of this law.
     """

@@ -35,10 +35,8 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
 
         f_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
 
-    stiffness  [N/m]  ≥ 0
-
     Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; under a load with the stiffness there.
-    Valid:    Free spheres, amplitudes well below δ0.
+    Valid:    Free spheres, amplitudes well below δ0, dP/dδ ≥ 0.
     """
     return _frequency(stiffness, reduced_mass)
 
@@ -61,9 +59,6 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
 
     Source:   Eqs (41) and (42). They are Eq (40) with k² = (5/2)R1² in place of (2/5)R1².
     Valid:    For comparison only.
-
-    >>> f"{rolling_frequency_as_printed(work_of_adhesion=0.2, radius=1e-7, density=2000.0):.3e}"
-    '4.775e+07'
     """
     return 3 / (2 * pi) * sqrt(work_of_adhesion / (10 * cube(radius) * density))
 
@@ -117,8 +112,6 @@ def rayleigh_time(*, radius: Length, density: Density, youngs_modulus: Stress, p
 
         t_R = πR1√(ρ1/G)/(0.8766 + 0.1631ν1), G = E1/(2(1 + ν1))
 
-    poisson_ratio  [1]  -1 < ν ≤ 1/2
-
     Source:   LIGGGHTS, fix check/timestep/gran. Its linear form is Rayleigh's root within 0.3 % for 0 ≤ ν ≤ 1/2.
     Valid:    A free sphere: neither the contact nor its adhesion enters. Codes take a tenth to a fifth of it for a
               step.
@@ -144,8 +137,6 @@ def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
     """Return the energy of sphere 1 as it arrives.
 
         W0 = m1v²/2
-
-    speed  [m/s]  any
 
     Source:   Caption of Fig. 7.
     Valid:    A sphere that does not spin, moving along the surface of the fixed one.
@@ -263,11 +254,9 @@ def viscosity_number(
 
         T* = (T_vis/(ν1ν2))√(E*a0/m)
 
-    poisson_ratio   [1]  ν1ν2 > 0; else a float raises ValueError and an array holds NaN
-    poisson_ratio2  [1]  as poisson_ratio
-
     Source:   The force 2(T_vis/ν²)E*a dδ/dt of Lumajord/DustSimulation and Paulemaule/DustCollider.
-    Valid:    JKR. T_vis is no constant of a solid: it is fitted to the sticking of grains of one size.
+    Valid:    JKR, ν1ν2 > 0; else a float raises ValueError and an array holds NaN. T_vis is no constant of a solid: it
+              is fitted to the sticking of grains of one size.
     """
     product = within(poisson_ratio * poisson_ratio2 > 0, poisson_ratio * poisson_ratio2)
     return viscous_time / product * sqrt(contact_modulus * contact_radius / reduced_mass)

@@ -27,8 +27,6 @@ def radius_ratio(*, radius: Length, radius2: Length) -> Number:
 
         R1/R2
 
-    radius2  [m]  > 0; infinite for a plane
-
     Source:   Text below Eq (1).
     """
     return radius / radius2
@@ -38,8 +36,6 @@ def reduced_radius(*, radius: Length, radius2: Length) -> Length:
     """Return the radius of the sphere that makes the same contact with a plane.
 
         R = 1/(1/R1 + 1/R2)
-
-    radius2  [m]  > 0; infinite for a plane
 
     Source:   Text below Eq (1).
     Valid:    Positive radii, one of which may be infinite.
@@ -53,11 +49,6 @@ def contact_modulus(
     """Return the elastic modulus of the contact.
 
         1/E* = (1 − ν1²)/E1 + (1 − ν2²)/E2
-
-    youngs_modulus   [Pa]  > 0; infinite for a rigid body
-    poisson_ratio    [1]   −1 to 1/2
-    youngs_modulus2  [Pa]  > 0; infinite for a rigid body
-    poisson_ratio2   [1]   −1 to 1/2
 
     Source:   Text below Eq (2).
     Valid:    Isotropic, linear elastic solids; one may be rigid (E infinite).
@@ -94,11 +85,6 @@ def contact_shear_modulus(
 
         1/G* = (2 − ν1)/G1 + (2 − ν2)/G2, G = E/(2(1 + ν))
 
-    youngs_modulus   [Pa]  > 0; infinite for a rigid body
-    poisson_ratio    [1]   −1 to 1/2
-    youngs_modulus2  [Pa]  > 0; infinite for a rigid body
-    poisson_ratio2   [1]   −1 to 1/2
-
     Source:   G* of the codes LAMMPS (pair granular, mindlin) and Lumajord/DustSimulation.
     Valid:    Isotropic, linear elastic solids; one may be rigid (E infinite).
     """
@@ -123,8 +109,6 @@ def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
 
         m = 1/(1/m1 + 1/m2)
 
-    mass2  [kg]  > 0; infinite if held
-
     Source:   Text below Eq (33).
     Valid:    Free spheres, or one held fixed (its mass infinite).
     """
@@ -147,8 +131,6 @@ def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2:
 
         I = 1/(1/I1 + 1/I2)
 
-    moment_of_inertia2  [kg m²]  > 0; infinite if held
-
     Source:   Eq (39).
     Valid:    Spheres that turn about their own centres, or one held fixed (its moment infinite).
     """
@@ -162,9 +144,6 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
 
     It is I1/R1² + I2/R2² − (I1/R1 − I2/R2)²/(m(R1+R2)² + I1 + I2) for homogeneous spheres, without the cancellation:
     (4/5)m1 for identical spheres, (7/5)m1(1 + q)² where body 2 is held.
-
-    mass2         [kg]  > 0; infinite if held
-    radius_ratio  [1]   ≥ 0; 0 on a plane
 
     Source:   Eqs (37)-(40) without their assumption that each sphere turns about its own centre.
     Valid:    Homogeneous spheres, no slip; body 2 may be held (its mass infinite).

@@ -29,9 +29,6 @@ def yield_moment(*, adhesive_force: Force, yield_displacement: Length) -> Moment
 
     Source:   Eq (25), exact in JKR at a fixed load, in three dimensions; first order in ξ for any law of attraction.
     Valid:    ξ < a0/(3√â) in JKR, beyond which the leading edge would interpenetrate; ξ ≪ a in other laws.
-
-    >>> f"{yield_moment(adhesive_force=4.7124e-8, yield_displacement=2e-10):.4e}"
-    '9.4248e-18'
     """
     return adhesive_force * yield_displacement
 
@@ -65,8 +62,6 @@ def rolling_friction_coefficient(
 
         μ_roll = M/(R(P + 2P_c))
 
-    load  [N]  tension negative
-
     Source:   LAMMPS, pair_style granular, rolling sds: the spring's force is at most μ_roll(P + 2P_c).
     Valid:    This load.
     """
@@ -78,10 +73,9 @@ def rolling_resistance_coefficient(*, yield_moment: Moment, reduced_radius: Leng
 
         μ_r = M/(RP)
 
-    load  [N]  > 0
-
     Source:   LIGGGHTS, rolling_friction cdt, and Lethe: the moment against rolling is μ_r R times the normal force.
-    Valid:    This load. In JKR it is 2ξ/(R(s − 1)): it falls as 1/P from small loads on, and as 1/√P at large ones.
+    Valid:    This load, P > 0; else a float raises ValueError and an array holds NaN. In JKR it is 2ξ/(R(s − 1)): it
+              falls as 1/P from small loads on, and as 1/√P at large ones.
     """
     return within(load > 0, yield_moment / reduced_radius / load)
 
@@ -92,8 +86,6 @@ def yield_force(
     """Return the force at the centre of sphere 1 that starts it rolling.
 
         Q = M/R1 = 4 P_c â^(3/2) ξ/R1 = 6πw â^(3/2) ξ/(1 + R1/R2), which is 6πγξ for identical spheres without load
-
-    radius_ratio  [1]  ≥ 0; 0 on a plane
 
     Source:   Eqs (10), (25) and (26); identical spheres need no radius.
     Valid:    As Eq (25).
@@ -107,9 +99,6 @@ def yield_force_fixed_load(
     """Return the force at the centre of sphere 1 that starts it rolling under a load that keeps its direction.
 
         Q = M/R1 − Pξ/R2
-
-    load     [N]  any; tension is negative
-    radius2  [m]  > 0; infinite for a plane
 
     Source:   The moments about the contact; Eq (26) has a load that turns with the line of centres.
     Valid:    As Eq (25), with body 2 held. On a plane it is M/R1. It is negative where the load alone overturns sphere
@@ -223,13 +212,8 @@ def r_min(*, radius: Length, radius2: Length, yield_displacement: Length) -> Len
 
         R_min = R1R2/ξ, which is R1²/ξ for identical spheres
 
-    radius2  [m]  > 0; infinite for a plane
-
     Source:   Eq (28); spheres 1 and 2 alternate.
     Valid:    A long chain, every contact bent to its yield angle.
-
-    >>> f"{r_min(radius=1e-7, radius2=1e-7, yield_displacement=2e-10):.4e}"
-    '5.0000e-05'
     """
     return radius * (radius2 / yield_displacement)
 

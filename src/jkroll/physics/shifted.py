@@ -24,9 +24,6 @@ def exact_pressure(
 
         p = p_H √(1 − X²/a²) + (p_B + (2E*ξ/πR)(X/a))/√(1 − X²/a²)
 
-    position_in_circle   [m]   −a to a
-    boussinesq_pressure  [Pa]  any; negative in equilibrium
-
     Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (64) in three dimensions.
     Valid:    |X| < a, ξ < a0/(3√â).
     """
@@ -48,11 +45,8 @@ def half_circle_pressure(
 
         p = p_H √(1 − r²/𝒜²) + (E*δ/(π𝒜) − p_H/2)/√(1 − r²/𝒜²), p_H = 2𝒜E*/(πR)
 
-    distance          [m]  ≥ 0, below a
-    approach_at_load  [m]  any
-
     Source:   Eqs (15) and (16).
-    Valid:    r < 𝒜, which is a + ξ behind the contact point and a − ξ ahead of it.
+    Valid:    0 ≤ r < 𝒜, which is a + ξ behind the contact point and a − ξ ahead of it.
     """
     hertz = hertz_pressure(
         contact_modulus=contact_modulus, contact_radius_at_load=half_circle_radius, reduced_radius=reduced_radius

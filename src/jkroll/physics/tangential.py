@@ -16,11 +16,6 @@ def shear_strength(
 
         τ = G/(4π²), G = E/(2(1 + ν)), of the softer solid
 
-    youngs_modulus   [Pa]  > 0; infinite for a rigid body
-    poisson_ratio    [1]   −1 to 1/2
-    youngs_modulus2  [Pa]  > 0; infinite for a rigid body
-    poisson_ratio2   [1]   −1 to 1/2
-
     Source:   Lumajord/DustSimulation, whose thresholds of sliding and of twisting are both this strength; for unlike
               solids, the softer one is a rule of this program.
     Valid:    An order of magnitude: 9 to 15 MPa were measured for polystyrene on glass (Sümer & Sitti), where this is
@@ -78,11 +73,6 @@ def twisting_stiffness(
 
         k_t = (16/3)a³/(1/G1 + 1/G2), G = E/(2(1 + ν))
 
-    youngs_modulus   [Pa]  > 0; infinite for a rigid body
-    poisson_ratio    [1]   −1 to 1/2
-    youngs_modulus2  [Pa]  > 0; infinite for a rigid body
-    poisson_ratio2   [1]   −1 to 1/2
-
     Source:   Reissner & Sagoci's (16/3)Ga³ of one half-space, two of them in series.
     Valid:    Small angles: the contact circle sticks. Exact for unlike solids, too.
     """
@@ -130,8 +120,6 @@ def peeling_force(
 
         T = 4√(P_c(P + P_c)G*/E*) = 4P_c s√(G*/E*)
 
-    load_margin  [1]  ≥ 0
-
     Source:   Griffith: the release rates T²/(32πG*a³) and (P_H − P)²/(8πE*a³), means over the edge, add up to w.
     Valid:    JKR, P ≥ −P_c, and a work of adhesion that does not depend on the direction of loading: measured contacts
               shrink much less under a tangential force. Beyond pull-off, a float raises ValueError and an array holds
@@ -147,8 +135,6 @@ def peeling_radius(
     """Return the radius to which a contact has shrunk when it peels off under a tangential force, at a fixed load.
 
         a_T = (3R(P + 2P_c)/(4E*))^(1/3) = a0((1 + s²)/4)^(1/3)
-
-    load_margin  [1]  ≥ 0
 
     Source:   As the peeling force: the root of the sum of both release rates is double there.
     Valid:    As the peeling force.
@@ -172,10 +158,6 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
     """Return the tangential force at which a brittle contact gives way, at a fixed normal load: it slides or peels off.
 
         T = πa²τ, with 4E*a³/(3R) = P + 2P_c + √(4P_c(P + P_c) − T²E*/(4G*)); T_peel where it peels before
-
-    peeling_force         [N]  ≥ 0
-    peeling_over_sliding  [1]  ≥ 0
-    load_margin           [1]  ≥ 0
 
     Source:   Griffith, as the peeling force: the contact shrinks while T rises, until T reaches the strength of the
               area that is left.
@@ -216,8 +198,6 @@ def sliding_friction_coefficient(*, sliding_force: Force, load: Force, pull_off_
 
         μ_slide = F_slide/(P + 2P_c)
 
-    load  [N]  tension negative
-
     Source:   LAMMPS, pair_style granular, tangential mindlin_rescale: the spring's force is at most μ_slide(P + 2P_c).
     Valid:    This load: LAMMPS multiplies it with every load.
     """
@@ -228,8 +208,6 @@ def twisting_friction_coefficient(*, twisting_moment: Moment, load: Force, pull_
     """Return the coefficient of friction, a length, with which LAMMPS lets a contact twist at its twisting moment.
 
         μ_twist = M_twist/(P + 2P_c)
-
-    load  [N]  tension negative
 
     Source:   LAMMPS, pair_style granular, twisting sds: the spring's moment is at most μ_twist(P + 2P_c).
     Valid:    This load: LAMMPS multiplies it with every load.

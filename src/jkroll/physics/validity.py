@@ -62,8 +62,6 @@ def hertz_pressure_over_modulus(*, hertz_pressure: Stress, contact_modulus: Stre
 
         p_H/E* = 2a/(πR)
 
-    hertz_pressure  [Pa]  ≥ 0
-
     Source:   A crystal without flaws yields under a shear of about G/30 ("Yield (engineering)", Wikipedia), so that its
               yield stress Y, twice that, is about E/30. The largest shear below a Hertz contact is 0.31 p_H, 0.48a deep
               (ν = 0.3), so that the contact yields at p_H = 1.6Y (Tresca; Johnson, Contact Mechanics, 1985): for like
@@ -77,8 +75,6 @@ def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Le
     """Return how far the model's paraboloids are from the spheres at the edge of the contact, relative to their depth.
 
         a²(R1⁻³ + R2⁻³)/(4(R1⁻¹ + R2⁻¹)) = a²(R1⁻² − R1⁻¹R2⁻¹ + R2⁻²)/4
-
-    radius2  [m]  > 0; infinite for a plane
 
     Source:   The next term of the profile of a sphere, r⁴/(8R1³).
     Valid:    To first order. It is 1 % at a = 0.2 R1 for identical spheres and on a plane.

@@ -45,7 +45,10 @@ class Law(NamedTuple):
 
 ALWAYS = ""  # in place of an input
 _OF_EVERY_LAW: Mapping[str, Routes] = {
-    ALWAYS: {"edge_ratio": "edge_ratio_at_load"},  # Maugis' edge ratio is known by its own name under any law
+    ALWAYS: {
+        "edge_ratio": "edge_ratio_at_load",  # Maugis' edge ratio is known by its own name under any law
+        "restructuring_energy_ormel": "roll_energy_quarter_turn",
+    },
     "speed": {"energy": "kinetic_energy"},
     "modulus_over_energy": {"contact_modulus": "contact_modulus_of_ratio"},
     "adhesion_hysteresis": {"yield_displacement": "yield_displacement_at_hysteresis"},
