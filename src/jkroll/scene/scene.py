@@ -42,13 +42,16 @@ def check_range(name: str, value: Any) -> None:
     """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
-    are_taken, place = takes(name, value), ()
+    place: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
+        if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
+            return  # as nearly always: a range takes all between two of its values
+        are_taken = takes(name, value)
         if are_taken.all():
             return
         place = tuple(places[0].item() for places in (~are_taken).nonzero())
-        value, are_taken = value[place].item(), False
-    if not are_taken:
+        value = value[place].item()
+    if not takes(name, value):
         limits = NOMENCLATURE[name].range
         words = MAGNITUDE if limits.admits(value) else limits.words
         raise QuantityError(name, value, words if isfinite(value) else "must be finite", place=place)
