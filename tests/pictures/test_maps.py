@@ -436,7 +436,7 @@ def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run
     curves = " ".join(run("map v_stick silica-dry --x radius=10nm:10um --model jkr,maugis").out.split())
     assert "No value where it rests on z0; give --z0 4angstrom." in curves
     small = run("map v_stick quartz --x radius=1nm:2nm --model jkr,maugis").err
-    nowhere = "sticking_speed has no value anywhere on these axes"
+    nowhere = "sticking_speed: no value anywhere on these axes"
     assert f"no curve: quartz, Maugis–Dugdale: {nowhere}: rests on z0; give --z0 4angstrom\n" in small
     drawn = (
         "map v_stick --x R1=10nm:10um --y gamma=1mJ/m2:1J/m2 --young 7GPa --poisson 0.25 --density 1g/cm3 --model "
@@ -540,7 +540,7 @@ def test_no_value_anywhere_is_a_failure(run: Run) -> None:
         ran = run(f"map yield-force quartz 10nm {axes}")
         assert (ran.code, ran.out) == (1, "")
         assert ran.err.startswith(
-            "jkroll: yield_force has no value anywhere on these axes: load: -500 nN breaks this contact"
+            "jkroll: yield_force: no value anywhere on these axes: load: -500 nN breaks this contact"
         )
 
 

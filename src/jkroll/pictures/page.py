@@ -6,6 +6,7 @@ the content, and nothing from the user's own matplotlib settings.
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from io import BytesIO
 from math import ceil
 from typing import Any
@@ -276,66 +277,54 @@ def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
 
 _EDGE = 4.0  # points of the page inside the frame that its ticks take
 _ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
-_DIRECTIONS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
+_DOT = 3.0  # half the size of a point, in points of the page
+_WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
 _REACH = (4.0, 8.0, 14.0, 20.0, 30.0, 42.0)  # from a point to its text, in points of the page
 _NEAR = 8.0  # a text that is farther, or nearer to another point, has a line to its point
-_PATCH = {"boxstyle": "square,pad=0", "linewidth": 0}  # of paper, behind a text on lines
 
 
 def _label_marks(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
     """Draw marked points with their texts, where these cover least; return boxes that keep other texts off."""
-    scale, covered = axes.figure.dpi / 72, _points_of_lines(axes)
-    frame = axes.get_window_extent()
-    points = [(mark.text, (mark.x, mark.y)) for mark in marks if mark.x is not None and mark.y is not None]
-    points.sort(key=lambda point: point[1], reverse=True)  # those on the right have the least room
-    dots = [_box(axes.transData.transform(place), 3 * scale) for _, place in points]
-    taken, leaders = [*dots], list[Path]()
-    for (label, place), dot in zip(points, dots, strict=True):
+    scale = axes.figure.dpi / 72
+    frame = axes.get_window_extent().padded(-_EDGE * scale)
+    points = [((mark.x, mark.y), mark.text) for mark in marks if mark.x is not None and mark.y is not None]
+    points.sort(reverse=True)  # those on the right have the least room
+    dots = [_box(axes.transData.transform(place), _DOT * scale) for place, _ in points]
+    steps = numpy.array([[reach * scale * numpy.array(way) for way in _WAYS] for reach in _REACH]).reshape(-1, 2)
+    taken = [*dots]
+    for (place, label), dot in zip(points, dots, strict=True):
         axes.plot(*place, "o", color=style.ink, markeredgecolor=style.paper, markersize=3.5, clip_on=False, zorder=4)
-        text = axes.annotate(typeset(label), place, xytext=(0, 0), textcoords="offset points", zorder=5)
-        others = [box for box in taken if box is not dot]
-
-        def faults(
-            reach: float, way: tuple[float, float], text: Any = text, dot: Any = dot, others: Any = others
-        ) -> tuple[Any, ...]:
-            """Put the text at a distance and in a direction; return what speaks against it, the weightiest first."""
-            _move(text, (reach * way[0], reach * way[1]), frame.padded(-_EDGE * scale))
-            box, leader = text.get_window_extent(), _leader(dot, text)
-            overlaps = sum(box.padded(scale).overlaps(other) for other in others) + box.overlaps(dot)
-            crossings = sum(leader.intersects_bbox(other, filled=False) for other in others)
-            crossings += sum(other.intersects_bbox(box, filled=False) for other in leaders)
-            return frame.count_contains(box.corners()) < 4, overlaps + crossings, _count(box.padded(1), covered) > 0
-
-        reach, way = min(((reach, way) for reach in _REACH for way in _DIRECTIONS), key=lambda place: faults(*place))
-        if any(faults(reach, way)):  # no free place
-            text.set_bbox({**_PATCH, "facecolor": style.paper})
-        taken.append(text.get_window_extent())
-        if reach > _NEAR or _length(_leader(dot, text)) > min(_length(_leader(other, text)) for other in dots):
-            leaders.append(_leader(dot, text))
-            arrow = {"arrowstyle": "-", "linewidth": 0.4, "color": style.ink, "shrinkA": 2, "shrinkB": 2}
-            axes.annotate("", place, xytext=text.get_position(), textcoords="offset points", arrowprops=arrow)
+        text, half = _text(axes, typeset(label), zorder=5)
+        middles = _middle(dot) + steps + half * numpy.sign(steps)
+        boxes = [_box(middle, half) for middle in middles.clip(frame.min + half, frame.max - half)]
+        others = [box.padded(scale) for box in taken if box is not dot]
+        faults = partial(_faults, dot=dot, others=others, lines=_points_of_lines(axes))
+        box = min(boxes, key=faults)
+        _put(text, box, style if any(faults(box)) else None)
+        taken.append(box)
+        length = _length(dot, box)
+        if length > (_NEAR + _DOT) * scale or any(_length(other, box) < length for other in dots):
+            ends = axes.transData.inverted().transform(_leader(dot, box))
+            axes.plot(*ends.T, color=style.ink, linewidth=0.4, zorder=3)
     return [box.padded(3 * scale) for box in taken]
 
 
-def _leader(dot: Any, text: Any) -> Path:
-    """Return the line from a point to its text."""
-    box, centre = text.get_window_extent(), (dot.min + dot.max) / 2
-    return Path([centre, numpy.clip(centre, box.min, box.max)])
+def _faults(box: Any, *, dot: Any, others: Sequence[Any], lines: Any) -> tuple[int, bool]:
+    """Return what speaks against a text in a box beside a dot: boxes it or its leader meets, then covered lines."""
+    leader = Path(_leader(dot, box))
+    met = sum(box.overlaps(other) or leader.intersects_bbox(other, filled=False) for other in others)
+    return met + box.overlaps(dot), box.padded(1).count_contains(lines) > 0
 
 
-def _length(line: Path) -> float:
-    """Return the length of a straight line."""
-    start, end = numpy.asarray(line.vertices)
+def _leader(dot: Any, box: Any) -> Any:
+    """Return both ends of the line from a point to the nearest place of a box."""
+    return numpy.array([_middle(dot), _middle(dot).clip(box.min, box.max)])
+
+
+def _length(dot: Any, box: Any) -> float:
+    """Return the distance of a box from a point."""
+    start, end = _leader(dot, box)
     return float(numpy.hypot(*(end - start)))
-
-
-def _move(text: Any, way: tuple[float, float], frame: Any) -> None:
-    """Put a text so far from its point, in points of the page, and to the side into the frame."""
-    sides = [(step > 0) - (step < 0) for step in way]
-    text.set(position=way, ha=("center", "left", "right")[sides[0]], va=("center", "bottom", "top")[sides[1]])
-    box = text.get_window_extent()
-    shift = max(frame.x0 - box.x0, 0) or min(frame.x1 - box.x1, 0)
-    text.set_position((way[0] + shift * 72 / text.figure.dpi, way[1]))
 
 
 def _label_contours(axes: Any, contours: Any, texts: Sequence[str], taken: list[Any], style: Style) -> None:
@@ -347,21 +336,34 @@ def _label_contours(axes: Any, contours: Any, texts: Sequence[str], taken: list[
     frame, lines = axes.get_window_extent(), _points_of_lines(axes)
     paths = [axes.transData.transform(path.vertices) for path in contours.get_paths()]
     for number, (label, path) in enumerate(zip(texts, paths, strict=True)):
-        text = axes.text(0.5, 0.5, f" {typeset(label)} ", ha="center", va="center", zorder=3)
-        text.set_bbox({**_PATCH, "facecolor": style.paper})
-        half = text.get_window_extent().size / 2
-        inside = numpy.clip(path, frame.min + half, frame.max - half)
+        text, half = _text(axes, f" {typeset(label)} ", zorder=3)
+        inside = path.clip(frame.min + half, frame.max - half)
         is_on_line = (abs(path - inside) < half).all(axis=1)
-        cost = numpy.hypot(*(inside - (frame.min + frame.max) / 2).T) + _ASIDE * numpy.hypot(*(inside - path).T)
+        cost = numpy.hypot(*(inside - _middle(frame)).T) + _ASIDE * numpy.hypot(*(inside - path).T)
         places = [_box(place, half) for place in inside[is_on_line][cost[is_on_line].argsort(kind="stable")]]
         others = numpy.concatenate([*paths[:number], *paths[number + 1 :], numpy.empty((0, 2))])
-        free = [box for box in places if not _count(box, others) and not any(map(box.overlaps, taken))]
-        clear = (box for box in free if _count(box, lines) <= _count(box, path))  # of other lines, such as borders
+        free = [box for box in places if not box.count_contains(others) and not any(map(box.overlaps, taken))]
+        clear = (
+            box for box in free if box.count_contains(lines) <= box.count_contains(path)
+        )  # of other lines, such as borders
         if (box := next(clear, free[0] if free else None)) is None:
             text.remove()
         else:
-            text.set_position(axes.transData.inverted().transform((box.min + box.max) / 2))
+            _put(text, box, style)
             taken.append(box)
+
+
+def _text(axes: Any, label: str, zorder: int) -> tuple[Any, Any]:
+    """Return a text that is to be put somewhere by its middle, and half its size."""
+    text = axes.text(0.5, 0.5, label, ha="center", va="center", zorder=zorder)
+    return text, text.get_window_extent().size / 2
+
+
+def _put(text: Any, box: Any, style: Style | None) -> None:
+    """Put a text into a box; with a style, on a patch of its paper."""
+    text.set_position(text.axes.transData.inverted().transform(_middle(box)))
+    if style is not None:
+        text.set_bbox({"boxstyle": "square,pad=0", "linewidth": 0, "facecolor": style.paper})
 
 
 def _points_of_lines(axes: Any) -> Any:
@@ -373,11 +375,11 @@ def _points_of_lines(axes: Any) -> Any:
     return numpy.concatenate([*points, numpy.empty((0, 2))])
 
 
-def _count(box: Any, points: Any) -> int:
-    """Return how many points a box covers."""
-    return int(((points > box.min) & (points < box.max)).all(axis=1).sum())
+def _middle(box: Any) -> Any:
+    """Return the middle of a box."""
+    return (box.min + box.max) / 2
 
 
-def _box(place: Any, half: Any) -> Any:
+def _box(middle: Any, half: Any) -> Any:
     """Return the box around a place."""
-    return Bbox([place - half, place + half])
+    return Bbox([middle - half, middle + half])

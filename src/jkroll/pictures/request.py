@@ -11,14 +11,14 @@ import numpy
 from ..answers.advice import advised
 from ..answers.notes import about_given, about_idle, about_middles, idle_of
 from ..answers.results import equation_of
-from ..errors import BadRequest, NoResult
+from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.laws import Law
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
-from ..scene.failures import RESTS_ON_SPACING, MissingInput, NotInLaw, reason_of
+from ..scene.failures import RESTS_ON_SPACING, MissingInput, NotInLaw, reason_of, without_value
 from ..scene.limits import LIMITS, OF_LAW, Doubt, Limit, judged, percent, touched
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
@@ -56,21 +56,6 @@ class PlotRequest(NamedTuple):
     marks: Sequence[str]
     materials: Materials
     limits: Sequence[Limit] = LIMITS  # of which those that concern the quantity are drawn or told
-
-
-class NothingToDraw(NoResult):
-    """Error raised when a map or curves have no value at all."""
-
-    def __init__(self, quantity: str, scene: Scene) -> None:
-        """`scene`: one on these axes, which may say why."""
-        super().__init__(quantity, scene)
-        self.quantity, self.outcome = quantity, scene.evaluate([quantity])[quantity]
-
-    def __str__(self) -> str:
-        problem = f"{self.quantity} has no value anywhere on these axes"
-        if isinstance(self.outcome, NoResult | MissingInput):
-            return f"{problem}: {reason_of(self.quantity, self.outcome)}"
-        return problem
 
 
 def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
@@ -157,12 +142,12 @@ def curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     quantity, x = request.quantity, request.x._replace(size=request.x.size or ALONG)
     _check_size(len(request.scenes), x.size)
     fields: list[Field] = []
-    errors: list[MissingInput | NothingToDraw] = []
+    errors: list[MissingInput | NoResult] = []
     notes: list[str] = []
     for text, scene in request.scenes:
         try:
             fields.append(Field(request, text, scene, x))
-        except (MissingInput, NothingToDraw) as error:
+        except (MissingInput, NoResult) as error:
             errors.append(error)
             notes.append(f"no curve: {text}: {error}")
     if not fields:
@@ -240,7 +225,7 @@ def _farthest_off(x: Axis, fields: "Sequence[Field]") -> Iterator[str]:
 class Field:
     """A quantity over the axes of one curve or a map: values, fixed inputs, the limits of the model, and notes.
 
-    Raises MissingInput if the quantity cannot be computed, and NothingToDraw if it has no value.
+    Raises MissingInput if the quantity cannot be computed, and NoResult if it has no value.
     """
 
     def __init__(self, request: PlotRequest, text: str, scene: Scene, x: Axis, y: Axis | None = None) -> None:
@@ -273,7 +258,9 @@ class Field:
         self.notes = tuple(dict.fromkeys([*notes[:1], *idle, *data, *remarks]))
         self.values = evaluate(scene, quantity, x, y)
         if not has_values(self.values):
-            raise NothingToDraw(quantity, self.scene)
+            outcome = self.scene.evaluate([quantity])[quantity]
+            reason = f": {reason_of(quantity, outcome)}" if isinstance(outcome, JkrollError) else ""
+            raise without_value(quantity, f"no value anywhere on these axes{reason}")
 
     @cached_property
     def doubts(self) -> list[Doubt]:
