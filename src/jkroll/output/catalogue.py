@@ -38,9 +38,10 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
     elif kind == "table":
         _write_list(chosen, out)
     else:
-        sides = {name: {side for each in chosen for side in _sides_of(name, each)} for name in PROPERTIES}
-        columns = Wanted(PROPERTIES, sides=sides)
-        records = (_material_row(material, columns.sides) for material in chosen)
+        of_names = {name: {side for each in chosen for side in _sides_of(name, each)} for name in PROPERTIES}
+        columns = Wanted(PROPERTIES, sides=of_names)
+        sides = {name: [*columns.sides_of(name)] for name in PROPERTIES}
+        records = (_material_row(material, sides) for material in chosen)
         write_records(["material", *columns.heads(header), "state", "references", "source"], records, kind, out)
 
 

@@ -19,7 +19,7 @@ from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.uncertainty import measures_of, sources_of_results, uncertainties_of_unknowns
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
-from .columns import Columns, Row, Wanted, fill_sides, left_out, repeated
+from .columns import Columns, Row, Wanted, fill_sides
 from .reasons import UNCERTAINTY
 from .sweep import Sweep
 
@@ -49,7 +49,7 @@ class Unknowns(Wanted):
             return Row(inputs, [nan] * len(self.keys), 0, dict.fromkeys(self.names, error))
         numbers, reasons = dict(solved.values), dict[str, JkrollError]()
         if sources is not None:
-            if (remark := left_out(self, scene, sources)) is not None:
+            if (remark := self.left_out(sources)) is not None:
                 reasons[UNCERTAINTY] = remark
             else:
                 fill_sides(self, measures_of(uncertainties_of_unknowns(solved)[0]), numbers, reasons)
@@ -64,9 +64,8 @@ class Unknowns(Wanted):
                 "of which spheres an unknown is"
             )  # solids of many rows have no name: each row by itself says
         size = len(rows)
-        solved, inputs, sources = solutions(scene, size), scene.echo(), self.sources_in(scene)
-        of_rows = {name: repeated(inputs.get(name), size) for name in self.inputs}
-        columns = Columns(self, of_rows, numpy.full((len(self.keys), size), nan), numpy.zeros(size, dtype=numpy.int64))
+        solved, sources, columns = solutions(scene, size), self.sources_in(scene), Columns.empty(self, size)
+        columns.repeat(scene.echo())
         columns.reasons = {row: dict.fromkeys(self.names, error) for row, error in solved.failures.items()}
         for name, values in solved.values.items():
             columns.column(name)[...] = values
@@ -76,7 +75,7 @@ class Unknowns(Wanted):
             columns.doubts[[*solved.failures]] = 0
         again = numpy.zeros(size, dtype=bool)
         if sources is not None:
-            if (remark := left_out(self, scene, sources)) is not None:
+            if (remark := self.left_out(sources)) is not None:
                 columns.add_remark(remark)
             else:
                 again = columns.put_sides(measures_of(uncertainties_of_unknowns(solved)[0]))

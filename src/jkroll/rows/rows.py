@@ -77,7 +77,7 @@ class Lists(Block):
 
 def evaluated(wanted: Wanted, block: Block) -> Columns:
     """Return the columns of a block. A row that cannot be computed has the reason for all of its cells."""
-    columns: Columns | None = None
+    columns = Columns.empty(wanted, block.size)
     by_floats = numpy.ones(block.size, dtype=bool)
     with numpy.errstate(all="ignore"):
         for rows, given in groups(block):
@@ -88,10 +88,8 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
                 continue  # each row then has the reason by itself
             if len(rows) == block.size:
                 columns = of_group
-                break
-            columns = columns or _empty(wanted, block.size)
-            columns.put(places, of_group)
-        columns = columns or _empty(wanted, block.size)
+            else:
+                columns.put(places, of_group)
         for row in numpy.flatnonzero(by_floats).tolist():
             columns.put([row], Columns.of_rows(wanted, [_row(wanted, block, row)]))
     return columns
@@ -103,12 +101,6 @@ def _row(wanted: Wanted, block: Block, row: int) -> Row:
         return wanted.row(block.scene_of(row))
     except JkrollError as error:
         return Row({}, [nan] * len(wanted.keys), 0, {ROW: error})
-
-
-def _empty(wanted: Wanted, size: int) -> Columns:
-    inputs: dict[str, Any] = {name: [None] * size for name in wanted.inputs}
-    numbers = numpy.full((len(wanted.keys), size), numpy.nan)
-    return Columns(wanted, inputs, numbers, numpy.zeros(size, dtype=numpy.int64))
 
 
 def groups(block: Block) -> Iterator[tuple[Indices, dict[str, Any]]]:
