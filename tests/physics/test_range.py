@@ -16,7 +16,7 @@ from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.scene.failures import MissingInput
 from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, takes, with_nan
-from jkroll.scene.wiring import Plan, formula_of
+from jkroll.scene.wiring import Plan, formula_of, steps_to
 from maugis_reference import Exact, digits, mpf
 from reference import BOUND, conditions, exact, exact_results, ulp_error
 from scenes import OTHER, QUARTZ
@@ -159,21 +159,23 @@ def corner_scenes(low: float, high: float, count: int) -> Iterator[dict[str, flo
 class ExactScene:
     """The exact values of all steps that lead to the results of a scene; None for a step that has none."""
 
-    def __init__(self, given: Mapping[str, Any], plan: Plan) -> None:
-        """Evaluate a plan from the values that it starts from."""
-        self.plan = plan
-        self.given = {name: mpf(given[name]) for name in plan.inputs}
+    def __init__(self, given: Mapping[str, Any], plans: Mapping[str, Plan]) -> None:
+        """Evaluate plans from the values that they start from."""
+        self.plans, steps = plans, steps_to(plans.values())
+        self.given = {name: mpf(given[name]) for name in _inputs_of(plans)}
         self.values: dict[str, Exact | None] = dict(self.given)
-        self.in_doubles = set(plan.inputs)  # those that doubles hold, with all on the way to them
-        for name, formula, arguments in plan.steps:
-            known = {parameter: self.values[source] for parameter, source in arguments}
-            value = self.values[name] = None if None in known.values() else _exact_or_none(formula.__name__, known)
+        self.in_doubles = set(self.given)  # those that doubles hold, with all on the way to them
+        for name, step in steps.items():
+            known = {parameter: self.values[argument.name] for parameter, argument in step.arguments}
+            value = self.values[name] = None if None in known.values() else _exact_or_none(step.formula.__name__, known)
             if value is not None and ((value == 0 and name in MAY_BE_ZERO) or SMALLEST < abs(value) < LARGEST):
-                self.in_doubles |= {name} if all(source in self.in_doubles for _, source in arguments) else set()
+                self.in_doubles |= (
+                    {name} if all(argument.name in self.in_doubles for _, argument in step.arguments) else set()
+                )
 
     def is_right(self, name: str, value: Any, bound: float) -> bool:
         """Return whether a number is the exact one; or, where there is no number, whether there is none in doubles."""
-        source = self.plan.sources[name]
+        source = self.plans[name].name
         exact_value = self.values[source]
         if not isinstance(value, float) or math.isnan(value):
             return source not in self.in_doubles
@@ -186,7 +188,7 @@ class ExactScene:
         """Return how many times relative errors of the state and of the atomic spacing appear in a result."""
         value, step = self.values[name], mpf(10) ** -60
         states = [state for state in (*STATES, "atomic_spacing") if self.given.get(state)]
-        moved = [ExactScene(self.given | {state: self.given[state] * (1 + step)}, self.plan) for state in states]
+        moved = [ExactScene(self.given | {state: self.given[state] * (1 + step)}, self.plans) for state in states]
         return float(sum(abs(each.values[name] / value - 1) for each in moved) / step) if value else 0.0
 
 
@@ -217,21 +219,27 @@ def test_scenes_at_the_corners_have_right_numbers(model: str, count: int) -> Non
         numbers = scene.evaluate(asked)
         wanted = [name for name in asked if not isinstance(numbers[name], MissingInput)]
         with digits.workdps(_digits_for(numbers)):
-            plan = scene.plan(*wanted)
-            exact_scene, elements = ExactScene(scene.values, plan), _elements(scene.values, plan)
+            plans = {name: scene.plan(name) for name in wanted}
+            exact_scene, elements = ExactScene(scene.values, plans), _elements(scene.values, plans)
             for name in wanted:
-                for value in (numbers[name], elements[plan.sources[name]]):
+                for value in (numbers[name], elements[plans[name].name]):
                     assert exact_scene.is_right(name, value, BOUND_OF_LAW[model]), (name, value, given)
                 answered += isinstance(numbers[name], float)
     assert answered > 60 * count
 
 
-def _elements(given: Mapping[str, Any], plan: Plan) -> dict[str, float]:
-    """Return what the formulas of a plan make of arrays."""
-    values = {name: np.array([given[name]]) for name in plan.inputs}
+def _inputs_of(plans: Mapping[str, Plan]) -> set[str]:
+    """Return the names of the values that plans start from."""
+    return set().union(*(plan.reached for plan in plans.values())) - steps_to(plans.values()).keys()
+
+
+def _elements(given: Mapping[str, Any], plans: Mapping[str, Plan]) -> dict[str, float]:
+    """Return what the formulas of plans make of arrays."""
+    values = {name: np.array([given[name]]) for name in _inputs_of(plans)}
     with np.errstate(all="ignore"):
-        for name, formula, arguments in plan.steps:
-            values[name] = with_nan(name, formula(**{parameter: values[source] for parameter, source in arguments}))
+        for name, step in steps_to(plans.values()).items():
+            known = {parameter: values[argument.name] for parameter, argument in step.arguments}
+            values[name] = with_nan(name, step.formula(**known))
     return {name: value.item() for name, value in values.items()}
 
 

@@ -27,7 +27,7 @@ from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
 from jkroll.scene.alternatives import at_half_spacing, at_other_reading, by_law, factor_of_law
 from jkroll.scene.failures import Failure, NotInLaw
 from jkroll.scene.scene import Scene
-from jkroll.scene.wiring import plan_for
+from jkroll.scene.wiring import plan_for, steps_to
 from maugis_reference import Exact, cbrt, mpf, pi
 from relative import approx
 from scenes import log_uniform
@@ -284,12 +284,12 @@ def test_no_result_of_a_law_comes_by_a_formula_of_jkr(model: str) -> None:
     known = frozenset({*inputs, "speed", "monomers", "filling_factor", "rolling_angle", "atomic_spacing", "gravity"})
     results = [name for name, quantity in NOMENCLATURE.items() if name not in known and not quantity.variant_of]
     results = [name for name in results if not NOMENCLATURE[name].is_word and not name.endswith(CONVENTIONS)]
-    plans = {name: plan_for((name,), known, own_material2=False, model=model) for name in results}
+    plans = {name: plan_for(name, known, own_material2=False, model=model) for name in results}
     by_jkr = {
         name: step.name
         for name, plan in plans.items()
-        if name in plan.sources
-        for step in plan.steps
+        if plan.is_possible
+        for step in steps_to([plan]).values()
         if step.name in OF_JKR or re.search(r"Valid: +JKR(?! is)", step.formula.__doc__)
     }
     assert by_jkr == {"adhesion_energy": "adhesion_energy"}  # P_cδ0 of JKR itself, a unit

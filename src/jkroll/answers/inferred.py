@@ -88,12 +88,12 @@ class Inferred(Answer):
     @cached_property
     def _by_law(self) -> dict[str, Solution]:
         """The solution under each other law of attraction that has the measured quantities by other formulas."""
-        steps = self.scene.plan(*self.problem.measured).steps
+        formulas = self.scene.formulas_to(*self.problem.measured)
         solutions: dict[str, Solution] = {}
         for law in LAWS:
             other = self.problem.replace(model=law)
             with suppress(MissingInput, NoResult):
-                if other.filled().plan(*self.problem.measured).steps != steps:
+                if other.filled().formulas_to(*self.problem.measured) != formulas:
                     solutions[law] = solution(other)
         return solutions
 

@@ -72,7 +72,7 @@ def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_
 
     `has_values`: whether a rule gives the same value in all rows of which the scene is one.
     """
-    steps = {step.name for step in scene.plan(*names).steps}
+    steps = {*scene.formulas_to(*names)}
     energies = [scene.given.get(name) for name in ("surface_energy", "surface_energy2")]
     are_equal = all(isinstance(energy, float) for energy in energies) and energies[0] == energies[1]
     if are_equal or "surface_energy2" not in inputs:
@@ -94,7 +94,7 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
     """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
     if texts := assumed(scene, inputs, names).values():
         yield Note("assumed", f"assumed: {', '.join(texts)}")
-    steps = {step.name for step in scene.plan(*names).steps}
+    steps = {*scene.formulas_to(*names)}
     if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
         values = ((name, scene[name]) for name in ("work_of_adhesion", "atomic_spacing"))
         here = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in values)
@@ -123,7 +123,7 @@ def idle_of(scene: Scene, needed: Collection[str]) -> list[str]:
 
     What makes an area rigid is refused, and so changes something.
     """
-    return [name for name in scene.stated if name not in needed and not (scene.is_rigid and name in OF_AREA)]
+    return [name for name in scene.stated if name not in needed and not (scene.is_rigid is True and name in OF_AREA)]
 
 
 def about_idle(names: Sequence[str]) -> list[Note]:

@@ -118,7 +118,7 @@ def with_law(result: Result, scene: Scene) -> Result:
 
 def equation_of(scene: Scene, name: str) -> str:
     """Return the equation by which a law has a quantity: that of the paper, or the source of the law."""
-    return NOMENCLATURE[scene.plan(name).sources[name]].equation or scene.law.source
+    return NOMENCLATURE[scene.plan(name).name].equation or scene.law.source
 
 
 def over_spacing(name: str, scene: Scene) -> str:

@@ -18,7 +18,7 @@ from numpy.polynomial.legendre import leggauss
 from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.jkr import FOLD_APPROACH
 from ..scene.scene import Scene
-from ..scene.wiring import plan_for
+from ..scene.wiring import plan_for, steps_to
 
 SYMBOLS = {
     "R1": "radius", "R2": "radius2", "w": "work_of_adhesion", "E": "contact_modulus", "rho": "density",
@@ -200,13 +200,14 @@ def exact(quantity: str, point: Mapping[str, float]) -> Exact:
 def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
     """Return the formulas that `jkroll.solve` runs, as a function of the inputs of a quantity."""
     names = inputs_of(getattr(DECIMALS, quantity))
-    plan = plan_for((quantity,), frozenset((*names, "energy_ratio")), own_material2=False)
+    plan = plan_for(quantity, frozenset((*names, "energy_ratio")), own_material2=False)
+    steps = steps_to([plan])
 
     def run(point: Mapping[str, Any]) -> Any:
         values = {"energy_ratio": 1.0, **point}
-        for step in plan.steps:
-            values[step.name] = step.formula(**{parameter: values[name] for parameter, name in step.arguments})
-        return values[plan.sources[quantity]]
+        for name, step in steps.items():
+            values[name] = step.formula(**{parameter: values[each.name] for parameter, each in step.arguments})
+        return values[plan.name]
 
     return run
 

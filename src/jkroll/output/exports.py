@@ -188,7 +188,7 @@ def _refuse_for_dust(scene: Scene, program: str, strength: str) -> None:
 
 def dust_simulation_material(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of a material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
-    scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
+    scene.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_for_dust(scene, "dust-simulation", "has the shear strength G/4π², and takes no other")
     numbers = (
         100 * scene["radius"],
@@ -220,7 +220,7 @@ def _about_dust_simulation(scene: Scene) -> Iterator[str]:
 
 def dust_collider_material(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of a material in a command file of Paulemaule/DustCollider, in SI units."""
-    scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
+    scene.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_for_dust(scene, "dust-collider", "has a shear strength of its own, and takes no other")
     gamma = scene["work_of_adhesion"] / 2
     numbers = (gamma, *(scene[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")))
@@ -232,7 +232,7 @@ def dust_collider_material(scene: Scene) -> Iterator[str]:
 
 def liggghts_input(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of an input of LIGGGHTS: Hertz' force less kA with the pull-off force of JKR."""
-    scene.plan("pull_off_force", "contact_modulus", "density")
+    scene.plans("pull_off_force", "contact_modulus", "density")
     _refuse_state(scene, "liggghts")
     at_wall = scene.values.get("radius2") == INFINITY
     elastic = ("youngs_modulus", "poisson_ratio")

@@ -23,7 +23,7 @@ from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import uses_law
 from ..scene.scene import Scene
-from ..scene.wiring import Step
+from ..scene.wiring import Plan, steps_to
 from ..text import listed, say, say_wrapped
 
 _SECTIONS = ("Source", "Valid")
@@ -86,7 +86,7 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     title = f"{result.name} — {quantity.sentence}" + (f", {result.source}" if result.source else "")
     if result.value is None:
         return [title, f"  {result.reason}"]
-    steps = scene.plan(result.name).steps
+    steps = [*steps_to(scene.plans(result.name)).values()]
     if not steps:
         return [title, *_found(result, form)]
     fields = docstring_fields(steps[-1].formula)
@@ -150,7 +150,7 @@ def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     return f"    {value:22} {remark}"
 
 
-def _formula_of(step: Step) -> str:
+def _formula_of(step: Plan) -> str:
     """Return the formula of a step, with the indices of sphere 2 if it was evaluated for sphere 2."""
     formula = docstring_fields(step.formula)["formula"]
     is_of_sphere_2 = NOMENCLATURE[step.name].sphere == 2
@@ -243,8 +243,8 @@ class Sources:
 
     def __init__(self, answer: Answer) -> None:
         self.names = [result.name for result in answer.results if result.value is not None]
-        steps = answer.scene.plan(*self.names).steps
-        self.equations = {equation for step in steps if (equation := NOMENCLATURE[step.name].equation)}
+        formulas = answer.scene.formulas_to(*self.names)
+        self.equations = {equation for name in formulas if (equation := NOMENCLATURE[name].equation)}
         self.law = _of_law(answer.scene, self.names)
         self.conventions = _of_conventions(self.names)
         used = answer.scene.data_used(answer.inputs)

@@ -133,7 +133,7 @@ def _titled(of_jkr: str, text: str, scenes: Sequence[Scene]) -> str:
 def _lacking(scene: Scene, *names: str) -> NotInLaw | None:
     """Return the error about quantities that the law of a scene does not have; None if it has them."""
     try:
-        scene.plan(*names)
+        scene.plans(*names)
     except NotInLaw as error:
         return error
     return None

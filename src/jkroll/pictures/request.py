@@ -238,7 +238,7 @@ class Field:
         notes = []
         for limit in touched(self.scene, [quantity], request.limits):
             try:
-                self.scene.plan(limit.name)
+                self.scene.plans(limit.name)
                 self.limits.append(limit)
             except NotInLaw:
                 continue

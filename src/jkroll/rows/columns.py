@@ -126,7 +126,7 @@ class Wanted(_Request):
 
     def work(self, scene: Any) -> int:
         """Return the cost of a row that is computed by itself, counted in formulas."""
-        return (_BESIDE + len(scene.plan(*scene.possible(self.names)).steps)) * (_JUDGED if self.doubts else 1)
+        return (_BESIDE + len(scene.formulas_to(*scene.possible(self.names)))) * (_JUDGED if self.doubts else 1)
 
     # --- Rows ---------------------------------------------------------------------------------------------------------
 

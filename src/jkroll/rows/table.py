@@ -176,7 +176,7 @@ class Table:
         possible = [name for name in offered if name in shown]
         names = tuple(dict.fromkeys((*explicit, *possible)))
         if not names:
-            scenes[0].plan(offered[0])
+            scenes[0].plans(offered[0])
             raise BadRequest(
                 "--quantities: these are known of identical spheres only, and the table describes sphere 2"
             )
@@ -227,7 +227,7 @@ def _names_of_materials(columns: Header, rows: Cells, known: Materials) -> tuple
 def _lack_of(name: str, scene: Any) -> MissingInput | None:
     """Return which inputs a scene lacks of a quantity that its law has, if it lacks some."""
     try:
-        scene.plan(name)
+        scene.plans(name)
     except MissingInput as error:
         return None if isinstance(error, NotInLaw) else error
     return None

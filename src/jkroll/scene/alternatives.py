@@ -22,7 +22,7 @@ def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
     def alternative(scene: Scene) -> Scene:
         if make.__name__ not in scene.alternatives:
             scene.alternatives[make.__name__] = made = make(scene)
-            made.shared = scene.evaluated
+            made.shared = scene
         return scene.alternatives[make.__name__]
 
     return alternative
@@ -67,7 +67,7 @@ def at_other_reading(scene: Scene) -> Scene | None:
     where_none = own[XI] if is_at_displacement(scene) else DEFAULTS[XI]  # where there is no contact
     displacement = where(is_known, displacement, where_none)
     reading = other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
-    reading.shared = other.evaluated
+    reading.shared = other
     return reading
 
 
@@ -254,8 +254,7 @@ def _between(one: Any, other: Any, is_near: Any) -> Any:
 
 def uses_law(scene: Scene, name: str) -> bool:
     """Return whether a quantity of a scene rests on a formula that JKR does not have."""
-    plan, apart = scene.plan(name), routed_apart(scene.law.name, DEFAULT_LAW, scene.known)
-    return plan.sources[name] in apart or any(source in apart for step in plan.steps for _, source in step.arguments)
+    return not scene.plan(name).reached.isdisjoint(routed_apart(scene.law.name, DEFAULT_LAW, scene.known))
 
 
 def factor_of_law(scene: Scene, names: Collection[str]) -> Any:

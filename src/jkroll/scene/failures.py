@@ -174,11 +174,6 @@ def rests_on_spacing(error: JkrollError | None) -> bool:
     return isinstance(error, Failure) and error.kind == RESTS_ON_SPACING
 
 
-def no_finite_value(name: str, value: float) -> Failure:
-    """Return the error of a result outside the range of doubles, or without limit."""
-    return Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)
-
-
 def without_value(name: str, words: str, phrase: str = "") -> Failure:
     """Return the error of a quantity that has no value for a reason that is in words already."""
     return Failure(Kind(phrase, words), name)
@@ -271,9 +266,9 @@ RULES: Mapping[str, Rule] = {  # by formula
 }
 
 
-def failure_of(step: str, given: Given) -> Failure | None:
-    """Return why a formula has no result for these numbers, if the physics forbids it."""
-    rule = RULES.get(step)
-    if rule is None or not rule.forbids(given):
-        return None
-    return Failure(rule.kind, rule.kind.name or step, rule.numbers(given))
+def failure_of(name: str, given: Given, value: float) -> Failure:
+    """Return why a formula has no result for these numbers; `value`: what it gave."""
+    rule = RULES.get(name)
+    if rule is not None and rule.forbids(given):
+        return Failure(rule.kind, rule.kind.name or name, rule.numbers(given))
+    return Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)

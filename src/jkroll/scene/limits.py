@@ -306,7 +306,7 @@ def _with_numbers(limits: Iterable[Limit], scene: Scene) -> Iterator[tuple[Limit
 
 def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
     """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
-    used = scene.plan(*names).taken.union(names)
+    used = {*names}.union(*(plan.taken for plan in scene.plans(*names)))
     return [
         limit for limit in limits if limit.touches & used and (limit.applies is None or limit.applies(scene, names))
     ]

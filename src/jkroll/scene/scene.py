@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property, reduce
 from math import isfinite, nan
 from operator import and_
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
@@ -27,10 +27,9 @@ from .failures import (
     MissingInput,
     NotInLaw,
     failure_of,
-    no_finite_value,
     written_outcome,
 )
-from .wiring import OF_A_SOLID, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
+from .wiring import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -68,27 +67,26 @@ def takes(name: str, value: Any) -> Any:
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
+MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 # The quantities of sphere 2 that are infinite for a plane, such as its mass.
 _OF_A_PLANE = [
     name for name, quantity in NOMENCLATURE.items()
     if quantity.range is UP_TO_INFINITE and quantity.sphere == 2 and formula_of(name) is not None
 ]  # fmt: skip
-MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 
 
-def is_answer(name: str, value: Any, radius2: Any = None) -> Any:
+def is_answer(name: str, value: Any) -> Any:
     """Return whether doubles are results with all digits, or a zero or an infinity that the physics has."""
     size = abs(value)
-    is_of_plane = name in _OF_A_PLANE and radius2 == INFINITY
     is_zero = (value == 0) & (name in MAY_BE_ZERO)
-    return (size >= SMALLEST) & ((size < INFINITY) | is_of_plane) | is_zero
+    return (size >= SMALLEST) & ((size < INFINITY) | (name in _OF_A_PLANE)) | is_zero
 
 
-def with_nan(name: str, values: Any, radius2: Any = None) -> Any:
+def with_nan(name: str, values: Any) -> Any:
     """Return an array with nan in place of the elements that are no answer."""
     if values.size and values.min() >= SMALLEST and values.max() < INFINITY:  # as of nearly all quantities
         return values
-    return where(is_answer(name, values, radius2), values, nan)
+    return where(is_answer(name, values), values, nan)
 
 
 # --- Scenes -----------------------------------------------------------------------------------------------------------
@@ -142,18 +140,6 @@ OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
-class Evaluated(NamedTuple):
-    """A formula that was evaluated for arrays. Scenes that share it do not evaluate it again for the same arrays."""
-
-    arguments: Mapping[str, Any]
-    value: Any
-    has_gaps: bool  # whether some elements are no answer
-
-    def has_taken(self, arguments: Mapping[str, Any]) -> bool:
-        """Return whether these were the arguments: not equal ones, but the same objects."""
-        return all(self.arguments[name] is value for name, value in arguments.items())
-
-
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
@@ -188,31 +174,31 @@ class Scene:
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: value for name, value in given.items() if is_uncertain(value)}
         self.stated = {**given, **{name: value.value for name, value in self.uncertain.items()}}
-        self.given: dict[str, Any] = {
+        of_materials = {
             of_sphere(sphere, name): value
             for solid, sphere in self.materials
             for name, value in solid.properties.items()
         }
-        self.given |= self.stated
+        self.given: dict[str, Any] = of_materials | self.stated
         self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
         self.shape = broadcast(self.arrays)
         for name, value in self.given.items():
             check_range(name, value)
-        self.displacement = self._displacement_of_solid() if self._has_displacement else None
+        self.displacement = self._displacement_of_solid()
         if self.displacement is not None:
             self.given[XI] = self.displacement.value
-        self.values = {**_assumed(self.given, others=(XI,) if self._has_displacement else ()), **self.given}
+        self.values = {**self._assumed(), **self.given}
         self._implied = _implied(self.values, self.law, self.uncertain)
         for values in self._implied.values():
             self.values = {**values, **self.values}
-        self._has_area = _has_area(self.given, own_material2=material2 is not None)
+        self.known = frozenset(self.values)
+        self.is_rigid = _is_rigid(self.given, own_material2=material2 is not None)
         self._failures: dict[str, JkrollError] = {}
-        if self.is_rigid:
+        if self.is_rigid is True:
             self._failures |= {name: Failure(TWO_RIGID_BODIES) for name in _ON_AREA if name not in self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
-        self.evaluated: dict[str, Evaluated] = {}  # arrays alone: numbers cost less than to remember them
-        self.shared: Mapping[str, Evaluated] = {}  # of the scene in whose place this one may stand
-        self.known = frozenset(self.values)
+        self._arguments: dict[str, Mapping[str, Any]] = {}  # of the formulas that were evaluated for arrays
+        self.shared: Scene | None = None  # the scene in whose place this one may stand, with results for both
         self.alternatives: dict[str, Scene] = {}  # that may stand in its place, by their kind, made when asked for
 
     def replace(self, **values: Any) -> "Scene":
@@ -222,27 +208,20 @@ class Scene:
         """
         model = values.pop("model", self.stated_model)
         stated = {**self.stated, **self.uncertain, **values}
-        spheres = {1: self.material, 2: self.material2}
-        for material, sphere in self.materials:
-            of_solid = {name: of_sphere(sphere, name) for name in material.properties}
-            changed = {
-                name: stated.pop(given)
-                for name, given in of_solid.items()
-                if given in values and given not in self.stated
-            }
-            spheres[sphere] = material.with_properties(changed)
-        given = {name: value for name, value in stated.items() if value is not None}
-        return Scene(given, *spheres.values(), model=model)
+        solids = {1: self.material, 2: self.material2}
+        for solid, sphere in self.materials:
+            names = {of_sphere(sphere, name): name for name in solid.properties}
+            of_solid = names.keys() & values.keys() - self.stated.keys()
+            solids[sphere] = solid.with_properties({names[name]: stated.pop(name) for name in of_solid})
+        return Scene(
+            {name: value for name, value in stated.items() if value is not None}, *solids.values(), model=model
+        )
 
     @property
     def materials(self) -> list[tuple[Material, int]]:
         """The materials of the spheres that have one of their own, each with the number of the sphere."""
         both = ((self.material, 1), (self.material2, 2))
         return [(material, sphere) for material, sphere in both if material is not None]
-
-    @property
-    def _has_displacement(self) -> bool:
-        return any(material.displacement is not None for material, _ in self.materials)
 
     def _displacement_of_solid(self) -> Interval | None:
         """Return the yield displacement that the solid of both spheres has at these radii, unless it is stated."""
@@ -256,6 +235,13 @@ class Scene:
             2 * reduced_radius(radius=radius, radius2=self.given.get("radius2", radius))
         )
 
+    def _assumed(self) -> dict[str, float]:
+        """Return the defaults of what nothing else says. A solid says where rolling begins, if it was measured."""
+        said = {name for name, same in _SAYS.items() if not self.given.keys().isdisjoint(same)}
+        if any(solid.displacement is not None for solid, _ in self.materials):
+            said.add(XI)
+        return {name: value for name, value in DEFAULTS.items() if name not in said}
+
     @cached_property
     def data(self) -> Mapping[str, tuple[Material, str]]:
         """The inputs that are data of a material, each with this material and its property."""
@@ -266,6 +252,10 @@ class Scene:
             if (given := of_sphere(sphere, name)) not in self.stated and name not in material.replaced
         }
         return data if self.displacement is None or self.material is None else {**data, XI: (self.material, XI)}
+
+    def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
+        """Return the materials and those of their properties that are inputs and were not stated otherwise."""
+        return [used for name, used in self.data.items() if name in inputs]
 
     @property
     def is_uncertain(self) -> bool:
@@ -288,10 +278,6 @@ class Scene:
         lacking = self.material2 is not None and any(name in self.given and name not in of_2 for name in PROPERTIES)
         return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacking)
 
-    def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
-        """Return the materials and those of their properties that are inputs and were not stated otherwise."""
-        return [used for name, used in self.data.items() if name in inputs]
-
     @property
     def stated_of_1(self) -> dict[str, Any]:
         """The stated inputs that hold for two spheres like sphere 1: none of sphere 2, no w of two solids."""
@@ -299,22 +285,6 @@ class Scene:
         return {
             name: value for name, value in self.stated.items() if NOMENCLATURE[name].sphere != 2 and name not in of_pair
         }
-
-    # --- Plans --------------------------------------------------------------------------------------------------------
-
-    def plan(self, *wanted: str) -> Plan:
-        """Return the formulas that lead to the wanted quantities; raise MissingInput if the scene allows none."""
-        plan = self._plan_for(wanted)
-        for name, missing in plan.missing.items():
-            raise self._missing_input(name, missing)
-        return plan
-
-    def _plan_for(self, wanted: Sequence[str]) -> Plan:
-        return plan_for(tuple(wanted), self.known, self.material2 is not None, self.law.name)
-
-    def missing(self, names: Sequence[str]) -> Collection[str]:
-        """Return those of some quantities to which the scene's inputs do not lead."""
-        return self._plan_for(names).missing.keys()
 
     def shows(self, name: str) -> Any:
         """Return whether a quantity that was not asked for by name is shown, or for which elements of arrays."""
@@ -331,21 +301,39 @@ class Scene:
             and stated.isdisjoint(quantity.hidden_with)
         )
 
+    # --- Plans --------------------------------------------------------------------------------------------------------
+
+    def plan(self, name: str) -> Plan:
+        """Return the plan of a quantity; one without a formula if the scene's inputs do not lead to it."""
+        return plan_for(name, self.known, self.material2 is not None, self.law.name)
+
+    def plans(self, *names: str) -> list[Plan]:
+        """Return the plans of quantities; raise MissingInput for the first to which the inputs do not lead."""
+        for name in self.missing(names):
+            raise self._missing_input(name)
+        return [*map(self.plan, names)]
+
+    def formulas_to(self, *wanted: str) -> frozenset[str]:
+        """Return the names of all formulas that lead to the wanted quantities."""
+        return frozenset().union(*(plan.reached for plan in self.plans(*wanted))) - self.known
+
+    def missing(self, names: Iterable[str]) -> list[str]:
+        """Return those of some quantities to which the scene's inputs do not lead."""
+        return [name for name in names if not self.plan(name).is_possible]
+
+    def possible(self, names: Iterable[str]) -> list[str]:
+        """Return those of some quantities to which the scene's inputs lead."""
+        return [name for name in names if self.plan(name).is_possible]
+
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
         source_of = {
             name: source for source, values in self._implied.items() for name in values.keys() - self.given.keys()
         }
-        used = {source_of.get(name, name) for name in self.plan(*wanted).inputs}
-        if XI in used and XI not in self.stated and self._has_displacement:
+        used = {source_of.get(name, name) for plan in self.plans(*wanted) for name in plan.reached & self.known}
+        if XI in used and self.displacement is not None:
             used |= {"radius", "radius2"}  # by which a material's is scaled
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
-
-    def possible(self, names: Iterable[str]) -> list[str]:
-        """Return those of some quantities to which the scene's inputs lead."""
-        names = [*names]
-        missing = self.missing(names)
-        return [name for name in names if name not in missing]
 
     def inputs_used(self, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
         """Return the inputs on which quantities depend, as far as the scene has them; `shown`: its own."""
@@ -370,11 +358,12 @@ class Scene:
                 echoed |= self.numbers("energy")
         return echoed
 
-    def _missing_input(self, name: str, missing: Missing) -> MissingInput:
+    def _missing_input(self, name: str) -> MissingInput:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
-        if missing.lacking:
-            return NotInLaw(name, missing.lacking, self.law.title)
-        names = missing.names
+        plan = self.plan(name)
+        if plan.lacking:
+            return NotInLaw(name, in_order(plan.lacking), self.law.title)
+        names = in_order(plan.missing)
         materials = {1: self.material, 2: self.material2 or self.material}
         properties = [each for each in names if of_sphere(1, each) in PROPERTIES]
         without = [(materials[NOMENCLATURE[each].sphere], of_sphere(1, each)) for each in properties]
@@ -383,122 +372,107 @@ class Scene:
             lacking["that of two different solids is not known"] = None
         elif XI in names:
             names = tuple(dict.fromkeys("radius" if each == XI else each for each in names))
-        return MissingInput(name, names, missing.instead, ", ".join(lacking))
+        return MissingInput(name, names, in_order(plan.instead), ", ".join(lacking))
 
     # --- Values -------------------------------------------------------------------------------------------------------
 
     def __getitem__(self, name: str) -> Any:
         """Return the value of a quantity. Raises MissingInput, or NoResult where the physics has no answer."""
-        return self.results((name,))[name]
+        value = self.evaluate((name,))[name]
+        if isinstance(value, JkrollError):
+            raise value
+        return value
 
-    def results(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the values of quantities; raise the error of the first that has none."""
-        values = self.evaluate(names)
-        for value in values.values():
-            if isinstance(value, JkrollError):
-                raise value
-        return values
-
-    def evaluate(self, names: Sequence[str]) -> dict[str, Any]:
+    def evaluate(self, names: Iterable[str]) -> dict[str, Any]:
         """Return the value of each quantity, or the MissingInput or NoResult that says why there is none.
 
         An element of an array that has no answer is nan.
         """
-        plan = self._plan_for(names)
-        if self.arrays:
-            import numpy
+        if not self.arrays:
+            return {name: self._outcome(name) for name in names}
+        import numpy
 
-            with numpy.errstate(all="ignore"):
-                self._run(plan.steps)
-        else:
-            self._run(plan.steps)
-        return {name: self._outcome(name, plan) for name in names}
+        with numpy.errstate(all="ignore"):
+            return {name: self._outcome(name) for name in names}
 
     def outcomes(self, names: Iterable[str], named: Collection[str]) -> dict[str, Any]:
         """Return the value of each quantity that concerns the scene, or some elements, or the error that says why not.
 
         `named`: quantities that were asked for by name, and concern any scene.
         """
-        results = self.evaluate([name for name in names if name in named or self.shows(name) is not False])
+        results = self.evaluate(name for name in names if name in named or self.shows(name) is not False)
         return {name: written_outcome(name, value) for name, value in results.items()}
 
     def numbers(self, *names: str) -> dict[str, Any]:
         """Return the values of quantities, without those that have none."""
         return {name: value for name, value in self.evaluate(names).items() if not isinstance(value, JkrollError)}
 
-    def _run(self, steps: Iterable[Step]) -> None:
-        """Evaluate formulas one after the other, and note those that fail."""
-        values, failures = self.values, self._failures
-        has_rigid_elements = self.has_rigid_elements
-        for name, formula, arguments in steps:
-            if name in values or name in failures:
-                continue
-            try:
-                given = {parameter: values[source] for parameter, source in arguments}
-            except KeyError:  # an argument that failed
-                failures[name] = next(failures[source] for _, source in arguments if source in failures)
-                continue
-            evaluated = self.shared.get(name)
-            if evaluated is not None and evaluated.has_taken(given):
-                self._take(name, evaluated)
-                continue
-            try:
-                value = formula(**given)
-            except (ArithmeticError, ValueError):
-                value = INFINITY
-            if has_rigid_elements and name in _ON_AREA:
-                value = where(self._has_area, value, nan)
-            if not isinstance(value, NUMBER):
-                answers = self._answers(name, value, [source for _, source in arguments])
-                self._take(name, Evaluated(given, answers, has_gaps=answers is not value))
-            elif SMALLEST <= value < INFINITY or is_answer(name, value):  # the first holds nearly always
-                values[name] = value
-            else:
-                failures[name] = failure_of(name, given) or no_finite_value(name, value)
-
-    def _take(self, name: str, evaluated: Evaluated) -> None:
-        """Take the result of a formula."""
-        self.evaluated[name] = evaluated
-        self.values[name] = evaluated.value
-        if evaluated.has_gaps:
-            self._gaps.add(name)
-
-    def _answers(self, name: str, value: Any, sources: Sequence[str]) -> Any:
-        """Return an array with nan in place of elements that are no answer, or follow from one that is none."""
-        numbers = with_nan(name, value, self.values.get("radius2"))
-        for source in self._gaps.intersection(sources):  # which the formula may not have used
-            import numpy
-
-            numbers = numpy.where(numpy.isnan(self.values[source]), numpy.nan, numbers)
-        return numbers
-
-    @property
-    def is_rigid(self) -> bool:
-        """True if both bodies are rigid."""
-        return self._has_area is False
-
-    @property
-    def has_rigid_elements(self) -> bool:
-        """True if both bodies are rigid in some elements of the arrays that were given."""
-        return not isinstance(self._has_area, bool) and not self._has_area.all()
-
-    def _outcome(self, name: str, plan: Plan) -> Any:
-        """Return what became of a quantity once the steps of its plan were run."""
-        if name in plan.missing:
-            return self._missing_input(name, plan.missing[name])
-        source = plan.sources[name]
-        if source in self._failures:
-            return self._failures[source]
-        rests = self.rests_on_spacing(name)
-        return Failure(RESTS_ON_SPACING, name) if rests is True else where(rests, nan, self.values[source])
-
-    def rests_on_spacing(self, name: str) -> Any:
-        """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""
-        return self.may_rest_on_spacing(name) and self["transition_parameter"] < 1
+    def _outcome(self, name: str) -> Any:
+        """Return the value of a quantity, or the error that says why it has none."""
+        plan = self.plan(name)
+        if not plan.is_possible:
+            return self._missing_input(name)
+        value = self._value(plan)
+        if isinstance(value, JkrollError) or not self.may_rest_on_spacing(name):
+            return value
+        rests = self["transition_parameter"] < 1
+        return Failure(RESTS_ON_SPACING, name) if rests is True else where(rests, nan, value)
 
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
         return name in self.law.by_spacing and self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
+
+    def _value(self, plan: Plan) -> Any:
+        """Return the value at the end of a plan, or the error of the first formula that has no result."""
+        name, values, failures = plan.name, self.values, self._failures
+        if name in values:
+            return values[name]
+        if name in failures:
+            return failures[name]
+        for _, argument in plan.arguments:
+            if argument.name not in values and isinstance(error := self._value(argument), JkrollError):
+                failures[name] = error
+                return error
+        given = {parameter: values[argument.name] for parameter, argument in plan.arguments}
+        shared = self.shared
+        if shared is not None and shared._has_taken(name, given):
+            value = shared.values[name]
+            self._gaps |= shared._gaps & {name}
+        else:
+            value = self._computed(plan, given)
+        if isinstance(value, JkrollError):
+            failures[name] = value
+        else:
+            values[name] = value
+            if self.arrays:
+                self._arguments[name] = given
+        return value
+
+    def _computed(self, plan: Plan, given: Mapping[str, Any]) -> Any:
+        """Return what a formula makes of its arguments, or the error of a number that is no answer.
+
+        An element of an array is nan if it is no answer, or follows from one, which the formula may not have used.
+        """
+        name = plan.name
+        try:
+            value = plan.formula(**given)
+        except (ArithmeticError, ValueError):
+            value = INFINITY
+        if self.is_rigid is not False and name in _ON_AREA:
+            value = where(self.is_rigid, nan, value)
+        if isinstance(value, NUMBER):
+            return value if is_answer(name, value) else failure_of(name, given, value)
+        numbers = with_nan(name, value)
+        for source in self._gaps.intersection(argument.name for _, argument in plan.arguments):
+            numbers = where(self.values[source] == self.values[source], numbers, nan)
+        if numbers is not value:
+            self._gaps.add(name)
+        return numbers
+
+    def _has_taken(self, name: str, given: Mapping[str, Any]) -> bool:
+        """Return whether a formula took these arguments: not equal ones, but the same arrays."""
+        taken = self._arguments.get(name)
+        return taken is not None and all(taken[parameter] is value for parameter, value in given.items())
 
 
 def check_exclusive(given: Collection[str]) -> None:
@@ -521,20 +495,12 @@ def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
         raise BadRequest(f"these arrays do not broadcast: {shapes}") from None
 
 
-def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:
-    """Return the defaults of what nothing else says; `others` are left to the materials."""
-    said = [*others, *(name for name, same in _SAYS.items() if not given.keys().isdisjoint(same))]
-    return {name: value for name, value in DEFAULTS.items() if name not in said}
-
-
-def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
-    """Return whether a body deforms, so that a contact has an area, element by element for arrays."""
-    if "contact_modulus" in given:
-        return True
+def _is_rigid(given: Mapping[str, Any], *, own_material2: bool) -> Any:
+    """Return whether both bodies are rigid; an array if some elements of arrays are."""
     modulus = given.get("youngs_modulus")
     modulus2 = given.get("youngs_modulus2", None if own_material2 else modulus)
-    deforms = (modulus != INFINITY) | (modulus2 != INFINITY)
-    return deforms if hasattr(deforms, "shape") else bool(deforms)
+    is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in given)
+    return is_rigid if isinstance(is_rigid, bool) or is_rigid.any() else False
 
 
 def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) -> dict[str, Mapping[str, float]]:

@@ -143,13 +143,13 @@ def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     """
     shapes = {value.shape for value in scene.arrays.values()}
     is_long_list = shapes == {scene.shape} and len(scene.shape) == 1 and scene.shape[0] > ELEMENTS_AT_ONCE
-    if not is_long_list or scene.has_rigid_elements:  # of which a block may have none
-        return scene.results(names)
+    if not is_long_list or not isinstance(scene.is_rigid, bool):  # of which a block may have none
+        return {name: scene[name] for name in names}
     import numpy
 
     parts = [slice(start, start + ELEMENTS_AT_ONCE) for start in range(0, scene.shape[0], ELEMENTS_AT_ONCE)]
     blocks = [
-        scene.replace(**{name: value[part] for name, value in scene.arrays.items()}).results(names) for part in parts
+        values_of(scene.replace(**{name: value[part] for name, value in scene.arrays.items()}), names) for part in parts
     ]
     return {
         name: value if isinstance(value, float) else numpy.concatenate([block[name] for block in blocks])
@@ -169,7 +169,7 @@ def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     from .uncertainty import uncertainties
 
     bars, _ = uncertainties(scene, names)
-    return {name: with_uncertainty(name, value, bars.get(name)) for name, value in scene.results(names).items()}
+    return {name: with_uncertainty(name, value, bars.get(name)) for name, value in values_of(scene, names).items()}
 
 
 def with_uncertainty(name: str, value: float, bar: "Propagated | JkrollError | None") -> float | Uncertain:

@@ -8,6 +8,7 @@ was not given is that of sphere 1, unless sphere 2 has a material of its own tha
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..physics import FORMULAS
@@ -19,103 +20,72 @@ from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, of_sphere
 OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
 
 
-class Step(NamedTuple):
-    """One formula to run: the name of its result, the formula, and the names of its arguments."""
-
-    name: str
-    formula: Any
-    arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
-
-
-class _Path:
-    """The way to one quantity: the steps so far, and what is missing for it."""
-
-    def __init__(
-        self, known: frozenset[str], own_material2: bool, by_law: Routes, model: str, steps: dict[str, Step]
-    ) -> None:
-        self.known, self.own_material2, self.by_law, self.model, self.steps = known, own_material2, by_law, model, steps
-        self.inputs: set[str] = set()
-        self.missing: list[str] = []
-        self.instead: list[str] = []
-        self.lacking: list[str] = []
-
-    def visit(self, wanted: str) -> str:
-        """Add the steps that lead to a quantity, and return the name under which its value is known."""
-        name = self._source(wanted)
-        if name is None or (name not in self.known and _mixes_laws(name, self.model, self.known)):
-            self.lacking.append(wanted)
-            return wanted
-        if name in self.known:
-            self.inputs.add(name)
-        elif name not in NOMENCLATURE or NOMENCLATURE[name].is_word:
-            raise UnknownQuantity(name)
-        elif name in self.steps:
-            return name
-        elif formula_of(name) is None:
-            self.missing.append(name)
-        else:
-            return self._add(name, wanted)
-        return name
-
-    def _add(self, name: str, wanted: str) -> str:
-        """Add the formula of a quantity after those of its arguments."""
-        before = len(self.missing)
-        arguments = tuple((parameter, self.visit(argument)) for parameter, argument in arguments_of(name))
-        if NOMENCLATURE[name].sphere == 2 and not any(NOMENCLATURE[source].sphere == 2 for _, source in arguments):
-            return self.visit(of_sphere(1, name))  # in this, sphere 2 is like sphere 1
-        if len(self.missing) > before and NOMENCLATURE[wanted].option and wanted not in OF_THE_PAIR:
-            self.instead.append(wanted)
-        self.steps.setdefault(name, Step(name, formula_of(name), arguments))
-        return name
-
-    def _source(self, name: str) -> str | None:
-        """Return the name under which a value is known or computed; None for what the law does not have."""
-        if name in self.known:
-            return name
-        if name in self.by_law:
-            return self.by_law[name]
-        of_1 = of_sphere(1, name)
-        has_own = formula_of(name) is not None or (self.own_material2 and of_1 in OF_A_SOLID)
-        return name if has_own else of_1
-
-
-class Missing(NamedTuple):
-    """The inputs that a quantity needs, in the nomenclature's order."""
-
-    names: tuple[str, ...]
-    instead: tuple[str, ...]  # quantities that may be given in place of them
-    lacking: tuple[str, ...]  # quantities that the law of attraction does not have
-
-
 class Plan(NamedTuple):
-    """The steps that lead to the wanted quantities, and the inputs they start from, in the nomenclature's order."""
+    """A quantity's formula with the plans of its arguments. One without a formula is an input, or cannot be made."""
 
-    steps: tuple[Step, ...]
-    inputs: tuple[str, ...]
-    sources: Mapping[str, str]  # wanted name → the name under which its value is known
-    missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
-    taken: frozenset[str] = frozenset()  # the parameters of all formulas
+    name: str  # under which its value is known
+    formula: Any = None
+    arguments: tuple[tuple[str, "Plan"], ...] = ()  # by parameter
+    missing: frozenset[str] = frozenset()  # inputs that are not known
+    instead: frozenset[str] = frozenset()  # quantities that may be given in place of them
+    lacking: frozenset[str] = frozenset()  # quantities that the law of attraction does not have
+    reached: frozenset[str] = frozenset()  # the names of all values on the way, this one among them
+    taken: frozenset[str] = frozenset()  # the parameters of all formulas on the way
+
+    @property
+    def is_possible(self) -> bool:
+        """True if what is known leads to the quantity."""
+        return not (self.missing or self.lacking)
+
+
+def steps_to(plans: Iterable[Plan], before: Mapping[str, Plan] = MappingProxyType({})) -> dict[str, Plan]:
+    """Return all plans on the way that have a formula, by name, in an order in which these can be evaluated.
+
+    They stand behind those of `before`.
+    """
+    steps = dict(before)
+    for plan in plans:
+        if plan.formula is not None and plan.name not in steps:
+            steps = steps_to((argument for _, argument in plan.arguments), steps)
+            steps[plan.name] = plan
+    return steps
 
 
 @cache
-def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
-    """Order the formulas of a law so that each runs after those whose results it takes."""
-    by_law = routes(model, known)
-    steps: dict[str, Step] = {}
-    inputs: set[str] = set()
-    sources: dict[str, str] = {}
-    missing: dict[str, Missing] = {}
-    for name in wanted:
-        path = _Path(known, own_material2, by_law, model, dict(steps))
-        source = path.visit(name)
-        if path.missing or path.lacking:
-            missing[name] = Missing(*map(in_order, (path.missing, path.instead, path.lacking)))
-        else:
-            sources[name] = source
-            steps = path.steps
-            inputs |= path.inputs
-    taken = frozenset(parameter for step in steps.values() for parameter, _ in step.arguments)
-    return Plan(tuple(steps.values()), in_order(inputs), sources, missing, taken)
+def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
+    """Return the plan of a quantity under a law of attraction, for the names of what is known."""
+    name = _source(wanted, known, own_material2, routes(model, known))
+    if name is not None and name in known:
+        return Plan(name, reached=frozenset({name}))
+    if name is None or _mixes_laws(name, model, known):
+        return Plan(wanted, lacking=frozenset({wanted}))
+    if name not in NOMENCLATURE or NOMENCLATURE[name].is_word:
+        raise UnknownQuantity(name)
+    if formula_of(name) is None:
+        return Plan(name, missing=frozenset({name}))
+    plans = {parameter: plan_for(argument, known, own_material2, model) for parameter, argument in arguments_of(name)}
+    if NOMENCLATURE[name].sphere == 2 and not any(NOMENCLATURE[plan.name].sphere == 2 for plan in plans.values()):
+        return plan_for(of_sphere(1, name), known, own_material2, model)  # in this, sphere 2 is like sphere 1
+    joined = {field: frozenset().union(*(getattr(plan, field) for plan in plans.values())) for field in _JOINED}
+    if joined["missing"] and NOMENCLATURE[wanted].option and wanted not in OF_THE_PAIR:
+        joined["instead"] |= {wanted}
+    joined["reached"] |= {name}
+    joined["taken"] |= plans.keys()
+    return Plan(name, formula_of(name), tuple(plans.items()), **joined)
+
+
+_JOINED = ("missing", "instead", "lacking", "reached", "taken")
+
+
+def _source(name: str, known: frozenset[str], own_material2: bool, by_law: Routes) -> str | None:
+    """Return the name under which a value is known or computed; None for what the law does not have."""
+    if name in known:
+        return name
+    if name in by_law:
+        return by_law[name]
+    of_1 = of_sphere(1, name)
+    has_own = formula_of(name) is not None or (own_material2 and of_1 in OF_A_SOLID)
+    return name if has_own else of_1
 
 
 @cache
