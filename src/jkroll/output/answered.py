@@ -36,13 +36,13 @@ def write_plain(answer: Answer, out: TextIO, form: Format, *, alternatives: bool
 
 def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None], out: TextIO, form: Format) -> None:
     """Write a line `name value unit` for each number of some measures of a quantity, by their names."""
-    for name, number in _numbers(measures).items():
+    for name, number in numbers_of(measures).items():
         word = in_words(quantity, number)
         value = word if isinstance(word, str) else f"{spelled(form.number(quantity, number))} {form.unit(quantity)}"
         say(f"{name} {value}".removesuffix(" 1"), out)
 
 
-def _numbers(measures: Mapping[str, float | Uncertain | None]) -> dict[str, float]:
+def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, float]:
     """Return the numbers of measures by their names, with the sides of their uncertainties; None has none."""
     numbers = {}
     for name, value in measures.items():
@@ -66,7 +66,7 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
 
     entry: dict[str, Any] = {"inputs": dict(answer.inputs)}
     if answer.uncertain:
-        entry["uncertainties"] = {name: bar.as_object() for name, bar in answer.uncertain.items()}
+        entry["uncertainties"] = {name: bar_object(name, bar) for name, bar in answer.uncertain.items()}
     entry["results"] = [_result_object(result, answer, form) for result in answer.results]
     if answer.condition is not None:
         entry["condition"] = answer.condition
@@ -102,7 +102,7 @@ def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, An
         if text := getattr(quantity, key):
             entry[key] = text
     if result.propagated is not None:
-        entry["uncertainty"] = _bar_object(result.name, result.propagated.uncertainty, form)
+        entry["uncertainty"] = bar_object(result.name, result.propagated.uncertainty, form)
         entry["shares"] = dict(result.propagated.shares)
     if result.condition is not None:
         entry["condition"] = result.condition
@@ -117,7 +117,7 @@ def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, An
     return entry
 
 
-def _bar_object(name: str, bar: Uncertain, form: Format) -> dict[str, Any]:
+def bar_object(name: str, bar: Uncertain, form: Format = AS_USUAL) -> dict[str, Any]:
     """Return the kind of an error bar and its sides, in the unit of a quantity."""
     return {"kind": bar.kind, **{side: form.number(name, number) for side, number in bar.sides.items()}}
 
@@ -126,7 +126,7 @@ def _law_object(name: str, numbers: Mapping[str, Any], form: Format) -> dict[str
     """Return what stands in place of a quantity under another law, with its error bar, in its unit."""
     value, bar = numbers["value"], numbers.get("uncertainty")
     shown = {**numbers, "value": None if value is None else form.number(name, value)}
-    return shown if bar is None else {**shown, "uncertainty": _bar_object(name, bar, form)}
+    return shown if bar is None else {**shown, "uncertainty": bar_object(name, bar, form)}
 
 
 def _displacement_object(worth: Mapping[str, Any], form: Format) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """The materials and the quantities of the nomenclature as text: lists of them, and all that is known of one."""
 
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
@@ -13,7 +13,7 @@ from ..rows.columns import Wanted
 from ..scene.limits import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
 from ..text import first_of, json_text, say, say_wrapped
-from .answered import write_measure
+from .answered import bar_object, numbers_of, write_measure
 from .manual import has_words, without_variants, words_of
 from .sources import bibtex, docstring_fields
 from .writers import Cell, write_records
@@ -38,11 +38,20 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
     elif kind == "table":
         _write_list(chosen, out)
     else:
-        of_names = {name: {side for each in chosen for side in _sides_of(name, each)} for name in PROPERTIES}
-        columns = Wanted(PROPERTIES, sides=of_names)
-        sides = {name: [*columns.sides_of(name)] for name in PROPERTIES}
-        records = (_material_row(material, sides) for material in chosen)
-        write_records(["material", *columns.heads(header), "state", "references", "source"], records, kind, out)
+        _write_rows(chosen, out, kind)
+
+
+def _write_rows(chosen: Sequence[Material], out: TextIO, kind: str) -> None:
+    """Write a row for each material, with the columns of uncertainties that any of them has."""
+    bars = [(name, bar) for material in chosen for name, bar in material.uncertainties.items()]
+    sides = {name: {side for of, bar in bars if of == name for side in bar.sides} for name in PROPERTIES}
+    columns = Wanted(PROPERTIES, sides=sides)
+    rows: list[list[Cell]] = []
+    for material in chosen:
+        numbers = numbers_of(material.measures)
+        cells: list[Cell] = [in_words(key, numbers[key]) if key in numbers else None for key in columns.keys]
+        rows.append([material.name, *cells, material.state or None, _keys(material) or None, material.title])
+    write_records(["material", *columns.heads(header), "state", "references", "source"], rows, kind, out)
 
 
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
@@ -68,7 +77,8 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     for material, energy in zip(chosen, energies, strict=True):
         of_set = rows.setdefault(material.title, [(material.title, "", "")])
         if "surface_energy" in material.properties:
-            of_set.append((f"  {material.name}", energy, _how(material)))
+            method = material.origins.get("surface_energy", {}).get("method", "")
+            of_set.append((f"  {material.name}", energy, re.split("[:;,]", method)[0] or _keys(material)))
         else:
             without.setdefault(material.title, []).append(material.name)
     for title, names in without.items():
@@ -81,54 +91,29 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
 _OF_ONE = "in full: jkroll materials NAME"
 
 
-def _how(material: Material) -> str:
-    """Return the first words of the method by which a surface energy was found; without a method, the references."""
-    if "surface_energy" in material.origins:
-        return re.split("[:;,]", material.origins["surface_energy"].get("method", ""))[0]
-    return _keys(material)
-
-
 def _keys(material: Material) -> str:
     return ", ".join(entry["key"] for entry in material.references)
 
 
 def material_as_object(material: Material) -> dict[str, Any]:
     """Return the JSON object of a material; a property that it lacks is null, and a displacement left out."""
-    measured = material.displacement
-    displacement = (
-        {}
-        if measured is None
-        else {XI: {"radius": measured.radius, "value": measured.measured.value, **measured.measured.sides}}
-    )
+    displacement = {}
+    if material.displacement is not None:
+        radius, measured = material.displacement.radius, material.displacement.measured
+        displacement = {XI: {"radius": radius, "value": measured.value, **measured.sides}}
+    properties = {name: in_words(name, value) for name, value in material.properties.items()}
     return {
         "name": material.name,
         "aliases": list(material.aliases),
-        **{name: _in_words(material, name) for name in PROPERTIES},
+        **{name: properties.get(name) for name in PROPERTIES},
         **displacement,
         "state": material.state,
-        "uncertainties": {name: bar.as_object() for name, bar in material.uncertainties.items()},
+        "uncertainties": {name: bar_object(name, bar) for name, bar in material.uncertainties.items()},
         "origins": {name: {**dict.fromkeys(ORIGIN, ""), **origin} for name, origin in material.origins.items()},
         "notes": dict(material.notes),
         "references": [dict(entry) for entry in material.references],
         "source": material.title,
     }
-
-
-def _in_words(material: Material, name: str) -> float | str | None:
-    """Return a property in SI units, the word for one that is infinite, or None."""
-    return in_words(name, material.properties[name]) if name in material.properties else None
-
-
-def _sides_of(name: str, material: Material) -> Mapping[str, float]:
-    """Return the numbers of the uncertainty of a property by side; none if it has no uncertainty."""
-    return material.uncertainties[name].sides if name in material.uncertainties else {}
-
-
-def _material_row(material: Material, sides: Mapping[str, Sequence[str]]) -> list[Cell]:
-    values: list[Cell] = []
-    for name in PROPERTIES:
-        values += [_in_words(material, name), *map(_sides_of(name, material).get, sides[name])]
-    return [material.name, *values, material.state or None, _keys(material) or None, material.title]
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
@@ -194,7 +179,8 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
             write_texts(heads, map(_quantity_table_row, members), out)
             say("", out)
     else:
-        write_records(_HEADS, map(_quantity_row, names), kind, out)
+        objects = [{**quantity_as_object(name), "commands": " ".join(commands_of(name))} for name in names]
+        write_records(_HEADS, [[each[head] for head in _HEADS] for each in objects], kind, out)
 
 
 def quantity_as_object(name: str) -> dict[str, Any]:
@@ -236,11 +222,6 @@ def commands_of(name: str) -> tuple[str, ...]:
 def _is_related(other: str, name: str) -> bool:
     """Return whether the name of another quantity has all words of a name, and is no variant."""
     return other != name and not NOMENCLATURE[other].variant_of and has_words(other, words_of([name]))
-
-
-def _quantity_row(name: str) -> list[str]:
-    record = quantity_as_object(name)
-    return [" ".join(record[head]) if head == "commands" else record[head] for head in _HEADS]
 
 
 def _quantity_table_row(name: str) -> list[str]:

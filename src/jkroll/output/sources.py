@@ -5,7 +5,7 @@ With `--tex` it writes a paragraph for the Methods section of a paper, which cit
 
 import os
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import inf, isfinite, log, nan
 from typing import Any, TextIO
 
@@ -46,22 +46,9 @@ def docstring_fields(formula: Any) -> dict[str, str]:
     paragraphs = text.split("\n\n")
     # A formula that stands alone below the summary sets the margin itself.
     place = next((n for n, paragraph in enumerate(paragraphs) if paragraph.startswith(" ")), len(paragraphs) - 1)
-    fields = {"summary": _one_line(" ".join(paragraphs[:place])), "formula": _one_line(paragraphs[place])}
-    key = ""
-    for line in text.splitlines():
-        head, colon, rest = line.partition(":")
-        if colon and head in _SECTIONS:
-            key = head
-            fields[key] = rest.strip()
-        elif not line.strip():
-            key = ""
-        elif key:
-            fields[key] += f" {line.strip()}"
-    return fields
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split())
+    fields = {"summary": " ".join(paragraphs[:place]), "formula": paragraphs[place]}
+    fields |= re.findall(rf"^({'|'.join(_SECTIONS)}):(.*(?:\n +.*)*)", text, re.MULTILINE)
+    return {field: " ".join(words.split()) for field, words in fields.items()}
 
 
 def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> None:
@@ -251,18 +238,27 @@ class Sources:
         self.data = [entry for material, name in used for entry in material.sources_of(name)]
 
 
+def _with_sources(answers: Iterable[Answer]) -> Iterator[tuple[Answer, Sources]]:
+    """Iterate over the answers that have results, with their sources; raise the first failure if none has."""
+    failure: JkrollError | None = None
+    has_results = False
+    for answer in answers:
+        failure = failure or answer.failure
+        sources = Sources(answer)
+        if sources.names:
+            has_results = True
+            yield answer, sources
+    if failure is not None and not has_results:
+        raise failure
+
+
 def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
     """Write BibTeX entries of this program, of the paper, with the equations used, and of the laws and data used."""
     equations: set[str] = set()
     references: dict[str, Mapping[str, str]] = {}
-    failure: JkrollError | None = None
-    for answer in answers:
-        failure = failure or answer.failure
-        sources = Sources(answer)
+    for _, sources in _with_sources(answers):
         equations |= sources.equations
         references |= {entry["key"]: entry for entry in (*sources.law, *sources.data, *sources.conventions)}
-    if failure is not None and not equations:
-        raise failure
     say(bibtex(PROGRAM), out)
     say(bibtex({**PAPER, "note": cited_equations(equations)} if equations else PAPER), out)
     for entry in references.values():
@@ -309,22 +305,11 @@ def bibtex(entry: Mapping[str, str]) -> str:
 
 
 def write_methods(answers: Iterable[Answer], out: TextIO) -> None:
-    """Write a paragraph for each answer: what was computed, by which equations, and from which values.
-
-    Raises the failure of the first answer if no answer has a result.
-    """
-    failure: JkrollError | None = None
-    is_first = True
-    for answer in answers:
-        failure = failure or answer.failure
-        sources = Sources(answer)
-        if sources.names:
-            if not is_first:
-                say_wrapped("", out)
-            is_first = False
-            say_wrapped(f"{_computed(answer, sources)} {_values(answer)}", out, 0)
-    if is_first and failure is not None:
-        raise failure
+    """Write a paragraph for each answer: what was computed, by which equations, and from which values."""
+    for place, (answer, sources) in enumerate(_with_sources(answers)):
+        if place:
+            say_wrapped("", out)
+        say_wrapped(f"{_computed(answer, sources)} {_values(answer)}", out, 0)
 
 
 def _computed(answer: Answer, sources: Sources) -> str:

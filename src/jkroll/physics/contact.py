@@ -116,6 +116,7 @@ def contact_area(*, contact_radius_at_load: Length) -> Area:
 
         A_c = πa²
 
+    Source:   Geometry.
     Valid:    Any law of attraction.
     """
     return pi * contact_radius_at_load**2

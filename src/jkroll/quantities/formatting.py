@@ -252,12 +252,10 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
     ((['10', '1000'], 'kg/m³'), (['-10', '0', '10'], 'nN'))
     """
     unit = unit.removeprefix("1")
+    if is_log and unit in PREFIXABLE:
+        texts = (engineering(value, unit, digits) for value in values)
+        return [f"{number} {pretty(shown)}" for number, shown in texts], ""
     if is_log:
-        texts = [engineering(value, unit, digits) for value in values]
-        if unit and all(
-            shown != unit or 1 <= abs(value) < 1000 for value, (_, shown) in zip(values, texts, strict=True)
-        ):
-            return [f"{number} {pretty(shown)}" for number, shown in texts], ""
         return [in_powers(value, digits) for value in values], pretty(unit)
     largest = max(map(abs, values), default=0.0)
     shown = engineering(largest, unit, 3)[1]

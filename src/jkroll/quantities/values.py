@@ -83,10 +83,6 @@ class Measured(_Measured):
         """The standard deviation of smaller values."""
         return self.minus
 
-    def as_object(self) -> dict[str, float | str]:
-        """Return the uncertainty as JSON states it."""
-        return {"kind": self.kind, **self.sides}
-
 
 class _Interval(NamedTuple):
     value: float
@@ -123,10 +119,6 @@ class Interval(_Interval):
     def spread(self) -> float:
         """No standard deviation: nothing lies beyond the ends."""
         return 0.0
-
-    def as_object(self) -> dict[str, float | str]:
-        """Return the range as JSON states it."""
-        return {"kind": self.kind, **self.sides}
 
 
 Uncertain = Measured | Interval
