@@ -1,12 +1,13 @@
-"""Build hook: writes the content of `materials.toml` into the wheel as a Python module.
+"""Build hook: writes the materials of `materials.toml` into the wheel as a Python module.
 
-A call that names a shipped material then parses no TOML, as the interpreter compiles the module once. The file stays
-the only copy in the repository; a checkout, where it may be edited, has no such module.
+A call that names a shipped material then reads no file, as the interpreter compiles the module once. The file stays the
+only copy in the repository; a checkout, where it may be edited, has no such module.
 """
 
+import sys
 import tempfile
-import tomllib
 from pathlib import Path
+from runpy import run_path
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
@@ -21,13 +22,10 @@ class ShippedMaterials(BuildHookInterface[Any]):
         """Write the module to a temporary directory and have it included."""
         if version == "editable":
             return
-        data = tomllib.loads(Path(self.root, "materials.toml").read_text(encoding="utf-8"))
+        sys.path.insert(0, str(Path(self.root, "src")))
         self.folder = tempfile.TemporaryDirectory()
         module = Path(self.folder.name, "shipped.py")
-        module.write_text(
-            f'"""The content of materials.toml, written when the wheel was built."""\n\nDATA = {data!r}\n',
-            encoding="utf-8",
-        )
+        module.write_text(run_path(str(Path(self.root, ".hatch/module.py")))["text"](), encoding="utf-8")
         build_data["force_include"][str(module)] = MODULE
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:  # noqa: ARG002

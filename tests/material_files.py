@@ -1,10 +1,14 @@
 """Materials files as a whole."""
 
-from os import PathLike
+import os
 
-from jkroll.materials.library import Material, entries_in, path_of
+from jkroll.materials.library import Material, MaterialsFileError, materials_in
 
 
-def read(path: str | PathLike[str]) -> list[Material]:
+def read(path: str | os.PathLike[str]) -> list[Material]:
     """Return the materials of a file; raise MaterialsFileError for the first thing that is wrong with it."""
-    return [entry.material for entry in entries_in(path_of(path))]
+    materials = materials_in(os.fspath(path))
+    for material in materials:
+        if material.problem:
+            raise MaterialsFileError(material.path, material.problem)
+    return materials

@@ -3,13 +3,12 @@
 import os
 import subprocess
 import sys
-import tomllib
 from pathlib import Path
+from runpy import run_path
 
 import pytest
 
 from jkroll.cli.commands import COMMANDS
-from jkroll.materials.library import SHIPPED
 
 LIBRARIES = {"numpy", "pint", "rich", "typer", "pydantic", "mpmath", "matplotlib", "tomllib"}
 HEAVY = {"dataclasses", "inspect", "pathlib", "difflib", "shutil", "subprocess"}  # of the standard library
@@ -30,8 +29,8 @@ print(codes, *sys.modules, file=sys.stderr)
 
 def imported(*calls: str, folder: Path, terminal: bool = False, variables: dict[str, str] | None = None) -> set[str]:
     """Which libraries some calls import in all, from a wheel, where the shipped materials are a module."""
-    data = tomllib.loads(Path(SHIPPED).read_text(encoding="utf-8"))
-    (folder / "shipped.py").write_text(f"DATA = {data!r}\n", encoding="utf-8")
+    module = run_path(str(Path(__file__).parents[2] / ".hatch" / "module.py"))["text"]()
+    (folder / "shipped.py").write_text(module, encoding="utf-8")
     ran = subprocess.run(
         [sys.executable, "-c", PROGRAM, str(folder), "terminal" if terminal else "pipe", *calls],
         capture_output=True,
