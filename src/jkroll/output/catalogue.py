@@ -187,6 +187,8 @@ def quantity_as_object(name: str) -> dict[str, Any]:
     """Return all that is known of a quantity: its JSON object, of which the other pages are views."""
     quantity, formula = NOMENCLATURE[name], formula_of(name)
     fields = docstring_fields(formula) if formula else {}
+    words = words_of([name])
+    with_words = [other for other in without_variants(list(NOMENCLATURE)) if has_words(other, words)]
     return {
         "name": name,
         "symbol": quantity.symbol,
@@ -205,7 +207,7 @@ def quantity_as_object(name: str) -> dict[str, Any]:
         "note": quantity.note,
         "variant_of": quantity.variant_of,
         "variants": [other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name],
-        "see_also": [other for other in NOMENCLATURE if _is_related(other, name)],
+        "see_also": [other for other in with_words if other != name],
     }
 
 
@@ -217,11 +219,6 @@ def commands_of(name: str) -> tuple[str, ...]:
         for command, question in QUESTIONS.items()
         if name in question.quantities or (takes and name in depends_on(question.quantities))
     )
-
-
-def _is_related(other: str, name: str) -> bool:
-    """Return whether the name of another quantity has all words of a name, and is no variant."""
-    return other != name and not NOMENCLATURE[other].variant_of and has_words(other, words_of([name]))
 
 
 def _quantity_table_row(name: str) -> list[str]:

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import pi
 from typing import NamedTuple
 
-from ..errors import BadRequest, JkrollError
+from ..errors import BadRequest
 from ..physics.motion import ALL_STICK
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
@@ -73,35 +73,27 @@ _REMARKS_LIGGGHTS = """\
 def lammps_input(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of an input: coefficients of pairs of types or a wall, a time step, what they stand on."""
     thresholds = (*THRESHOLDS, "shear_strength") if scene.law.is_default else ()
-    whole = scene.evaluate((*QUANTITIES, *thresholds, "contact_shear_modulus", "density", "density2"))
-    for value in whole.values():
-        if isinstance(value, JkrollError):
-            raise value
+    names = (*QUANTITIES, *thresholds, "contact_shear_modulus", "density", "density2")
+    whole = {name: scene[name] for name in names}
     model = scene.law.name
     work, lag, load = scene["work_of_adhesion"], scene["yield_displacement"], scene["load"]
-    spheres: tuple[int, ...] = (1, 2)
-    if scene.values.get("radius2") == INFINITY:
-        bodies, place, spheres = "a sphere and a plane", " at the wall, which is put at z = 0", (1,)
-        pairs = {"pair_coeff 1 1 {}": pair_of(scene, 1), "fix wall all wall/gran granular {} zplane 0 NULL": scene}
-    elif scene.is_identical:
-        bodies, place, spheres = "two spheres", "", (1,)
-        pairs = {"pair_coeff 1 1 {}": scene}
-    else:
-        bodies, place = "two spheres", " for types 1 and 2"
-        pairs = {
-            "pair_coeff 1 1 {}": pair_of(scene, 1),
-            "pair_coeff 2 2 {}": pair_of(scene, 2),
-            "pair_coeff 1 2 {}": scene,
-        }
+    grains = _grains(scene)
+    pairs = {f"pair_coeff {grain} {grain} {{}}": pair for grain, pair in grains.items()}
+    bodies, place = "two spheres", ""
+    if _is_at_wall(scene):
+        bodies, place = "a sphere and a plane", " at the wall, which is put at z = 0"
+        pairs["fix wall all wall/gran granular {} zplane 0 NULL"] = scene
+    elif not scene.is_identical:
+        place = " for types 1 and 2"
+        pairs["pair_coeff 1 2 {}"] = scene
     yield f"# Contact of {bodies} by jkroll: {model.upper()}, gamma = w/2"
     yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{place}"
     if len(pairs) > 1:
         at_rest = "Like spheres touch without load. " if load else ""
         yield f"# {at_rest}The time step is the shortest of all pairs."
     yield "# units si"
-    for sphere in spheres:
-        radius = scene.values.get(of_sphere(sphere, "radius"), scene.values["radius"])
-        yield f"# set type {sphere} diameter {2 * radius:.12g} density {scene[of_sphere(sphere, 'density')]:.12g}"
+    for grain, pair in grains.items():
+        yield f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}"
     yield "comm_modify vel yes"
     yield f"neighbor {_skin(scene, pairs.values()):.12g} bin"
     yield "pair_style granular"
@@ -117,7 +109,7 @@ def lammps_input(scene: Scene) -> Iterator[str]:
                 raise
             yield f"# {command.partition(' {')[0]}: {error}"
     yield f"timestep {min(steps):.12g}"
-    yield from _rayleigh([scene if scene.is_identical else pair_of(scene, sphere) for sphere in spheres])
+    yield from _rayleigh(grains.values())
     friction = " F_slide/(P + 2P_c)" if scene.law.is_default else ""
     yield from _REMARKS.format(law=model, friction=friction).splitlines()
     yield from _REMARKS_ON[model].format(**whole, place=place).splitlines()
@@ -138,6 +130,17 @@ def _skin(scene: Scene, pairs: Iterable[Scene]) -> float:
     smallest = min(scene["radius"], scene.values.get("radius2", INFINITY))
     approaches = (approach for pair in pairs for approach in pair.numbers("approach").values())
     return float(max(SKIN * smallest, *(LEAST_SKIN * approach for approach in approaches)))
+
+
+def _is_at_wall(scene: Scene) -> bool:
+    return bool(scene.values.get("radius2") == INFINITY)
+
+
+def _grains(scene: Scene) -> dict[int, Scene]:
+    """Return the pair of two grains of each type, by its number: of a sphere and a plane, there is one type."""
+    if scene.is_identical:
+        return {1: scene}
+    return {sphere: pair_of(scene, sphere) for sphere in ((1,) if _is_at_wall(scene) else (1, 2))}
 
 
 def pair_of(scene: Scene, sphere: int) -> Scene:
@@ -234,17 +237,15 @@ def liggghts_input(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of an input of LIGGGHTS: Hertz' force less kA with the pull-off force of JKR."""
     scene.plans("pull_off_force", "contact_modulus", "density")
     _refuse_state(scene, "liggghts")
-    at_wall = scene.values.get("radius2") == INFINITY
     elastic = ("youngs_modulus", "poisson_ratio")
     spheres = (1,) if scene.is_identical else (1, 2)
     solids = [tuple(scene[of_sphere(sphere, name)] for name in elastic) for sphere in spheres]
     if any(modulus == INFINITY for modulus, _ in solids):
         raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
-    pairs = [scene]
-    if not scene.is_identical:
-        pairs = [pair_of(scene, 1), scene, scene, scene if at_wall else pair_of(scene, 2)]
+    grains = _grains(scene)
+    pairs = [scene] if scene.is_identical else [grains[1], scene, scene, grains.get(2, scene)]
     yield f"# Contact by jkroll: Hertz less k A, with the pull-off force of JKR, {scene['pull_off_force']:.12g} N"
-    yield "# units si" + ("; type 2 is the wall" if at_wall else "")
+    yield "# units si" + ("; type 2 is the wall" if _is_at_wall(scene) else "")
     yield "fix m1 all property/global youngsModulus peratomtype" + _words(modulus for modulus, _ in solids)
     yield "fix m2 all property/global poissonsRatio peratomtype" + _words(ratio for _, ratio in solids)
     densities = _words(map(_energy_density, pairs))
@@ -256,8 +257,7 @@ def liggghts_input(scene: Scene) -> Iterator[str]:
             f"# timestep {min(steps):.12g}: a twentieth of the period of sliding with rotation of a JKR contact "
             "without load, in s."
         )
-    grains = (1,) if at_wall else spheres
-    yield from _rayleigh([scene if scene.is_identical else pair_of(scene, grain) for grain in grains])
+    yield from _rayleigh(grains.values())
     yield from _REMARKS_LIGGGHTS.splitlines()
 
 
@@ -268,7 +268,7 @@ def _words(numbers: Iterator[float]) -> str:
 def _energy_density(pair: Scene) -> float:
     """Return k in J/m³: with A = cδ the least force is −(kc)³/(12E*²R); c is 4πR for two spheres and 2πR1 at a wall."""
     modulus, radius, force = pair["contact_modulus"], pair["reduced_radius"], pair["pull_off_force"]
-    area = 2 * pi * radius * (1 if pair.values.get("radius2") == INFINITY else 2)
+    area = 2 * pi * radius * (1 if _is_at_wall(pair) else 2)
     return float((12 * modulus**2 * radius * force) ** (1 / 3) / area)
 
 
