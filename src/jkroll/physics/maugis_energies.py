@@ -50,12 +50,6 @@ def well_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
-
-    >>> from .maugis import unloaded_edge_ratio
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v = unloaded_edge_ratio(transition_parameter=1.0)
-    >>> round(well_energy_maugis(unloaded_edge_ratio=v, transition_parameter=1.0, **unit), 7)
-    2.3098211
     """
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
     return -_of(transition_parameter, unloaded_edge_ratio) * unit  # stationary in v, as dΦ = P dδ

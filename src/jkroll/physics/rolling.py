@@ -236,9 +236,6 @@ def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: L
 
     Source:   Eqs (29) and (30).
     Valid:    A straight chain, all of one mass. Below 1, even one sphere rolls down; it falls off where Bo is below 1.
-
-    >>> round(n_grav(yield_moment=9.42478e-18, mass=1.0891e-17, gravity=9.80665, radius=1e-7), 1)
-    939.4
     """
     return sqrt(yield_moment / (mass * gravity * radius))
 

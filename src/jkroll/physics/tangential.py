@@ -20,10 +20,6 @@ def shear_strength(
               solids, the softer one is a rule of this program.
     Valid:    An order of magnitude: 9 to 15 MPa were measured for polystyrene on glass (Sümer & Sitti), where this is
               29 MPa.
-
-    >>> quartz = {"youngs_modulus": 54e9, "poisson_ratio": 0.17, "youngs_modulus2": 54e9, "poisson_ratio2": 0.17}
-    >>> f"{shear_strength(**quartz) / 1e6:.1f} MPa"
-    '584.5 MPa'
     """
     compliances = (1 + poisson_ratio) / youngs_modulus, (1 + poisson_ratio2) / youngs_modulus2
     return 1 / (8 * pi**2 * at_least(*compliances))

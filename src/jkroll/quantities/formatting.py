@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from ..text import first_of
 from .nomenclature import INFINITY, NOMENCLATURE, header
-from .units import RAISED, Unit, convert, parse_unit, power_of_ten
+from .units import RAISED, Unit, convert, power_of_ten
 
 if TYPE_CHECKING:
     from .values import Interval, Measured, Uncertain
@@ -51,17 +51,11 @@ class Format(NamedTuple):
 
     def rounded(self, name: str, value: "float | str | Uncertain") -> tuple[str, str]:
         """Return a value, with its uncertainty if it has one, and its unit, rounded and with a suitable prefix."""
-        if isinstance(value, tuple):
-            si = NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ())
-            unit = self.common_unit(name, [value]) or si
-            return self.in_unit(value, unit), unit[0]
-        value = in_words(name, value)
+        value = value if isinstance(value, tuple) else in_words(name, value)
         if isinstance(value, str):
             return value, ""
-        digits = self.digits or DIGITS
-        if name in self.units:
-            return significant(convert(value, self.units[name][1]), digits), self.units[name][0]
-        return engineering(value, NOMENCLATURE[name].unit, digits)
+        unit = self.common_unit(name, [value]) or (NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ()))
+        return self.in_unit(value, unit), unit[0]
 
     def common_unit(self, name: str, values: "Sequence[float | Uncertain]") -> tuple[str, Unit] | None:
         """Return the unit that suits the middle one of values; None if others are long numbers in it, or it is 1."""
@@ -258,10 +252,10 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
     if is_log:
         return [in_powers(value, digits) for value in values], pretty(unit)
     largest = max(map(abs, values), default=0.0)
-    shown = engineering(largest, unit, 3)[1]
+    _, power = _scaled(largest, unit, 3)
+    scale = Unit(*power_of_ten(power), ())
     without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
-    scaled = without_errors if shown == unit else [convert(value, parse_unit(shown)) for value in without_errors]
-    return [significant(value, digits) for value in scaled], pretty(shown)
+    return [significant(convert(value, scale), digits) for value in without_errors], pretty(_PREFIXES[power] + unit)
 
 
 def in_powers(value: float, digits: int = 4) -> str:
