@@ -8,10 +8,17 @@ from typing import Any
 import pytest
 
 from harness import Run
-from jkroll.answers.advice import about_unmeasured, displacement_in_full, in_place_of, in_words
+from jkroll.answers.advice import about_doubt, about_unmeasured, displacement_in_full
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import ends_of, value_of
-from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, rolled_solid
+from jkroll.scene.alternatives import (
+    FORCES,
+    ROLLED,
+    at_least_measured,
+    at_most_measured,
+    in_place_of,
+    rolled_solid,
+)
 from jkroll.scene.limits import ASSUMED_DISPLACEMENT, doubts
 from jkroll.scene.scene import Scene
 from relative import approx
@@ -106,7 +113,7 @@ def test_where_nothing_of_the_solid_was_measured(material: str, radius: float, g
 
 def words(scene: Scene, *names: str) -> str:
     found = [doubt for doubt in doubts(scene, names, [ASSUMED_DISPLACEMENT]) if doubt.is_exceeded]
-    return in_words(found[0], scene, names, names) if found else about_unmeasured(scene)
+    return about_doubt(found[0], scene, names, names) if found else about_unmeasured(scene)
 
 
 def test_words() -> None:

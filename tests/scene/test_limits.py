@@ -14,7 +14,7 @@ from jkroll.errors import NoResult
 from jkroll.materials.library import known_materials
 from jkroll.scene.alternatives import factor_of_law
 from jkroll.scene.failures import TWO_RIGID_BODIES, Failure
-from jkroll.scene.limits import CODES, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts
+from jkroll.scene.limits import BITS, CODES, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 from relative import approx
@@ -46,8 +46,8 @@ def test_either_side_of_a_threshold(limit: Limit, threshold: float) -> None:
     assert (Doubt(limit, threshold, threshold).code == code) == limit.sign.endswith("=")
     expected = {below: below == beyond, threshold: limit.sign.endswith("="), above: above == beyond}
     numbers = np.array([*expected, np.nan])
-    levels = Doubt(limit, numbers, numbers).level
-    assert (levels > [*limit.codes].index(threshold)).tolist() == [*expected.values(), False]
+    is_beyond = Doubt(limit, numbers, numbers).bits >= BITS[code]
+    assert is_beyond.tolist() == [*expected.values(), False]
 
 
 def test_an_excess_is_the_logarithm_of_a_factor() -> None:

@@ -1,11 +1,10 @@
 """Advice on the results of one scene: what may stand in their place, in full for programs and in words for people."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..errors import JkrollError
 from ..quantities.formatting import span
-from ..quantities.laws import BETWEEN, other_law
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import ends_of, is_uncertain, middle
 from ..scene.alternatives import (
@@ -25,12 +24,11 @@ from ..scene.alternatives import (
     factor_of_law,
     farthest,
     is_at_displacement,
-    names_beside,
+    moved_by_law,
     ratio,
     rolled_solid,
     rolling,
     solid_of_kind,
-    uses_law,
 )
 from ..scene.limits import JUMP, LAW_MATTERS, Doubt
 from ..scene.scene import Scene
@@ -43,46 +41,32 @@ _OF_POLYSTYRENE = "polystyrene has 42 nm at 5 µm"  # Sümer & Sitti
 _ELSEWHERE = f"{_OF_POLYSTYRENE}, ice 0.19 mm at 1 mm"  # Musiolik & Wurm 2019
 
 
-def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """Return what may stand in place of results, by kind: under the other law, and by measured forces as ranges.
-
-    None stands for a quantity that has no value there. One that is not among them is the same.
-    """
-    law, lacking = other_law(scene.law.name), by_law(scene).missing(names)
-    names_of = names_beside([scene], names)
-    names_of[law] = [name for name in names if name in lacking or name in names_of[law]]
-    return {
-        kind: {name: None if isinstance(value, JkrollError) else value for name, value in values.items()}
-        for kind, values in beside(scene, names_of).items()
-    }
-
-
 # --- In full, for programs --------------------------------------------------------------------------------------------
 
 
-def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, Any]]:
+def over_this_law(scene: Scene, values: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     """Return by quantity its value under the other law over that in use: with the atomic spacing and half of it.
 
-    A value has its error bar, and a rolling quantity both readings: at equal displacement, and at equal hysteresis.
+    `values`: those under the other law. One has its error bar, and a rolling quantity both readings: at equal
+    displacement, and at equal hysteresis.
     """
     law, other = scene.law.name, by_law(scene)
-    known = {name: value for name, value in scene.numbers(*names).items() if value}
-    values = in_place_of(scene, [*known]).get(other.law.name, {})
-    half = {} if law == BETWEEN else at_half_spacing(other).numbers(*values)
-    rolled = rolling(values, BETWEEN)
-    reading = at_other_reading(scene) if rolled else None
-    readings = reading.numbers(*rolled) if reading is not None else {}
-    found: dict[str, dict[str, Any]] = {}
-    for name in values:
-        own, number = known[name], middle(values[name])
-        found[name] = {"value": number} | ({} if number is None else {f"over_{law}": number / own})
-        if is_uncertain(values[name]):
-            found[name]["uncertainty"] = values[name]
-        if law != BETWEEN:
-            found[name][f"over_{law}_at_half_spacing"] = half[name] / own if name in half else None
-        if name in readings and number is not None:
-            both = [number / own, readings[name] / own]
-            found[name] |= zip(readings_of(law), both if is_at_displacement(scene) else reversed(both), strict=True)
+    own = {name: number for name, number in scene.numbers(*values).items() if number}
+    numbers = {name: None if values[name] is None else middle(values[name]) for name in own}
+    columns = {f"over_{law}": numbers}
+    if law != BETWEEN:
+        columns[f"over_{law}_at_half_spacing"] = {**dict.fromkeys(own), **at_half_spacing(other).numbers(*own)}
+    rolled = rolling(own, BETWEEN)
+    if rolled and (reading := at_other_reading(scene)) is not None:
+        readings = reading.numbers(*rolled)
+        both = [{name: numbers[name] for name in readings}, readings]
+        columns |= zip(readings_of(law), both if is_at_displacement(scene) else reversed(both), strict=True)
+    found: dict[str, dict[str, Any]] = {name: {"value": number} for name, number in numbers.items()}
+    for key, column in columns.items():
+        for name, number in column.items():
+            found[name][key] = None if number is None else number / own[name]
+    for name in filter(lambda name: is_uncertain(values[name]), found):
+        found[name]["uncertainty"] = values[name]
     return found
 
 
@@ -103,10 +87,10 @@ def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] |
     if rolled_solid(scene):
         ends = at_least_measured(scene), at_most_measured(scene)
         own, low, high = (each.numbers(*rolled) for each in (scene, *ends))
-        found["here"] = [end[XI] for end in ends]
         both = [name for name in rolled if own.get(name) and name in low and name in high]
+        found["here"] = [end[XI] for end in ends]
         found["over_assumed"] = {name: [low[name] / own[name], high[name] / own[name]] for name in both}
-        found["values"] = {name: [*ends_of(value)] for name, value in in_place_of(scene, both).get(DATA, {}).items()}
+        found["values"] = {name: [*ends_of(value)] for name, value in beside(scene, {DATA: both})[DATA].items()}
     return found
 
 
@@ -118,7 +102,7 @@ def _radius(scene: Scene) -> float:
 # --- In words ---------------------------------------------------------------------------------------------------------
 
 
-def in_words(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:
+def about_doubt(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:
     """Return what follows from a limit for results: of an exceeded one, the values that may stand in their place.
 
     `headline`: the results that a command is named after; `known`: all of them.
@@ -158,9 +142,8 @@ def advised(scene: Scene, name: str) -> str:
     """
     other = by_law(scene)
     own = scene.numbers(name).get(name)
-    if own is None or name in other.missing([name]) or not uses_law(other, name):
-        return ""
-    if _rests_on_well(name) and scene["tabor_parameter"] < JUMP:
+    is_no_correction = _rests_on_well(name) and scene["tabor_parameter"] < JUMP
+    if own is None or is_no_correction or not moved_by_law(scene, [name]):
         return ""
     fit = ["pull_off_force_lennard_jones"] if name == "pull_off_force" else []
     found = [*other.numbers(name, *fit).values(), *at_half_spacing(other).numbers(name).values()]
@@ -171,10 +154,18 @@ def advised(scene: Scene, name: str) -> str:
 
 
 def _about_displacement(scene: Scene, names: Sequence[str]) -> str:
-    """Return what stands in place of answers with the assumed ξ: "Q = 89–270 pN by forces on SiO2 of 1 µm"."""
-    values = in_place_of(scene, names[:MAX_TOLD]).get(DATA, {})
+    """Return what stands in place of answers with the assumed ξ: "Q = 89–270 pN by forces on SiO2 of 1 µm".
+
+    The moment is proportional to what adhesion hysteresis supplies, which has an end.
+    """
+    values = beside(scene, {DATA: names[:MAX_TOLD]})[DATA]
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(one))}" for name, one in values.items() if one)
-    return f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi){_beyond_hysteresis(scene)}"
+    text = f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi)"
+    most = at_most_measured(scene).numbers("hysteresis_ratio", "yield_force")
+    if len(most) < 2 or most["hysteresis_ratio"] <= 1:
+        return text
+    force = most["yield_force"] / most["hysteresis_ratio"]
+    return f"{text}; adhesion alone can supply up to Q = {span('yield_force', force, force)}"
 
 
 def _about_roughness(scene: Scene) -> str:
@@ -206,15 +197,6 @@ def _forces(scene: Scene) -> str:
     if abs(_radius(scene) / ROLLED["radius"] - 1) < _ALIKE:
         return text
     return f"{text} ({span('yield_force', *FORCES)}), scaled to this size"
-
-
-def _beyond_hysteresis(scene: Scene) -> str:
-    """Return the clause on a moment beyond what adhesion hysteresis can supply, to which it is proportional."""
-    most = at_most_measured(scene).numbers("hysteresis_ratio", "yield_force")
-    if len(most) < 2 or most["hysteresis_ratio"] <= 1:
-        return ""
-    force = most["yield_force"] / most["hysteresis_ratio"]
-    return f"; adhesion alone can supply up to Q = {span('yield_force', force, force)}"
 
 
 def about_displacement_of_rows(scene: Scene) -> str:

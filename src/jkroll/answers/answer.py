@@ -2,14 +2,13 @@
 
 from collections.abc import Mapping
 from functools import cached_property
-from math import log
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import in_words
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, XI
-from ..scene.alternatives import factor_of_law
+from ..scene.alternatives import factor_of_law, in_place_of
 from ..scene.failures import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
@@ -22,6 +21,7 @@ from ..scene.failures import (
 )
 from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, doubts
 from ..scene.scene import Scene
+from .advice import about_doubt, displacement_in_full, over_this_law
 from .notes import (
     about_given,
     about_idle,
@@ -35,7 +35,7 @@ from .notes import (
     idle_of,
 )
 from .questions import Question
-from .results import Note, Result, model_error, over_spacing, propagated_of, with_law
+from .results import Note, Result, model_error, over_spacing, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -64,7 +64,7 @@ class Answer:
         self.outcomes = scene.outcomes(question.quantities, question.named)
         self.shown = [*self.outcomes]
         self.errors: dict[str, MissingInput | NoResult] = {
-            name: one for name, one in self.outcomes.items() if isinstance(one, MissingInput | NoResult)
+            name: error for name, error in self.outcomes.items() if isinstance(error, MissingInput | NoResult)
         }
 
     def value(self, name: str) -> float | None:
@@ -90,19 +90,22 @@ class Answer:
     @cached_property
     def results(self) -> tuple[Result, ...]:
         """The quantities that are shown, with the reasons of those that have no value."""
-        scene = self.scene
-        plain = [
-            Result(name, None, self._reason(name, self.errors[name]))
-            if name in self.errors
-            else Result(name, self.outcomes[name], error=model_error(name, scene))
-            for name in self.shown
-        ]
-        results = plain if scene.law.is_default else [with_law(result, scene) for result in plain]
-        found, _ = self._uncertainties
-        return tuple(result._replace(propagated=propagated_of(found, result.name)) for result in results)
+        results = tuple(map(self._result, self.shown))
+        return results if self.scene.law.is_default else tuple(with_law(result, self.scene) for result in results)
+
+    def _result(self, name: str) -> Result:
+        if name in self.errors:
+            return Result(name, None, self._reason(name, self.errors[name]))
+        error = model_error(name, self.scene)
+        return Result(name, self.outcomes[name], error=error, propagated=self._propagated(name))
 
     def _reason(self, name: str, error: MissingInput | NoResult) -> str:
         return over_spacing(name, self.scene) if rests_on_spacing(error) else reason_of(name, error)
+
+    def _propagated(self, name: str) -> "Propagated | None":
+        """Return the uncertainty of a result; None if it has none, or an error says why it has none."""
+        bar = self._uncertainties[0].get(name)
+        return None if isinstance(bar, JkrollError) else bar
 
     @cached_property
     def _known(self) -> list[str]:
@@ -120,8 +123,7 @@ class Answer:
     def uncertain(self) -> "Mapping[str, Uncertain]":
         """The inputs that are uncertain."""
         _, sources = self._uncertainties
-        given = sources.given if sources is not None else {}
-        return {name: one for name, one in given.items() if name in self.inputs}
+        return {name: given for name, given in sources.given.items() if name in self.inputs} if sources else {}
 
     @property
     def measures(self) -> "Mapping[str, float | str | Uncertain]":
@@ -133,9 +135,7 @@ class Answer:
         """The results under the other law, and their distance from these."""
         if self.scene.missing(["tabor_parameter"]):
             return {}
-        from .advice import over_this_law  # which a line in a pipe does not show
-
-        return over_this_law(self.scene, self._known)
+        return over_this_law(self.scene, self.beside.get(other_law(self.scene.law.name), {}))
 
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
@@ -146,17 +146,11 @@ class Answer:
     @cached_property
     def displacement(self) -> Mapping[str, Any] | None:
         """The worth of the assumed displacement for the results, as far as forces were measured."""
-        if XI not in self.inputs:
-            return None
-        from .advice import displacement_in_full  # most answers rest on no ξ, or on one that was given
-
-        return displacement_in_full(self.scene, self._known)
+        return displacement_in_full(self.scene, self._known) if XI in self.inputs else None
 
     @cached_property
     def beside(self) -> Mapping[str, Mapping[str, Any]]:
         """Values that may stand in place of the results, by kind: the name of the other law, or DATA."""
-        from .advice import in_place_of  # which a line in a pipe does not show
-
         return in_place_of(self.scene, self.shown) if self._known else {}
 
     @cached_property
@@ -185,15 +179,13 @@ class Answer:
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for these results, with the values that may stand in their place."""
-        from .advice import in_words
-
         headline = [name for name in self._known if name in self.question.headline]
-        return in_words(doubt, self.scene, headline, self._known)
+        return about_doubt(doubt, self.scene, headline, self._known)
 
     @property
     def width(self) -> float:
         """The size of the smallest error bar of the results, as the logarithm of a factor: no smaller doubt matters."""
-        return min(map(_width, self.results), default=0.0)
+        return min((result.width for result in self.results), default=0.0)
 
     @cached_property
     def _entering(self) -> tuple[set[str], set[str]]:
@@ -211,23 +203,19 @@ class Answer:
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
-        scene = self.scene
-        found, sources = self._uncertainties
-        return (
+        scene, (bars, sources) = self.scene, self._uncertainties
+        notes = (
             *about_given(scene, self._possible, self._entering[0]),
             *about_idle(idle_of(scene, self._entering[1])),
             *about_values(scene, self._known),
             *about_missing([*self.results], self.errors),
             *about_limits(self.validity),
-            *(about_uncertainties(found, sources) if sources is not None else ()),
-            *(about_lost_contacts(scene, sources) if sources is not None and self._has_bars_at_load else ()),
         )
-
-    @property
-    def _has_bars_at_load(self) -> bool:
-        """True if results that depend on the load have error bars, all of them."""
-        found, _ = self._uncertainties
-        return "load" in self.inputs and bool(found) and not any(isinstance(one, JkrollError) for one in found.values())
+        if sources is None:
+            return notes
+        are_complete = bool(bars) and not any(isinstance(bar, JkrollError) for bar in bars.values())
+        lost = about_lost_contacts(scene, sources) if "load" in self.inputs and are_complete else ()
+        return (*notes, *about_uncertainties(bars, sources), *lost)
 
     @cached_property
     def failure(self) -> JkrollError | None:
@@ -239,11 +227,3 @@ class Answer:
             return None
         name, error = next(iter(self.errors.items()), ("", Failure(OF_IDENTICAL_SPHERES)))
         return without_value(name, self._reason(name, error)) if rests_on_spacing(error) else error
-
-
-def _width(result: Result) -> float:
-    """Return the larger side of a result's error bar as the logarithm of a factor; 0 without one."""
-    found = result.propagated.uncertainty if result.propagated is not None else None
-    if found is None or not (found.low > 0 and found.high < INFINITY):
-        return 0.0
-    return max(log(found.value / found.low), log(found.high / found.value))

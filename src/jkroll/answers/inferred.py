@@ -22,7 +22,7 @@ from ..text import listed
 from .answer import Answer
 from .notes import about_missing, about_uncertainties
 from .questions import Question
-from .results import Note, Result, propagated_of
+from .results import Note, Result
 
 # Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
 _LOSING = frozenset({"restitution", "sticking_speed"})
@@ -74,7 +74,7 @@ class Inferred(Answer):
                 condition=growths[name] if is_one else None,
                 growth=None if is_one else growths[name],
                 by_law={law: other.values[name] for law, other in self._by_law.items()},
-                propagated=propagated_of(self._uncertainties[0], name),
+                propagated=self._propagated(name),
             )
             for name, value in self.solution.values.items()
         )

@@ -1,12 +1,12 @@
 """A result, and a note about an answer."""
 
 from collections.abc import Mapping
+from math import log
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from ..errors import JkrollError
 from ..quantities.formatting import amount
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.alternatives import at_half_spacing, uses_law
 from ..scene.scene import Scene
 
@@ -63,6 +63,14 @@ class Result(NamedTuple):
         """The value, with its error bar if it has one."""
         return self.value if self.uncertain is None else self.uncertain
 
+    @property
+    def width(self) -> float:
+        """The larger side of the error bar as the logarithm of a factor; 0 without one, and for one that reaches 0."""
+        bar = self.uncertain
+        if bar is None or not (bar.low > 0 and bar.high < INFINITY):
+            return 0.0
+        return max(log(bar.value / bar.low), log(bar.high / bar.value))
+
 
 # Of notes, the most important first. What makes numbers doubtful has a size, by which these stand among each other.
 Kind = Literal[
@@ -90,18 +98,6 @@ class Note(NamedTuple):
     size: float | None = None  # of what makes numbers doubtful: the logarithm of a factor
 
 
-def propagated_of(found: "Mapping[str, Propagated | JkrollError]", name: str) -> Propagated | None:
-    """Return the uncertainty of a quantity; None if it has none, or an error says why it has none.
-
-    Told by the error: an answer without uncertainties does not import the module of Propagated.
-    """
-    one = found.get(name)
-    return None if isinstance(one, JkrollError) else one
-
-
-# --- Other laws of attraction -----------------------------------------------------------------------------------------
-
-
 def with_law(result: Result, scene: Scene) -> Result:
     """Return a result of a law other than JKR with its name and its source.
 
@@ -109,11 +105,9 @@ def with_law(result: Result, scene: Scene) -> Result:
     """
     if result.value is None:
         return result._replace(law=scene.law.name)
-    return (
-        result._replace(law=scene.law.name, of_law=equation_of(scene, result.name))
-        if uses_law(scene, result.name)
-        else result
-    )
+    if not uses_law(scene, result.name):
+        return result
+    return result._replace(law=scene.law.name, of_law=equation_of(scene, result.name))
 
 
 def equation_of(scene: Scene, name: str) -> str:

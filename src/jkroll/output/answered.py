@@ -144,7 +144,7 @@ def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
         "name": doubt.limit.name,
         "symbol": NOMENCLATURE[doubt.limit.name].symbol,
         "value": doubt.value,
-        "limit": doubt.threshold,
+        "limit": doubt.limit.threshold,
         "factor": doubt.factor,
         "holds": not doubt.is_exceeded,
         "text": text,
@@ -200,7 +200,7 @@ class Answered:
                 doubt.code,
                 doubt.limit.name,
                 doubt.value,
-                doubt.threshold or 0.0,
+                doubt.limit.threshold,
                 doubt.factor,
             )
             for doubt in self._answer.exceeded

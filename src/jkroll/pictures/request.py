@@ -320,7 +320,7 @@ _FARTHEST = log(1e3)  # excess of a limit that has a place on a map
 
 def is_drawn(limit: Limit) -> bool:
     """Return whether a limit has a place on a map."""
-    return limit.name in _DRAWN and bool(limit.codes) and not limit.conclusion
+    return limit.name in _DRAWN and not limit.conclusion
 
 
 DRAWN_LIMITS = tuple(filter(is_drawn, LIMITS))
@@ -331,13 +331,14 @@ def beyond(doubt: Doubt, law: Law, known: Any) -> Iterator[tuple[float, str, Any
 
     Of a law it is the last threshold, then the first, unless all elements are beyond the last.
     """
-    thresholds, steps = [*doubt.limit.codes], doubt.limit.steps
     excess = numpy.broadcast_to(doubt.excess, known.shape)
-    for place in dict.fromkeys((len(thresholds) - 1, 0)) if thresholds else ():
-        is_beyond = known & (excess > steps[place])
+    first, *_, last = (doubt.limit.threshold, *doubt.limit.codes)
+    for threshold in dict.fromkeys((last, first)):
+        step = doubt.limit.excess(threshold)
+        is_beyond = known & (excess > step)
         if not is_beyond.any():
             continue
-        yield steps[place], _beyond(doubt.limit, thresholds[place], law), is_beyond
+        yield step, _beyond(doubt.limit, threshold, law), is_beyond
         if (is_beyond == known).all():
             return
 
@@ -368,7 +369,7 @@ def limits_on_map(
             elif not is_drawn(doubt.limit):
                 sentences.append(f"In part of the map {text}.")
             else:
-                is_border = doubt.limit.factor is not None and step == doubt.limit.steps[0]
+                is_border = doubt.limit.factor is not None and step == 0
                 excess = partial(_excess_over, doubt.limit, step, quantity)
                 regions.append(Region(text, BORDER if is_border else doubt.limit.name, excess))
     return regions, sentences

@@ -16,7 +16,7 @@ from ..physics.elementary import where
 from ..quantities.values import is_uncertain, middle
 from ..scene.alternatives import DATA, beside, by_law, names_beside
 from ..scene.failures import OF_IDENTICAL_SPHERES, Failure
-from ..scene.limits import bits_of, doubts, possible_bits
+from ..scene.limits import bits_of, doubts, touched
 from ..scene.scene import Scene
 from ..text import listed
 from .reasons import ROW, UNCERTAINTY, Reasons, lack, status_of
@@ -103,7 +103,7 @@ class Wanted(_Request):
             f"{name}{_BY}{kind}": value
             for kind, values in beside(scene, names_of).items()
             for name, value in values.items()
-            if not isinstance(value, JkrollError)
+            if value is not None
         }
 
     def sources_in(self, scene: Any, names: Collection[str] | None = None) -> "Sources | None":
@@ -328,13 +328,14 @@ def _doubts(scene: Scene, columns: Columns, names: Sequence[str]) -> Any:
     """Return the doubts of each row, of those of some quantities that have a value there."""
     import numpy
 
-    bits = bits_of(doubts(scene, names))
+    every = doubts(scene, names)
     is_empty = {name: numpy.isnan(columns.column(name)) for name in names}
-    if any(map(numpy.any, is_empty.values())):
-        concerned = numpy.zeros_like(columns.doubts)
-        for name in names:
-            concerned |= numpy.where(is_empty[name], 0, possible_bits(scene, [name]))
-        return bits & concerned
+    if not any(map(numpy.any, is_empty.values())):
+        return bits_of(every)
+    bits = numpy.zeros_like(columns.doubts)
+    for name in names:
+        limits = touched(scene, [name])
+        bits |= numpy.where(is_empty[name], 0, bits_of(doubt for doubt in every if doubt.limit in limits))
     return bits
 
 

@@ -12,7 +12,7 @@ from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law, routed_apart
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, ends_of, middle
 from .failures import written_outcome
-from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
+from .scene import DEFAULTS, IN_ITS_PLACE, Scene, takes
 from .wiring import depends_on
 
 
@@ -31,10 +31,8 @@ def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
 @_kept
 def by_law(scene: Scene) -> Scene:
     """Return the scene under the law between JKR and DMT, or for that under JKR, at its atomic spacing."""
-    law = other_law(scene.law.name)
     spacing = scene.uncertain.get("atomic_spacing", scene["atomic_spacing"])
-    given = {} if law == DEFAULT_LAW else {"atomic_spacing": spacing}
-    return scene.replace(model=law, **given)
+    return scene.replace(model=other_law(scene.law.name), atomic_spacing=spacing)
 
 
 @_kept
@@ -55,17 +53,14 @@ def is_at_displacement(scene: Scene) -> bool:
 
 def at_other_reading(scene: Scene) -> Scene | None:
     """Return the scene under the other law with the other of equal displacement and hysteresis, or None."""
-    other, needed = by_law(scene), ("adhesive_force", "zone_radius")
-    own, theirs = scene.numbers(XI, *needed), other.numbers(*needed)
-    if len(own) <= len(needed) or len(theirs) < len(needed):
+    other = by_law(scene)
+    own, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
+    if len(own) < 2 or not theirs:
         return None
     displacement = own[XI]
     if is_at_displacement(scene):
-        forces, radii = (own[name] / theirs[name] for name in needed)
-        displacement = displacement * forces / radii
-    is_known = (displacement >= LEAST) & (displacement <= MOST)
-    where_none = own[XI] if is_at_displacement(scene) else DEFAULTS[XI]  # where there is no contact
-    displacement = where(is_known, displacement, where_none)
+        displacement = displacement * (own["hysteresis_ratio"] / theirs["hysteresis_ratio"])
+    displacement = where(takes(XI, displacement), displacement, DEFAULTS[XI])  # not where there is no contact
     reading = other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
     reading.shared = other
     return reading
@@ -81,19 +76,38 @@ def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
 
 # --- Measured forces --------------------------------------------------------------------------------------------------
 
-SIO2 = "SiO2"
-FORCES = (
-    0.85e-9,
-    1.21e-9,
-)  # rolling forces on pairs of SiO2 spheres: Heim et al. 1999, Blum & Wurm 2000, Gundlach et al. 2011
-ROLLED = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17}  # these pairs
-_OF_SPHERES = (0.02, 0.025)  # surface energies that these spheres may have
-_POLYSTYRENE = ("polystyrene", "polystyrene-glassy")
+SIO2, POLYSTYRENE = "SiO2", "polystyrene"
+# Rolling forces on pairs of SiO2 spheres, and these pairs: Heim et al. 1999, Blum & Wurm 2000, Gundlach et al. 2011.
+FORCES = 0.85e-9, 1.21e-9
+ROLLED = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
 _OF_POLYSTYRENE = Displacement(Interval(42e-9, 42e-9, 42e-9), 1e-5)  # spheres of 5 µm on a plane: Sümer & Sitti
 _SIZES = {
     SIO2: (1e-7, 3e-6),
-    _POLYSTYRENE[0]: (3e-6, 1e-4),
-}  # radii of identical pairs, to which what was measured is scaled
+    POLYSTYRENE: (3e-6, 1e-4),
+}  # of identical pairs, to which it is scaled
+_ENERGIES = {SIO2: (0.02, 0.025), POLYSTYRENE: (0.0, INFINITY)}  # that these spheres may have
+
+
+def measured_solid(material: Material) -> str:
+    """Return the solid on which rolling was measured, if a material is of it.
+
+    The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
+    """
+    if SIO2 in material.aliases:
+        return SIO2
+    return POLYSTYRENE if material.name in (POLYSTYRENE, "polystyrene-glassy") else ""
+
+
+def assumes_displacement(scene: Scene) -> bool:
+    """Return whether nothing says where rolling begins, so that the paper's displacement is assumed."""
+    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE)
+
+
+def solid_of_kind(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
+    solid = scene.material
+    is_one = solid is not None and scene.material2 in (None, solid)
+    return measured_solid(solid) if solid is not None and is_one and assumes_displacement(scene) else ""
 
 
 def rolled_solid(scene: Scene) -> str:
@@ -105,41 +119,14 @@ def rolled_solid(scene: Scene) -> str:
 def _is_near(scene: Scene, solid: str) -> Any:
     """Return whether spheres of a solid have the size and γ of those that were rolled, by element for arrays."""
     known = scene.numbers("work_of_adhesion", "reduced_radius")
-    least, most = _SIZES[solid]
-    low, high = _OF_SPHERES if solid == SIO2 else (0.0, INFINITY)
+    (least, most), (low, high) = _SIZES[solid], _ENERGIES[solid]
     radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
     return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
 
 
-def solid_of_kind(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
-    return _solid_of_both(scene) if assumes_displacement(scene) else ""
-
-
-def _solid_of_both(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it."""
-    solid = scene.material
-    return measured_solid(solid) if solid is not None and scene.material2 in (None, solid) else ""
-
-
-def measured_solid(material: Material) -> str:
-    """Return the solid on which rolling was measured, if a material is of it.
-
-    The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
-    """
-    if SIO2 in material.aliases:
-        return SIO2
-    return _POLYSTYRENE[0] if material.name in _POLYSTYRENE else ""
-
-
-def assumes_displacement(scene: Scene) -> bool:
-    """Return whether nothing says where rolling begins, so that the paper's displacement is assumed."""
-    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE)
-
-
 def displacements_where_measured(scene: Scene) -> tuple[float, float]:
     """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
-    own = scene.numbers("work_of_adhesion", "contact_modulus") if _solid_of_both(scene) == SIO2 else {}
+    own = scene.numbers("work_of_adhesion", "contact_modulus") if solid_of_kind(scene) == SIO2 else {}
     given = {"radius": ROLLED["radius"], **own} if len(own) == 2 else ROLLED
     spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
     pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
@@ -148,9 +135,9 @@ def displacements_where_measured(scene: Scene) -> tuple[float, float]:
 
 
 def _measured(scene: Scene) -> Interval:
-    """Return the measured displacement of a solid, scaled to the radii of a scene."""
+    """Return the measured displacement of the solid of a scene, scaled to its radii."""
     displacement = _OF_POLYSTYRENE
-    if _solid_of_both(scene) == SIO2:
+    if solid_of_kind(scene) == SIO2:
         low, high = displacements_where_measured(scene)
         displacement = Displacement(Interval._make(((low + high) / 2, low, high, "range")), ROLLED["radius"])
     return displacement.scaled(2 * scene["reduced_radius"])
@@ -199,17 +186,27 @@ def _may_be_rolled(scene: Scene) -> bool:
     return assumes_displacement(scene) if is_any else bool(solid_of_kind(scene))
 
 
+def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """Return what may stand in place of results, as `beside` does, with None for those that the other law lacks.
+
+    A result that is not among them is the same.
+    """
+    values, law = beside(scene, names_beside([scene], names)), other_law(scene.law.name)
+    if lacking := [name for name in names if name in by_law(scene).missing(names)]:
+        values[law] = {**values.get(law, {}), **dict.fromkeys(lacking)}
+    return values
+
+
 def beside(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
     """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
 
-    `names_of`: the quantities of each kind. An error stands for one that has no value. A kind that a scene does not
-    have is left out.
+    `names_of`: the quantities of each kind. None stands for one that has no value. A kind that a scene does not have is
+    left out.
     """
     law, values = other_law(scene.law.name), {}
     if moved := names_of.get(law):
         values[law] = _with_bars(scene, moved, by_law)
-    rolled = names_of.get(DATA)
-    solid = solid_of_kind(scene) if rolled else ""
+    rolled, solid = names_of.get(DATA), solid_of_kind(scene)
     if rolled and solid and (is_near := _is_near(scene, solid)) is not False:
         lows, highs = (_with_bars(scene, rolled, end) for end in (at_least_measured, at_most_measured))
         values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
@@ -221,7 +218,8 @@ def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene]
 
     Raises a JkrollError for a scene of arrays of which some elements have no error bars.
     """
-    values = {name: written_outcome(name, value) for name, value in alternative(scene).evaluate(names).items()}
+    outcomes = {name: written_outcome(name, value) for name, value in alternative(scene).evaluate(names).items()}
+    values = {name: None if isinstance(value, JkrollError) else value for name, value in outcomes.items()}
     if not scene.is_uncertain:
         return values
     from .uncertainty import Propagated, uncertainties
@@ -238,11 +236,10 @@ def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene]
 def _between(one: Any, other: Any, is_near: Any) -> Any:
     """Return the range of two values with their error bars, where it is that of spheres like those that were rolled.
 
-    Two values that are the same are one. An error stands for no value.
+    Two values that are the same are one.
     """
-    for value in (one, other):
-        if isinstance(value, JkrollError):
-            return value
+    if one is None or other is None:
+        return None
     ends = (*ends_of(one), *ends_of(other))
     low, high = reduce(at_most, ends), reduce(at_least, ends)
     value = where(is_near, (middle(one) + middle(other)) / 2, nan)
@@ -263,13 +260,12 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
     law, too. The factor is infinite where only the law in use has an answer, or answers differ in sign.
     """
-    other = by_law(scene)
-    missing = other.missing([*names])
-    own = scene.numbers(*(name for name in names if name not in missing and uses_law(other, name)))
-    compared = [*other.evaluate([*own]).items()]
+    if scene.law.name == BETWEEN:
+        return 1.0
+    own = scene.numbers(*moved_by_law(scene, [*names]))
+    compared = [*by_law(scene).evaluate([*own]).items()]
     rolled = rolling(own, BETWEEN)
-    reading = at_other_reading(scene) if rolled else None
-    if reading is not None:
+    if rolled and (reading := at_other_reading(scene)) is not None:
         compared += reading.evaluate(rolled).items()
     if "pull_off_force" in own:
         fit = scene.evaluate(["pull_off_force_lennard_jones"])

@@ -1,7 +1,7 @@
 """The limits of the model: one table of numbers, thresholds and codes, and the doubts that follow for any scene."""
 
 import operator
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache, reduce
 from math import exp, inf, nan
 from typing import Any, Literal, NamedTuple
@@ -9,7 +9,6 @@ from typing import Any, Literal, NamedTuple
 from ..errors import JkrollError
 from ..physics.elementary import ln, where
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from .alternatives import factor_of_data, factor_of_law, solid_of_kind
 from .failures import MissingInput, NotInLaw
@@ -30,40 +29,31 @@ class Limit(NamedTuple):
     touches: frozenset[str]
     sign: Literal["<", "<=", ">", ">="]
     codes: Mapping[float, str]  # by threshold
-    consequence: str  # for a number beyond the threshold, or for any where there is none
+    consequence: str  # for a number beyond the threshold
     applies: Callable[[Scene, Collection[str]], bool] | None = None  # to some answers of a scene; None: to all
     ends_meaning: bool = False  # a number that is said to be in doubt has no meaning
     conclusion: str = ""  # the name of what follows, if it is not that of the number
-    factor: Callable[[Scene, Collection[str]], Any] | None = (
-        None  # between answers and what may stand in their place, which is judged in place of the number
-    )
+    # Between answers and what may stand in their place, which is judged in place of the number.
+    factor: Callable[[Scene, Collection[str]], Any] | None = None
 
-    def level(self, number: Any) -> Any:
-        """Return how many thresholds a number, or each element of an array, passes: the last of them has the code."""
-        return sum(_COMPARISONS[self.sign](number, threshold) for threshold in self.codes)
+    def is_beyond(self, number: Any, threshold: float) -> Any:
+        """Return whether a number, or each element of an array, is in doubt by a threshold."""
+        return _COMPARISONS[self.sign](number, threshold)
+
+    @property
+    def threshold(self) -> float:
+        """The first threshold."""
+        return next(iter(self.codes))
 
     def excess(self, number: Any) -> Any:
         """Return how far numbers are beyond the first threshold: ln of their ratio, or the distance from 0."""
-        if not self.codes:
-            return -inf
-        first = next(iter(self.codes))
-        size = ln(number / first) if first else number
+        size = ln(number / self.threshold) if self.threshold else number
         return size if self.sign.startswith(">") else -size
-
-    @property
-    def steps(self) -> list[float]:
-        """The excess from which on each code holds."""
-        return [self.excess(threshold) for threshold in self.codes]
-
-    @property
-    def place(self) -> int:
-        """The place of the first code among those of all limits."""
-        return CODES.index(next(iter(self.codes.values()))) if self.codes else 0
 
     @property
     def bits(self) -> int:
         """All codes as bits."""
-        return (1 << len(self.codes)) - 1 << self.place
+        return sum(BITS[code] for code in self.codes.values())
 
 
 class Doubt(NamedTuple):
@@ -83,44 +73,36 @@ class Doubt(NamedTuple):
         return self.limit.excess(self.judged)
 
     @property
-    def level(self) -> Any:
-        """The number of thresholds that are passed."""
-        return self.limit.level(self.judged)
-
-    @property
     def is_exceeded(self) -> bool:
         """True if the number is in doubt."""
-        return bool(self.level)
+        return bool(self.limit.is_beyond(self.judged, self.limit.threshold))
 
     @property
     def code(self) -> str:
         """The code of the last threshold that is passed; empty where the limit holds."""
-        level: int = self.level
-        return ["", *self.limit.codes.values()][level]
-
-    @property
-    def threshold(self) -> float | None:
-        """The first threshold; None for a limit that always holds."""
-        return next(iter(self.limit.codes), None)
+        passed = [code for threshold, code in self.limit.codes.items() if self.limit.is_beyond(self.judged, threshold)]
+        return passed[-1] if passed else ""
 
     @property
     def factor(self) -> float | None:
         """The number over the first threshold, below 1 where the limit holds; None if infinite or over 0."""
-        return exp(self.excess) if self.threshold and self.excess < inf else None
+        return exp(self.excess) if self.limit.threshold and self.excess < inf else None
 
     @property
     def text(self) -> str:
         """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
         number = f"{NOMENCLATURE[self.limit.name].symbol} = {amount(self.limit.name, self.value, _SHORT)}"
-        holds = self.limit.codes and not self.is_exceeded
-        return f"within the limit ({number})" if holds else f"{self.limit.consequence} ({number})"
+        return f"{self.limit.consequence if self.is_exceeded else 'within the limit'} ({number})"
 
     @property
     def bits(self) -> Any:
         """The code as a bit: a whole number, or an array."""
         if self.error is not None:
             return NOT_JUDGED
-        return (1 << self.level >> 1) << self.limit.place
+        bits: Any = 0
+        for threshold, code in self.limit.codes.items():
+            bits = where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
+        return bits
 
 
 _SHORT = Format(digits=3)
@@ -157,13 +139,7 @@ LIMITS = (
         "tabor_parameter", "law of attraction", _ELASTICITY, ">",
         {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
         "another law differs by more than {}",
-        lambda scene, _: scene.law.name != BETWEEN,
         factor=factor_of_law,
-    ),
-    Limit(
-        "tabor_parameter", "law of attraction", _ELASTICITY, ">", {},
-        f"{LAWS[BETWEEN].title} covers all from DMT to JKR",
-        lambda scene, _: scene.law.name == BETWEEN,
     ),
     Limit(
         "load_margin", "pull-off", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
@@ -265,6 +241,7 @@ ASSUMED_DISPLACEMENT = Limit(
 
 # In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
 CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
+BITS = {code: 1 << place for place, code in enumerate(CODES)}
 MEANINGS = {
     code: limit.consequence.partition(";")[0].replace("{}", percent(threshold))
     for limit in LIMITS
@@ -282,26 +259,19 @@ def doubts(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMIT
 
 
 def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> list[Doubt]:
-    """Return limits of the answers to these names as doubts."""
-    found = []
-    for limit, value in _with_numbers(limits, scene):
-        if isinstance(value, MissingInput):
-            found.append(Doubt(limit, nan, nan, value))
-            continue
-        is_known = value == value  # noqa: PLR0124
-        judged = value if limit.factor is None else where(is_known, limit.factor(scene, names), nan)
-        found.append(Doubt(limit, value, judged))
-    return found
-
-
-def _with_numbers(limits: Iterable[Limit], scene: Scene) -> Iterator[tuple[Limit, Any]]:
-    """Iterate over limits that law and contact have, each with its number or the input that it needs."""
+    """Return limits of the answers to these names as doubts, but for numbers that law or contact do not have."""
     limits = [*limits]
     values = scene.evaluate([limit.name for limit in limits])
+    found = []
     for limit in limits:
         value = values[limit.name]
-        if not isinstance(value, JkrollError) or (isinstance(value, MissingInput) and not isinstance(value, NotInLaw)):
-            yield limit, value
+        if isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
+            found.append(Doubt(limit, nan, nan, value))
+        elif not isinstance(value, JkrollError):
+            is_known = value == value  # noqa: PLR0124
+            factor = value if limit.factor is None else where(is_known, limit.factor(scene, names), nan)
+            found.append(Doubt(limit, value, factor))
+    return found
 
 
 def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
@@ -315,14 +285,6 @@ def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMI
 def bits_of(found: Iterable[Doubt]) -> Any:
     """Return the codes of doubts as bits: a whole number, or an array for a scene of arrays."""
     return reduce(operator.or_, (doubt.bits for doubt in found), 0)
-
-
-def possible_bits(scene: Scene, names: Collection[str]) -> int:
-    """Return the codes that the answers to these names can have, whatever the numbers are, as bits."""
-    found = _with_numbers(touched(scene, names), scene)
-    return reduce(
-        operator.or_, (NOT_JUDGED if isinstance(value, MissingInput) else limit.bits for limit, value in found), 0
-    )
 
 
 @cache  # many rows have the same doubts
