@@ -17,12 +17,11 @@ from .wiring import depends_on
 
 
 def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
-    """Return a function that makes an alternative of a scene once. What they have in common is evaluated once, too."""
+    """Return a function that makes an alternative of a scene once."""
 
     def alternative(scene: Scene) -> Scene:
         if make.__name__ not in scene.alternatives:
-            scene.alternatives[make.__name__] = made = make(scene)
-            made.shared = scene
+            scene.alternatives[make.__name__] = make(scene)
         return scene.alternatives[make.__name__]
 
     return alternative
@@ -31,14 +30,14 @@ def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
 @_kept
 def by_law(scene: Scene) -> Scene:
     """Return the scene under the law between JKR and DMT, or for that under JKR, at its atomic spacing."""
-    spacing = scene.uncertain.get("atomic_spacing", scene["atomic_spacing"])
-    return scene.replace(model=other_law(scene.law.name), atomic_spacing=spacing)
+    law, spacing = other_law(scene.law.name), scene.uncertain.get("atomic_spacing", scene["atomic_spacing"])
+    return scene.instead(routed_apart(scene.law.name, law, scene.known), model=law, atomic_spacing=spacing)
 
 
 @_kept
 def at_half_spacing(scene: Scene) -> Scene:
     """Return a scene whose atomic spacing is half as large."""
-    return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
+    return scene.instead(["atomic_spacing"], atomic_spacing=scene["atomic_spacing"] / 2)
 
 
 def rolling(names: Iterable[str], law: str) -> list[str]:
@@ -61,9 +60,7 @@ def at_other_reading(scene: Scene) -> Scene | None:
     if is_at_displacement(scene):
         displacement = displacement * (own["hysteresis_ratio"] / theirs["hysteresis_ratio"])
     displacement = where(takes(XI, displacement), displacement, DEFAULTS[XI])  # not where there is no contact
-    reading = other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
-    reading.shared = other
-    return reading
+    return other.instead(IN_ITS_PLACE, **{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
 
 def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
@@ -146,13 +143,13 @@ def _measured(scene: Scene) -> Interval:
 @_kept
 def at_least_measured(scene: Scene) -> Scene:
     """Return the scene with the least displacement that forces on the same solid mean."""
-    return scene.replace(**{XI: _measured(scene).low})
+    return scene.instead([XI], **{XI: _measured(scene).low})
 
 
 @_kept
 def at_most_measured(scene: Scene) -> Scene:
     """Return the scene with the largest displacement that forces on the same solid mean."""
-    return scene.replace(**{XI: _measured(scene).high})
+    return scene.instead([XI], **{XI: _measured(scene).high})
 
 
 def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001

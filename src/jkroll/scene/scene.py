@@ -29,7 +29,7 @@ from .failures import (
     failure_of,
     written_outcome,
 )
-from .wiring import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
+from .wiring import OF_A_SOLID, Plan, depends_on, formula_of, in_order, interned, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -191,14 +191,14 @@ class Scene:
         self._implied = _implied(self.values, self.law, self.uncertain)
         for values in self._implied.values():
             self.values = {**values, **self.values}
-        self.known = frozenset(self.values)
+        self.known = interned(frozenset(self.values))
         self.is_rigid = _is_rigid(self.given, own_material2=material2 is not None)
         self._failures: dict[str, JkrollError] = {}
         if self.is_rigid is True:
             self._failures |= {name: Failure(TWO_RIGID_BODIES) for name in _ON_AREA if name not in self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
-        self._arguments: dict[str, Mapping[str, Any]] = {}  # of the formulas that were evaluated for arrays
-        self.shared: Scene | None = None  # the scene in whose place this one may stand, with results for both
+        self._original: Scene | None = None  # the scene in whose place this one may stand
+        self._changed: frozenset[str] = frozenset()  # the quantities that differ from those of the original
         self.alternatives: dict[str, Scene] = {}  # that may stand in its place, by their kind, made when asked for
 
     def replace(self, **values: Any) -> "Scene":
@@ -211,11 +211,20 @@ class Scene:
         solids = {1: self.material, 2: self.material2}
         for solid, sphere in self.materials:
             names = {of_sphere(sphere, name): name for name in solid.properties}
-            of_solid = names.keys() & values.keys() - self.stated.keys()
-            solids[sphere] = solid.with_properties({names[name]: stated.pop(name) for name in of_solid})
+            if of_solid := names.keys() & values.keys() - self.stated.keys():
+                solids[sphere] = solid.with_properties({names[name]: stated.pop(name) for name in of_solid})
         return Scene(
             {name: value for name, value in stated.items() if value is not None}, *solids.values(), model=model
         )
+
+    def instead(self, changed: Iterable[str], **values: Any) -> "Scene":
+        """Return a scene that may stand in place of this one, as `replace` does. What both have is evaluated once.
+
+        `changed`: the quantities that have other values, or other formulas.
+        """
+        scene = self.replace(**values)
+        scene._original, scene._changed = self, frozenset(changed)
+        return scene
 
     @property
     def materials(self) -> list[tuple[Material, int]]:
@@ -429,31 +438,24 @@ class Scene:
             return values[name]
         if name in failures:
             return failures[name]
-        for _, argument in plan.arguments:
-            if argument.name not in values and isinstance(error := self._value(argument), JkrollError):
-                failures[name] = error
-                return error
-        given = {parameter: values[argument.name] for parameter, argument in plan.arguments}
-        shared = self.shared
-        if shared is not None and shared._has_taken(name, given):
-            value = shared.values[name]
-            self._gaps |= shared._gaps & {name}
+        if self._original is not None and self._changed.isdisjoint(plan.reached):
+            value = self._original._value(plan)
+            self._gaps |= self._original._gaps & {name}
         else:
-            value = self._computed(plan, given)
-        if isinstance(value, JkrollError):
-            failures[name] = value
-        else:
-            values[name] = value
-            if self.arrays:
-                self._arguments[name] = given
+            value = self._computed(plan)
+        (failures if isinstance(value, JkrollError) else values)[name] = value
         return value
 
-    def _computed(self, plan: Plan, given: Mapping[str, Any]) -> Any:
-        """Return what a formula makes of its arguments, or the error of a number that is no answer.
+    def _computed(self, plan: Plan) -> Any:
+        """Return what a formula makes of its arguments, or the error of one of them, or of a number that is no answer.
 
         An element of an array is nan if it is no answer, or follows from one, which the formula may not have used.
         """
-        name = plan.name
+        name, values, given = plan.name, self.values, {}
+        for parameter, argument in plan.arguments:
+            if argument.name not in values and isinstance(error := self._value(argument), JkrollError):
+                return error
+            given[parameter] = values[argument.name]
         try:
             value = plan.formula(**given)
         except (ArithmeticError, ValueError):
@@ -461,7 +463,8 @@ class Scene:
         if self.is_rigid is not False and name in _ON_AREA:
             value = where(self.is_rigid, nan, value)
         if isinstance(value, NUMBER):
-            return value if is_answer(name, value) else failure_of(name, given, value)
+            is_usual = SMALLEST <= value < INFINITY  # as nearly always
+            return value if is_usual or is_answer(name, value) else failure_of(name, given, value)
         numbers = with_nan(name, value)
         for source in self._gaps.intersection(argument.name for _, argument in plan.arguments):
             numbers = where(self.values[source] == self.values[source], numbers, nan)
@@ -469,16 +472,11 @@ class Scene:
             self._gaps.add(name)
         return numbers
 
-    def _has_taken(self, name: str, given: Mapping[str, Any]) -> bool:
-        """Return whether a formula took these arguments: not equal ones, but the same arrays."""
-        taken = self._arguments.get(name)
-        return taken is not None and all(taken[parameter] is value for parameter, value in given.items())
-
 
 def check_exclusive(given: Collection[str]) -> None:
     """Raise BadRequest for inputs of which one follows from the other."""
     for names in EXCLUSIVE:
-        if len(both := [name for name in names if name in given]) > 1:
+        if len(both := [*filter(given.__contains__, names)]) > 1:
             raise BadRequest(f"{listed(both)} exclude each other: one follows from the other")
 
 
@@ -508,8 +506,11 @@ def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) ->
 
     Nothing follows from the middle of an uncertainty, as the rest has other values.
     """
-    certain = {name: value for name, value in values.items() if name not in uncertain and isinstance(value, NUMBER)}
-    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if certain.get(name) == value}
+    implied = {
+        name: follows
+        for name, (value, follows) in FOLLOWS.items()
+        if name not in uncertain and isinstance(values.get(name), NUMBER) and values[name] == value
+    }
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
