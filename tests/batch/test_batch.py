@@ -410,9 +410,7 @@ HEADERS = {
     ),
     "material [m]": mistaken("material [m]", "what stands behind material is not its unit.", "material"),
     "material;radius": "header: 'material;radius' has semicolons between its columns; write --delimiter semicolon",
-    "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
-        "\\t", "?"
-    ),
+    "material\tradius": "header: 'material?radius' has tabs between its columns; write --delimiter tab",
     "radius [],x": (
         "header: 'radius []' (first cell '100'): neither has a unit. Write --column 'radius []=radius "
         "[UNIT]', or --column 'radius []=' to pass it through"
@@ -436,8 +434,8 @@ HEADERS = {
         "--column 'HEADER=INPUT [UNIT]'"
     ),
     "# grains of 2020,x": "header: '100' is a number; begin with a line of the columns' names",
-    '"radius [nm],x': "header: has a quote that is not closed",
-    "": "header: is empty",
+    '"radius [nm],x': "header: a quote is not closed",
+    "": "the table has no header; begin with a line of the columns' names",
 }
 
 
@@ -459,7 +457,7 @@ def test_a_header_is_checked_before_the_first_row(run: Run, text: str) -> None:
 
 def test_an_empty_file_and_utf_16(run: Run) -> None:
     Path("empty.csv").write_bytes(b"")
-    assert run("batch empty.csv").err == "jkroll: the table is empty: it has no header\n"
+    assert run("batch empty.csv").err == "jkroll: the table has no header; begin with a line of the columns' names\n"
     for encoding in ("utf-16", "utf-16-le", "utf-16-be"):
         Path("wide.csv").write_bytes("radius [nm]\n1\n".encode(encoding))
         assert "the table is not UTF-8; save it as UTF-8" in run("batch wide.csv").err

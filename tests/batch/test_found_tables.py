@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from harness import Ran, Run
-from jkroll.batch.lines import DELIMITERS, Delimited
+from jkroll.batch.lines import DELIMITERS, Delimited, tabbed
 from jkroll.errors import BadTable
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import Uncertain
@@ -67,7 +67,7 @@ def advised(run: Run, found: Found) -> Iterator[tuple[Ran, list[str]]]:
     written: Sequence[str] = ()
     while True:
         options = [word for choice in written for word in words(choice)]
-        out = "out.tsv" if "--format tsv" in written else "out.csv"
+        out = "out.tsv" if "--delimiter tab" in written else "out.csv"
         ran = run("batch", Path(found.path).name, *found.call.split(), *options, "-o", out)
         advice = [] if found.ends and found.ends in ran.err else named(ran.err)
         yield ran, advice
@@ -104,8 +104,9 @@ def values(found: Found) -> dict[str, list[Any]]:
     """Return what is read of each row that has a cell for each column, by the names of inputs."""
     chosen = found.written or found.named
     options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
-    lines = Delimited(DELIMITERS[options.get("delimiter") or ("tab" if options.get("format") == "tsv" else "comma")])
-    lines.begin(lines.prepared(found.text))
+    mark = DELIMITERS[options.get("delimiter", "comma")]
+    lines = Delimited("\t" if mark == " " else mark)
+    lines.begin(tabbed(found.text) if mark == " " else found.text)
     rows = lines.sample
     header = understood(lines.names, rows, stated_meanings(choice for choice in chosen if not choice.startswith("--")))
     materials = {column.name: [row[column.place] for row in rows] for column in header.materials}
@@ -160,7 +161,7 @@ def test_few_tables_are_refused_for_a_column_that_is_no_input() -> None:
     for source, found in TABLES.items():
         pairs = zip(found.named, found.written or found.named, strict=True)
         columns = [said for text, said in pairs if not text.startswith("--") and not text.endswith("=")]
-        if "it has no header" not in found.ends:
+        if "has no header" not in found.ends:
             why[source] = refusal(found.table, columns)
     refused = {source: problem for source, problem in why.items() if problem}
     assert len(HEADERS) > 20

@@ -322,14 +322,23 @@ def test_a_row_of_units_is_told_with_all_columns_at_once(run: Run) -> None:
 @pytest.mark.parametrize(
     ("name", "text", "said"),
     [
-        ("x.csv", "sep=;\nradius [nm];load [nN]\n100;1\n", "'sep=;' is for a spreadsheet; delete this line"),
-        ("x.xlsx", "PK", "'x.xlsx' is no table that is read; save it as CSV"),
+        ("x.csv", "sep=;\nradius [nm];load [nN]\n100;1\n", "write --delimiter semicolon"),
+        ("x.xlsx", "PK", "'x.xlsx': its name says no format that is read; save it as CSV"),
     ],
 )
 def test_what_a_spreadsheet_writes_is_refused(run: Run, name: str, text: str, said: str) -> None:
     Path(name).write_text(text, encoding="utf-8")
     ran = run(f"batch {name} --material quartz")
     assert (ran.code, said in ran.err) == (2, True), ran.err
+
+
+@pytest.mark.parametrize(("name", "mark"), [("semicolon", ";"), ("comma", ",")])
+def test_a_line_that_tells_a_spreadsheet_the_separator_is_passed_over(run: Run, name: str, mark: str) -> None:
+    Path("x.csv").write_text("sep=;\nradius [nm];load [nN]\n100;1\n".replace(";", mark), encoding="utf-8")
+    ran = run(f"batch x.csv --delimiter {name} --material quartz --quantities pull_off_force --no-doubt -o out.csv")
+    assert (ran.code, "passed over: a line before the header" in ran.err) == (0, True)
+    header, row = Path("out.csv").read_text(encoding="utf-8").splitlines()
+    assert (header.split(mark)[:2], row.split(mark)[:2]) == (["radius [nm]", "load [nN]"], ["100", "1"])
 
 
 def test_thirty_forms() -> None:
@@ -743,7 +752,7 @@ def test_results_between_semicolons_have_the_marks_of_the_other_numbers(run: Run
 def test_where_a_comma_may_be_of_thousands_the_table_is_refused(run: Run, words: str) -> None:
     other = "P_c (nN)" if words else "gamma (mJ/m2)"
     Path("x.tsv").write_text(f"R1 (nm)\t{other}\n800\t1,200\n900\t12,500\n", encoding="utf-8")
-    message = "jkroll: '1,200' may be 1.200 or 1200: write decimal points, and no marks of thousands\n"
+    message = "jkroll: '1,200' may be 1.200 or 1200: write 1,2000 or 1200\n"
     assert run(f"batch x.tsv -o out.tsv {words}") == (2, "", message)
 
 

@@ -138,7 +138,7 @@ def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
 
     lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 10))]
     pieces = [b"".join(lines[start : start + 1000]) for start in range(0, len(lines), 1000)]
-    found = [*blocks(pieces, Delimited(",").cut)]
+    found = [*blocks(iter(pieces), Delimited(",").cut)]
     assert b"".join(found) == b"".join(lines)
     assert len(found) > 4
     assert all(block.endswith(b"\n") and len(block) <= CHUNK for block in found)
@@ -149,7 +149,7 @@ def test_a_first_record_longer_than_a_block_is_one() -> None:
 
     text = b"radius [nm]" + b",column" * CHUNK + b"\n100\n"  # as read: pieces of CHUNK bytes
     pieces = [text[start : start + CHUNK] for start in range(0, len(text), CHUNK)]
-    first, *rest = blocks(pieces, Delimited(",").cut)
+    first, *rest = blocks(iter(pieces), Delimited(",").cut)
     assert first.startswith(text[:-4])
     assert first + b"".join(rest) == text
 

@@ -116,8 +116,8 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
 def _pairs(directory: str, path: str) -> list[Pair]:
     """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
     place = directory.rstrip(os.sep)
-    is_table = directory == place and not os.path.exists(place) and format_of_name(place) is not None
-    if directory == "-" or is_table or (os.path.exists(place) and not os.path.isdir(place)):
+    is_file = os.path.exists(place) or format_of_name(directory) is not None
+    if directory == "-" or (is_file and not os.path.isdir(place)):
         raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
     paths = [path] if os.path.exists(path) else sorted(glob.glob(path))
     if not paths:

@@ -8,7 +8,7 @@ import os
 import stat
 import sys
 import zlib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import partial
 from io import BufferedReader, FileIO
@@ -18,14 +18,16 @@ from typing import Any, BinaryIO, NamedTuple
 from ..errors import BadRequest, BadTable, missing_extra
 from ..rows.columns import BLOCK
 from ..text import ending, quoted, say
-from .lines import DELIMITERS, MAX_RECORD, SAMPLE, Delimited, Ndjson
+from .lines import DELIMITERS, MAX_RECORD, Delimited, Ndjson, tabbed
 
-OTHERS = ("xlsx", "xls", "ods", "json")  # ends of names of what is neither read nor written
+NOT_WRITTEN = ("xlsx", "xls", "ods", "json")  # ends of names
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 SEPARATORS = {"csv": ",", "tsv": "\t"}  # unless --delimiter says others
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
 CHUNK = 1 << 20  # bytes read at a time
 FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
+BOM = b"\xef\xbb\xbf"
+NOT_UTF_8 = (b"\xff\xfe", b"\xfe\xff", b"\x1f\x8b", b"\x28\xb5\x2f\xfd")  # first bytes of UTF-16, gzip and zstd
 
 # --- Formats ----------------------------------------------------------------------------------------------------------
 
@@ -44,24 +46,21 @@ def format_of_name(path: str) -> FileFormat | None:
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
     (FileFormat(kind='csv', compression='gzip', separator=','), None)
     """
-    parts = os.path.basename(path).casefold().split(".")
-    compression = COMPRESSIONS.get(parts[-1], "")
-    kind = KINDS.get(parts[-2 if compression and len(parts) > 1 else -1], "")
+    name, _, end = os.path.basename(path).casefold().rpartition(".")
+    compression = COMPRESSIONS.get(end, "")
+    kind = KINDS.get(name.rpartition(".")[2] if compression else end, "")
     if kind == "parquet" and compression:
-        raise BadTable(f"{quoted(path)}: Parquet is compressed in itself; leave out .{parts[-1]}")
+        raise BadTable(f"{quoted(path)}: Parquet is compressed in itself; leave out .{end}")
     return FileFormat(kind, compression, SEPARATORS.get(kind, "")) if kind else None
 
 
 def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
     """Return the format of the input. `stated`, `delimiter`: by options, of which a call has one. Raises BadTable."""
-    if stated:
-        if (form := format_of_name(stated.lstrip("."))) is None:
-            kinds = ", ".join(dict.fromkeys(KINDS.values()))
-            problem = f"is none of {kinds}, or, but for the last, these with .gz or .zst"
-            raise BadTable(f"--format: {quoted(stated)} {problem}")
-        return form
-    named = format_of_name(path)
-    if path == "-":  # a table in a pipe is not compressed, though its output may be
+    named = format_of_name(stated.lstrip(".") or path)
+    if stated and named is None:
+        kinds = ", ".join(dict.fromkeys(KINDS.values()))
+        raise BadTable(f"--format: {quoted(stated)} is none of {kinds}, or, but for the last, these with .gz or .zst")
+    if path == "-" and not stated:  # a table in a pipe is not compressed, though its output may be
         named = (format_of_name(target) or FileFormat("csv", separator=","))._replace(compression="")
     if delimiter:
         mark = DELIMITERS.get(delimiter, delimiter)
@@ -72,10 +71,8 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
         return named
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
-    if ending(path) in OTHERS:
-        raise BadTable(f"{quoted(path)} is no table that is read; save it as CSV, or as NDJSON: an object a line")
-    remedy = "give --format csv, tsv, ndjson or parquet, or --delimiter blank"
-    raise BadTable(f"{quoted(path)}: its name says no format; {remedy}")
+    remedy = "save it as CSV, or give --format csv, tsv, ndjson or parquet, or --delimiter blank"
+    raise BadTable(f"{quoted(path)}: its name says no format that is read; {remedy}")
 
 
 def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
@@ -85,10 +82,10 @@ def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
     """
     if (form := format_of_name(target)) is not None:
         return form
-    if ending(target) in OTHERS:
-        table = quoted(f"{os.path.splitext(target)[0]}.{kind}")
-        raise BadRequest(f"-o: a table is not written as {ending(target)}; name the file {table}")
-    if os.path.splitext(target)[1] and not quiet:
+    name, end = os.path.splitext(target)
+    if ending(target) in NOT_WRITTEN:
+        raise BadRequest(f"-o: a table is not written as {ending(target)}; name the file {quoted(f'{name}.{kind}')}")
+    if end and not quiet:
         say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
     return FileFormat(kind)
 
@@ -109,20 +106,20 @@ def compressed(block: Any, compression: str) -> Any:
 
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
     """Iterate over the decompressed bytes of a file, some at a time. Raises BadTable for a damaged file."""
-    begun, damaged = _decompressor(compression)
-    frame, rest = begun(), b""
+    problem = BadTable(f"{quoted(path)} is not what its name says, or its end is missing")
+    begin, damaged = _decompressor(compression)
+    frame = begin()
     try:
-        while rest or (rest := file.read(FEED)):
-            if frame.eof:
-                if not (rest := rest.lstrip(b"\0")):  # which may fill the end of a file
-                    continue
-                frame = begun()
-            yield frame.decompress(rest)
-            rest = frame.unused_data if frame.eof else b""
+        for piece in iter(partial(file.read, FEED), b""):
+            rest = piece
+            while rest:
+                frame = begin() if frame.eof else frame
+                yield frame.decompress(rest)
+                rest = frame.unused_data
     except damaged:
-        frame = begun()
+        raise problem from None
     if not frame.eof:
-        raise BadTable(f"{quoted(path)} is not what its name says, or its end is missing")
+        raise problem
 
 
 def _decompressor(compression: str) -> tuple[Callable[[], Any], type[Exception]]:
@@ -193,42 +190,52 @@ class Source(NamedTuple):
 
 
 def lines_of(given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool) -> Source:
-    """Return a table whose records are lines. `is_read`, `excel_safe`: as Delimited has them."""
-    lines = Ndjson() if form.kind == "ndjson" else Delimited(form.separator, excel_safe=excel_safe)
-    every = map(lines.prepared, blocks(given.pieces(form.compression), lines.cut))
+    """Return a table whose records are lines. `is_read`, `excel_safe`: as Delimited has them. Raises BadTable."""
+    is_of_blanks = form.separator == " "
+    separator = "\t" if is_of_blanks else form.separator
+    lines = Ndjson() if form.kind == "ndjson" else Delimited(separator, excel_safe=excel_safe)
+    every = blocks(given.pieces(form.compression), lines.cut)
     first = next(every, b"")
+    if first.startswith(NOT_UTF_8) or b"\0" in first.partition(b"\n")[0]:
+        remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
+        raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
+    mark = BOM if first.startswith(BOM) else b""
+    every = chain([first.removeprefix(mark)], every)
+    if is_of_blanks:
+        every = map(tabbed, every)
+    first = next(every)
     rows = first[lines.begin(first, is_read) :]
+    lines.header = mark + lines.header
     return Source(lines, filter(None, chain([rows], every)), lambda _: given.share_read())
 
 
-def blocks(pieces: Iterable[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:
+def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:
     """Iterate over blocks of whole records: about BLOCK of them, and CHUNK bytes at most unless a record is longer.
 
     `cut`: returns the number of bytes of whole records at the beginning of a text.
 
-    The first has the rows that decide how a table is read, in whichever pieces they come. A record that does not end
-    within MAX_RECORD, or at all, is given up: its first lines are a block, and the format says what is wrong with them.
+    A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
+    says what is wrong with them.
     """
-    left = iter(pieces)
-    text, is_end = b"", False
-    while len(text) < CHUNK // 2 and text.count(b"\n") <= SAMPLE and (piece := next(left, b"")):
-        text += piece
+    text = _filled(b"", pieces, CHUNK // 2)
     usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
-    while text or not is_end:
-        if len(text) < size and not is_end:
-            piece = next(left, b"")
-            text, is_end = text + piece, not piece
-            continue
+    while text := _filled(text, pieces, size):
         end = cut(text[:size])
-        is_all = is_end and size >= len(text)
-        if not end and not is_all and size < MAX_RECORD:
+        if not end and size <= len(text) and size < MAX_RECORD:
             size *= 2
             continue
-        if is_all and end < len(text) < cut(text + b"\n"):
-            text += b"\n"  # which the last line lacks
-            end = len(text)
-        yield text[: (end := end or _end_of_lines(text))]
+        end = end or _end_of_lines(text)
+        yield text[:end]
         text, size = text[end:], usual
+
+
+def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
+    """Return a text that pieces make as long as a size. At their end, the last line gets the end that it lacks."""
+    while len(text) < size:
+        if not (piece := next(pieces, b"")):
+            return text + b"\n" if text and not text.endswith(b"\n") else text
+        text += piece
+    return text
 
 
 def _end_of_lines(text: bytes) -> int:
@@ -237,6 +244,6 @@ def _end_of_lines(text: bytes) -> int:
     Raises BadTable for a line of more than MAX_RECORD bytes.
     """
     end = text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
-    if not end and len(text) >= MAX_RECORD:
+    if not end:
         raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")
-    return end or len(text)
+    return end

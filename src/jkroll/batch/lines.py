@@ -25,34 +25,18 @@ from ..rows.table import Records, Table
 from ..rows.words import MATERIALS
 from ..text import quoted
 
-BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
 SAMPLE = 200  # rows that decide how a table is read
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
-# The first bytes of what is no text in UTF-8: UTF-16, gzip, zstd.
-_OTHERS = (b"\xff\xfe", b"\xfe\xff", b"\x1f\x8b", b"\x28\xb5\x2f\xfd")
-_MISTAKEN = {
-    ";": "has semicolons between its columns; write --delimiter semicolon",
-    "\t": "has tabs between its columns; write --format tsv",
-    ",": "has commas between its columns; write --format csv",
-    "|": "has bars between its columns; write --delimiter bar",
-    " ": "has blanks between its columns; write --delimiter blank",
-}
-_COMMENT = re.compile(r"\A[ \t]*#+ *")
 BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
+_COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
+_MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text stands behind it"
 _CARRIAGE_RETURN = "a carriage return stands outside quotes"
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 csv.field_size_limit(MAX_RECORD)  # 128 KiB unless it is raised
-
-
-def check_encoding(text: bytes) -> None:
-    """Refuse a table that is compressed or in UTF-16."""
-    if text.startswith(_OTHERS) or b"\0" in text.partition(b"\n")[0]:
-        remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
-        raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
 
 
 class Record(NamedTuple):
@@ -67,14 +51,10 @@ class Record(NamedTuple):
 class Delimited:
     """A table of cells with a separator between them."""
 
-    def __init__(self, mark: str, *, excel_safe: bool = False) -> None:
-        """`mark`: the separator; any number of blanks are read as a tab.
-
-        `excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula.
-        """
-        self.is_of_blanks, self.excel_safe = mark == " ", excel_safe
-        self.separator = "\t" if self.is_of_blanks else mark
-        self.blanks = " \t\r\n".replace(self.separator, "")  # a line of these is no record
+    def __init__(self, separator: str, *, excel_safe: bool = False) -> None:
+        """`excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula."""
+        self.separator, self.excel_safe = separator, excel_safe
+        self.blanks = " \t\r\n".replace(separator, "")  # a line of these is no record
         self.has_decimal_commas = False
 
     def cut(self, text: bytes) -> int:
@@ -85,14 +65,6 @@ class Delimited:
         lines = as_lines(text[:end])
         last = next((record.start for record in self.records(lines) if record.problem == _OPEN), len(lines))
         return sum(map(len, lines[:last]))
-
-    def prepared(self, block: bytes) -> bytes:
-        """Return a block with tabs in place of blanks. Raises BadTable for quotes, as blanks would divide a cell."""
-        if not self.is_of_blanks:
-            return block
-        if b'"' in block:
-            raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
-        return b"\n".join(b"\t".join(line.split()) for line in block.split(b"\n"))
 
     def records(self, lines: Sequence[str]) -> Iterator[Record]:
         """Iterate over records. Their cells have a character for each byte. A line that is no record has none."""
@@ -107,10 +79,6 @@ class Delimited:
             except csv.Error as error:
                 yield Record(start, start + 1, [], _problem(str(error)))
                 start += 1
-
-    def _is_blank(self, line: str) -> bool:
-        """Return whether a line is no record."""
-        return not line.strip(self.blanks)
 
     def _line(self, cells: Sequence[str]) -> str:
         """Return the line of some cells, in quotes where they need them."""
@@ -129,81 +97,67 @@ class Delimited:
 
         `block`: the first one; `is_read`: tells of a header whether its column is one of those that are read.
         """
-        check_encoding(block)
-        mark = BOM if block.startswith(BOM) else b""
-        every = as_lines(block.removeprefix(mark))
-        self.preamble = self._preamble(every, is_read)
-        lines = every[self.preamble :]
-        if not any(map(str.strip, lines)):
-            raise BadTable("the table is empty: it has no header")
-        lines[0] = self._uncommented(lines[0])
-        records = self.records(lines)
+        lines = as_lines(block)
+        self.preamble = self._preamble(lines, is_read)
+        below = lines[self.preamble :] or [""]
+        below[0] = _COMMENT.sub("", below[0])
+        records = self.records(below)
         first = next(records)
-        header = "".join(lines[: first.stop])
-        self.names = self._names(first, header)
-        self.header = mark + self._safe(first.cells, header).rstrip("\r\n").encode(BYTES)
+        line = "".join(below[: first.stop])
+        self.names = self._names(first, line)
+        self.header = self._safe(first.cells, line).rstrip("\r\n").encode(BYTES)
         self.lines = self.preamble + first.stop
-        rows = (record.cells for record in records if not self._is_blank("".join(lines[record.start : record.stop])))
-        whole = [
-            [cell.encode(BYTES) for cell in cells] for cells in islice(rows, SAMPLE) if len(cells) == len(self.names)
-        ]
+        whole = islice((record.cells for record in records if len(record.cells) == len(self.names)), SAMPLE)
+        sample = [[cell.encode(BYTES) for cell in cells] for cells in whole]
         if self.separator != ",":
-            columns = [*zip(*whole, strict=True)]
             are_read = [*map(is_read, self.names)]
+            columns = [*zip(*sample, strict=True)]
             self.has_decimal_commas = has_decimal_commas(are_read, columns, by_all=self.separator == ";")
-        rows_read = map(with_points, whole) if self.has_decimal_commas else whole
-        self.sample = [[cell.decode("utf-8", "replace") for cell in row] for row in rows_read]
-        end = "\r\n" if header.endswith("\r\n") else "\n"
+        if self.has_decimal_commas:
+            sample = [*map(with_points, sample)]
+        self.sample = [[cell.decode("utf-8", "replace") for cell in row] for row in sample]
+        end = "\r\n" if line.endswith("\r\n") else "\n"
         self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
-        return len(mark) + sum(map(len, every[: self.lines]))
+        return sum(map(len, lines[: self.lines]))
 
     def _preamble(self, lines: Sequence[str], is_read: Callable[[str], bool]) -> int:
-        """Return the number of lines above the header, which begin with #.
+        """Return the number of lines above the header: comments, and the separator as a spreadsheet has it in sep=;.
 
-        The last of them that names columns that are read is the header itself, unless the line below all of them names
-        some.
+        The last of them that names columns that are read is the header, unless the line below all of them names some.
         """
-        comments = [*takewhile(_COMMENT.match, lines[:SAMPLE])]
 
         def names_inputs(line: str) -> bool:
-            cells = self._uncommented(line).strip().split(self.separator)
-            return any(is_read(cell.encode(BYTES).decode("utf-8", "replace").strip('"')) for cell in cells)
+            cells = _COMMENT.sub("", line).encode(BYTES).decode("utf-8", "replace").strip().split(self.separator)
+            return any(is_read(cell.strip('"')) for cell in cells)
 
+        comments = [*takewhile(_COMMENT.match, lines[:SAMPLE])]
         headers = [place for place, line in enumerate(comments) if names_inputs(line)]
-        is_below = not headers or any(map(names_inputs, lines[len(comments) : len(comments) + 1]))
-        return len(comments) if is_below else headers[-1]
+        is_below = any(map(names_inputs, lines[len(comments) : len(comments) + 1]))
+        return len(comments) if is_below or not headers else headers[-1]
 
-    def _uncommented(self, line: str) -> str:
-        """Return a line without the mark of a comment in front of it."""
-        line = _COMMENT.sub("", line)
-        return line.lstrip("\t") if self.is_of_blanks else line
-
-    def _names(self, first: Record, header: str) -> tuple[str, ...]:
-        """Return the names of columns. Raises BadTable."""
+    def _names(self, first: Record, line: str) -> tuple[str, ...]:
+        """Return the names of columns. `line`: that of the first record. Raises BadTable."""
         if first.problem == _CARRIAGE_RETURN:
             raise BadTable("the lines end in carriage returns alone; save the table with line feeds")
-        if self._is_blank(header):
-            raise BadTable("header: is empty")
+        if not line.strip(self.blanks):
+            raise BadTable("the table has no header; begin with a line of the columns' names")
         try:
-            line, *names = (cell.encode(BYTES).decode() for cell in (header, *(first.cells or [header])))
+            text, *names = (cell.encode(BYTES).decode() for cell in (line.strip(), *(first.cells or [line])))
         except UnicodeDecodeError:
             raise BadTable("header: is not UTF-8; save the table as UTF-8") from None
-        if line.casefold().startswith("sep="):
-            remedy = "delete this line, and write --delimiter semicolon if the columns have semicolons between them"
-            raise BadTable(f"header: {quoted(line.strip())} is for a spreadsheet; {remedy}")
         if not any(map(is_input, names)):
-            self._check_separator(line, is_single=len(names) == 1)
+            self._check_separator(text, len(names))
         if first.problem:
-            raise BadTable("header: has a quote that is not closed")
+            raise BadTable(f"header: {first.problem}")
         return tuple(names)
 
-    def _check_separator(self, line: str, *, is_single: bool) -> None:
+    def _check_separator(self, line: str, count: int) -> None:
         """Refuse a header that another separator divides into inputs; blanks into two at least."""
-        for mark, problem in _MISTAKEN.items():
-            is_of_blanks = mark == " "
-            cells = line.replace('"', "").split(None if is_of_blanks else mark)
-            if mark != self.separator and is_single >= is_of_blanks and sum(map(is_input, cells)) > is_of_blanks:
-                raise BadTable(f"header: {quoted(line.strip())} {problem}")
+        for word, mark in DELIMITERS.items():
+            is_blank = mark == " "
+            cells = line.replace('"', "").split(None if is_blank else mark)
+            if mark != self.separator and (count == 1 or not is_blank) and sum(map(is_input, cells)) > is_blank:
+                raise BadTable(f"header: {quoted(line)} has {word}s between its columns; write --delimiter {word}")
 
     # --- Rows ---------------------------------------------------------------------------------------------------------
 
@@ -236,30 +190,30 @@ class Delimited:
         return Records(lines, columns, {}, range(len(lines)), len(lines))
 
     def _read(self, text: bytes, places: Mapping[str, int]) -> Records:
-        """Read records of any kind."""
+        """Read records of any kind. Blank lines above a record belong to it."""
         width = len(self.names)
-        texts: list[str] = []
+        before: list[bytes] = []
         rows: list[list[str]] = []
         odd: dict[int, str] = {}
         starts: list[int] = []
         blank = ""
         lines = as_lines(text)
-        for record in self.records(lines):
-            line = "".join(lines[record.start : record.stop])
-            if self._is_blank(line):
+        for start, stop, given, problem in self.records(lines):
+            line = "".join(lines[start:stop])
+            if not line.strip(self.blanks):
                 blank += line
                 continue
-            cells, line = record.cells, line.rstrip("\r\n")
-            if len(cells) != width:
-                odd[len(rows)] = record.problem or _of_other_width(len(cells), width)
-                cells = self._squared(cells or [line])
+            cells, line = given, line.rstrip("\r\n")
+            if len(given) != width:
+                odd[len(rows)] = problem or _of_other_width(len(given), width)
+                cells = self._squared(given or [line])
                 line = self._line(cells)
-            starts.append(record.start)
-            texts.append(blank + self._safe(cells, line))
+            starts.append(start)
+            before.append((blank + self._safe(cells, line)).encode(BYTES))
             rows.append(cells)
             blank = ""
         columns = {name: [row[place].encode(BYTES) for row in rows] for name, place in places.items()}
-        return Records([text.encode(BYTES) for text in texts], columns, odd, starts, len(lines), blank.encode(BYTES))
+        return Records(before, columns, odd, starts, len(lines), blank.encode(BYTES))
 
     def _squared(self, cells: list[str]) -> list[str]:
         """Return as many cells as the header has: what is too much stays in the last."""
@@ -290,10 +244,20 @@ def _of_other_width(count: int, width: int) -> str:
     return f"row is {size}: {count} {cells} for {width}"
 
 
+def tabbed(block: bytes) -> bytes:
+    """Return a block with tabs in place of blanks. Raises BadTable for quotes, as blanks would divide a cell."""
+    if b'"' in block:
+        raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
+    lines = _MARK.sub(rb"\1", block).split(b"\n")
+    return b"\n".join(b"\t".join(line.split()) for line in lines)
+
+
 # --- Decimal commas ---------------------------------------------------------------------------------------------------
 
 _NUMERIC = re.compile(rb"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
-_MARKED = re.compile(rb"([\d.,]*)([.,])(\d+)([eE][-+]?\d+)?")  # a number with a point or a comma
+_MARKED = re.compile(rb"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
+_UNCLEAR = re.compile(rb"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
+_POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
 
 
 def has_decimal_commas(are_read: Sequence[bool], columns: Sequence[Sequence[bytes]], *, by_all: bool) -> bool:
@@ -309,38 +273,34 @@ def has_decimal_commas(are_read: Sequence[bool], columns: Sequence[Sequence[byte
     for marks in (read, every) if unclear or (not read and by_all) else (read,):
         if marks[b","] != marks[b"."]:
             return marks[b","] > marks[b"."]
-    if number := next((number for number in unclear if "," in number or by_all), ""):
-        digits = number.replace(",", "").replace(".", "")
-        remedy = "write decimal points, and no marks of thousands"
-        if "," not in number:
-            remedy = "leave marks of thousands out, or save the table with commas between its columns"
-        raise BadTable(f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: {remedy}")
+    for number in unclear:
+        if "," in number or by_all:
+            digits = number.replace(",", "").replace(".", "")
+            raise BadTable(
+                f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
+            )
     return False
 
 
 def _decimal_marks(cells: Sequence[bytes]) -> Iterator[bytes]:
-    """Iterate over the decimal marks of the numbers of a column.
+    """Iterate over the decimal marks of the numbers of a column; one that may be of thousands comes with its number.
 
-    A mark that stands in a number more than once is of thousands or of a list, and is left out. Where a mark may be of
-    thousands, the number itself comes in its place.
+    A mark that stands in a number more than once is of thousands or of a list, and is left out.
 
     >>> [*_decimal_marks((b"0,125", b"1,200e3", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3"))]
     [b',', b',', b',', b'1,200']
     """
-    for number in _MARKED.finditer(b";".join(filter(_NUMERIC.match, cells))):
-        whole, mark, fraction, power = number.groups()
-        may_be_of_thousands = (
-            len(fraction) == 3 and whole.isdigit() and len(whole) <= 3 and whole[:1] != b"0" and not power
-        )
+    for whole, mark, fraction in _MARKED.findall(b";".join(filter(_NUMERIC.match, cells))):
+        number = whole + mark + fraction
         if mark not in whole:
-            yield number[0] if may_be_of_thousands else mark
+            yield number if _UNCLEAR.fullmatch(number) else mark
 
 
 def points_among_commas(columns: Iterable[Sequence[bytes]]) -> Iterator[tuple[int, str]]:
     """Iterate over the rows in which a number has a point, decimal or of thousands, and what is wrong with that."""
     for column in columns:
         for row, cell in enumerate(column if b"." in b"".join(column) else ()):
-            if any(b"." in number[0] for number in _MARKED.finditer(cell)):
+            if _POINT.search(cell):
                 text = quoted(cell.decode("utf-8", "replace"))
                 remedy = "write numbers without marks of thousands"
                 yield row, f"{text} has a point, and this table has decimal commas: {remedy}"
@@ -354,73 +314,60 @@ def with_points(cells: Iterable[bytes]) -> list[bytes]:
 # --- NDJSON -----------------------------------------------------------------------------------------------------------
 
 Object = dict[str, Any]
-_UNWRITTEN = "[...]"  # stands for a value that is nested too deeply
+_NESTED = "[...]"  # stands for a list or an object, which is no input
 
 
 class Ndjson:
     """A table whose lines are JSON objects; the names in the first of them are the columns."""
 
     preamble = lines = 0  # there is no header
+    header = b""
     writer = Objects()
 
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1
 
-    def prepared(self, block: bytes) -> bytes:
-        """Return a block as it is."""
-        return block
-
     def begin(self, block: bytes, is_read: Callable[[str], bool] = bool) -> int:  # noqa: ARG002
-        """Read the names in the first object, and the values of the first objects. Raises BadTable.
-
-        Return the number of bytes in front of them.
-        """
-        check_encoding(block)
-        self.header = BOM if block.startswith(BOM) else b""
-        lines = [line for line in block.removeprefix(BOM).split(b"\n")[:SAMPLE] if line.strip()]
+        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable."""
+        lines = [line for line in block.split(b"\n")[:SAMPLE] if line.strip()]
         if not lines:
             raise BadTable("the table is empty")
         first = _object(lines[0])
         if not first:
             raise BadTable("the first line is not a JSON object with members")
-        if (name := _twice(lines[0], first)) is not None:
+        if name := _twice(lines[0], first):
             raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
         self.names = tuple(first)
         self.sample = [[_text(row.get(name)) for name in first] for row in map(_object, lines) if row is not None]
-        return len(self.header)
+        return 0
 
     def read(self, text: bytes, table: Table) -> Records:
-        """Return whole lines, taken apart."""
-        every = text.removesuffix(b"\n").split(b"\n")
+        """Return whole lines, taken apart. Blank lines are left out."""
+        every = text.split(b"\n")
         starts = [place for place, line in enumerate(every) if line.strip()]
         lines = [every[place] for place in starts]
         objects = [*map(_object, lines)]
-        known = {*self.names}
-        problems = (_problem_of(line, members, known, table) for line, members in zip(lines, objects, strict=True))
+        problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
         odd = {row: problem for row, problem in enumerate(problems) if problem}
-        members = [each or {} for each in objects]
-        cells = {name: _cells([row.get(self.names[place]) for row in members]) for name, place in table.places.items()}
-        blank = [every[stop + 1 : start] for stop, start in zip([-1, *starts], [*starts, len(every)], strict=True)]
-        *above, rest = (b"".join(line + b"\n" for line in lines) for lines in blank)
-        before = [*map(bytes.__add__, above, map(_beginning, lines, objects))]
-        return Records(before, cells, odd, starts, len(every), rest)
+        rows = [members or {} for members in objects]
+        cells = {name: _cells([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
+        before = [*map(_beginning, lines, objects)]
+        return Records(before, cells, odd, starts, text.count(b"\n"))
 
+    def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
+        """Return why a line is no row; an empty text if it is one.
 
-def _problem_of(line: bytes, members: Object | None, known: set[str], table: Table) -> str:
-    """Return why a line is no row; an empty text if it is one.
-
-    It is none without an object, with a member twice, or with an input or result that the first line lacks. `known`:
-    the names in the first line.
-    """
-    if members is None:
-        return "is not a JSON object"
-    if (name := _twice(line, members)) is not None:
-        return f"has {quoted(name)} twice"
-    for name in members.keys() - known:
-        if name in table.added or meaning_of(name, [_text(members[name]).strip()], table.columns.meanings).name:
-            return f"has {quoted(name)}, which the first line does not have"
-    return ""
+        It is none without an object, with a member twice, or with an input or result that the first line lacks.
+        """
+        if members is None:
+            return "is not a JSON object"
+        if name := _twice(line, members):
+            return f"has {quoted(name)} twice"
+        for name in members.keys() - self.names:
+            if name in table.added or meaning_of(name, [_text(members[name]).strip()], table.columns.meanings).name:
+                return f"has {quoted(name)}, which the first line does not have"
+        return ""
 
 
 def _beginning(line: bytes, members: Object | None) -> bytes:
@@ -432,40 +379,32 @@ def _beginning(line: bytes, members: Object | None) -> bytes:
 
 def _object(line: bytes) -> Object | None:
     """Return the object that a line holds by itself, or None."""
-    try:
+    with suppress(orjson.JSONDecodeError):
         value = orjson.loads(line)
-    except orjson.JSONDecodeError:
-        return None
-    return value if isinstance(value, dict) else None
+        return value if isinstance(value, dict) else None
+    return None
 
 
-def _twice(line: bytes, read: Object) -> str | None:
-    """Return the name of a member that stands twice in the object of a line, or None. orjson keeps the last one."""
-    if line.count(b":") == len(read):  # each member has a colon
-        return None
-    members: list[tuple[str, Any]] = []
+def _twice(line: bytes, members: Object) -> str:
+    """Return the name of a member that stands twice in the object of a line; orjson keeps the last one."""
+    if line.count(b":") == len(members):  # each has a colon
+        return ""
     with suppress(RecursionError):
-        members = json.loads(line, object_pairs_hook=list)
-    return next((name for name, count in Counter(name for name, _ in members).items() if count > 1), None)
+        counts = Counter(name for name, _ in json.loads(line, object_pairs_hook=list))
+        return next((name for name, count in counts.items() if count > 1), "")
+    return ""
 
 
 def _text(value: object) -> str:
     """Return a value as a cell of a table; an empty one for null."""
-    if value is None:
-        return ""
-    try:
-        return value if isinstance(value, str) else orjson.dumps(value).decode()
-    except orjson.JSONEncodeError:  # it does not write all that it reads: a nesting of 300
-        return _UNWRITTEN
+    if isinstance(value, dict | list):
+        return _NESTED
+    return value if isinstance(value, str) else "" if value is None else orjson.dumps(value).decode()
 
 
 def _cells(values: Sequence[Any]) -> list[bytes]:
     """Return values as cells."""
-    try:
-        text = orjson.dumps(values)
-    except orjson.JSONEncodeError:
+    if not {*map(type, values)} <= {int, float, type(None)}:
         return [_text(value).encode() for value in values]
-    if b'"' in text or b"{" in text or text.count(b"[") > 1:
-        return [_text(value).encode() for value in values]
-    cells = text[1:-1].split(b",")
-    return [b"" if cell == b"null" else cell for cell in cells] if b"null" in text else cells
+    cells = orjson.dumps(values)[1:-1].split(b",")
+    return [b"" if cell == b"null" else cell for cell in cells]

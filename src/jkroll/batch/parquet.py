@@ -20,8 +20,7 @@ from .files import Input, Source
 from .lines import SAMPLE
 
 BUFFER = 1 << 18  # bytes read at a time of each column
-BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
-RESULTS = 8 * 32  # bytes of the results of a row, about
+BYTES = 1 << 24  # of the rows written together, about
 # The headers of columns of texts; the others hold numbers.
 WORDS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 
@@ -35,32 +34,27 @@ class Batches:
 
     def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
         """Return the batch without rows. `before`: the schema of the columns that stand before these."""
-        return pyarrow.RecordBatch.from_pylist([], schema=self._schema(heads, before[0] if before else ()))
+        (schema,) = before or (pyarrow.schema([]),)
+        new = [pyarrow.field(head, pyarrow.string() if head in WORDS else pyarrow.float64()) for head in heads]
+        every = pyarrow.schema([*schema, *new], metadata=schema.metadata)
+        return pyarrow.RecordBatch.from_pylist([], schema=every)
 
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any = None) -> Any:
         """Return rows. `before`: the batch of the columns that stand before these."""
+        schema = self.header(heads, [before.schema] if before is not None else ()).schema
+        arrays = before.columns if before is not None else []
         size = max(map(length, columns))
-        every = [[column] * size if length(column) == 0 else column for column in divided(columns)]
-        arrays = [
-            pyarrow.array(column, self._kind(head), from_pandas=True) for head, column in zip(heads, every, strict=True)
-        ]
-        if before is None:
-            return pyarrow.RecordBatch.from_arrays(arrays, schema=self._schema(heads, ()))
-        return pyarrow.RecordBatch.from_arrays([*before.columns, *arrays], schema=self._schema(heads, before.schema))
-
-    def _kind(self, head: str) -> Any:
-        return pyarrow.string() if head in WORDS else pyarrow.float64()
-
-    def _schema(self, heads: Sequence[str], before: Any) -> Any:
-        fields = [*before, *(pyarrow.field(head, self._kind(head)) for head in heads)]
-        return pyarrow.schema(fields, metadata=getattr(before, "metadata", None))
+        for column, field in zip(divided(columns), [*schema][len(arrays) :], strict=True):
+            cells = column if length(column) else [column] * size
+            arrays.append(pyarrow.array(cells, field.type, from_pandas=True))
+        return pyarrow.RecordBatch.from_arrays(arrays, schema=schema)
 
     @contextmanager
     def sink(self, stream: BinaryIO, header: Any) -> Iterator[Callable[[Any], None]]:
         """Return the function that writes batches behind the header, in groups of rows of about the same size."""
-        kinds = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
+        texts = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
         group: list[Any] = []
-        with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=kinds) as file:
+        with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=texts) as file:
 
             def flush() -> None:
                 file.write_table(pyarrow.Table.from_batches(group, header.schema))
@@ -85,18 +79,14 @@ def batches_of(given: Input, target: str, meanings: Callable[[Sequence[str]], Ma
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
     with _readable(given.path):
         file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-        metadata = file.metadata
         table = Arrow(file, meanings(file.schema_arrow.names))
-    groups = [metadata.row_group(place) for place in range(metadata.num_row_groups)]
-    width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + RESULTS
-    size = max(min(BLOCK, int(BYTES / width)), 1)
 
     def batches() -> Iterator[Any]:
         with _readable(given.path):
-            yield from file.iter_batches(size)
+            yield from file.iter_batches(BLOCK)
         given.check_unchanged()
 
-    return Source(table, batches(), lambda rows: rows / max(metadata.num_rows, 1))
+    return Source(table, batches(), lambda rows: rows / max(file.metadata.num_rows, 1))
 
 
 @contextmanager
@@ -122,27 +112,19 @@ class Arrow:
             raise BadTable("the table has no columns")
         inputs = [field for field in self.header if is_input(field.name, meanings)]
         for field in inputs:
-            if not _is_cell(field.type):
+            if pyarrow.types.is_nested(field.type) or pyarrow.types.is_temporal(field.type):
                 raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")
         first = next(file.iter_batches(SAMPLE, columns=[field.name for field in inputs], use_threads=False), None)
         rows = first.to_pylist() if first is not None else []
-        self.sample = [[_text(row.get(name)) for name in self.names] for row in rows]
+        self.sample = [[_text(row.get(name), name) for name in self.names] for row in rows]
 
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""
         cells = {name: Cells(batch.column(place), name) for name, place in table.places.items()}
-        numbers = {reader.column.name: _numbers(batch, reader.column) for reader in table.readers}
-        known = {name: column for name, column in numbers.items() if column is not None}
-        texts = {name: column if name in known else column.texts() for name, column in cells.items()}
-        return Records(batch, texts, {}, range(batch.num_rows), batch.num_rows, numbers=known)
-
-
-def _is_cell(kind: Any) -> bool:
-    """Return whether a column of a type can be an input: numbers, or texts."""
-    types = pyarrow.types
-    if types.is_dictionary(kind):
-        return _is_cell(kind.value_type)
-    return not (types.is_nested(kind) or types.is_temporal(kind) or isinstance(kind, pyarrow.BaseExtensionType))
+        read = {reader.column.name: _numbers(batch, reader.column) for reader in table.readers}
+        numbers = {name: column for name, column in read.items() if column is not None}
+        texts = {name: column if name in numbers else column.texts() for name, column in cells.items()}
+        return Records(batch, texts, {}, range(batch.num_rows), batch.num_rows, numbers=numbers)
 
 
 class Cells(Sequence[bytes]):
@@ -157,18 +139,19 @@ class Cells(Sequence[bytes]):
         return len(self.array)
 
     def __getitem__(self, row: Any) -> Any:
-        """Return the cell of a row: an infinite input is a word."""
+        """Return the cell of a row."""
         return _text(self.array[row].as_py(), self.name).encode()
 
     def texts(self) -> list[bytes]:
         """Return all cells. A text that stands in several rows is read once."""
         encoded = self.array if pyarrow.types.is_dictionary(self.array.type) else self.array.dictionary_encode()
         texts = [*Cells(encoded.dictionary, self.name), b""]
-        return [*map(texts.__getitem__, encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1).to_pylist())]
+        places = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
+        return [texts[place] for place in places.to_pylist()]
 
 
-def _text(value: object, name: str = "") -> str:
-    """Return a value as a cell of text: an infinite input is a word, null an empty cell."""
+def _text(value: object, name: str) -> str:
+    """Return the value of an input as a cell of text: one that is infinite is a word, null an empty cell."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     if value == INFINITY and name in NOMENCLATURE:
@@ -178,17 +161,15 @@ def _text(value: object, name: str = "") -> str:
 
 def _numbers(batch: Any, column: Column) -> Numbers | None:
     """Return the SI values of a column of numbers in its unit; None for texts, and for error bars beside the values."""
-    if column.sides or (column.unit is None and column.exponent is None):
-        return None
     array = batch.column(column.place)
-    if not (pyarrow.types.is_floating(array.type) or pyarrow.types.is_integer(array.type)):
+    is_number = pyarrow.types.is_floating(array.type) or pyarrow.types.is_integer(array.type)
+    if not is_number or column.sides or (column.unit is None and column.exponent is None):
         return None
     given = values = array.to_numpy(zero_copy_only=False).astype(float, copy=False)
     if column.unit is not None:
         with numpy.errstate(over="ignore"):
             values = given * float(column.unit.numerator) / float(column.unit.denominator)
-    is_bad = numpy.isinf(values) & ~numpy.isinf(given)
-    is_nan = numpy.isnan(given)
-    if numpy.count_nonzero(is_nan) > array.null_count:  # a number that is none is no empty cell
-        is_bad |= is_nan & array.is_valid().to_numpy(zero_copy_only=False)
+    is_given = array.is_valid().to_numpy(zero_copy_only=False)
+    # NaN is no empty cell, and too large a number is not infinite.
+    is_bad = is_given & ~numpy.isfinite(values) & ~numpy.isinf(given)
     return Numbers(values, numpy.flatnonzero(is_bad).tolist())

@@ -62,7 +62,8 @@ class Job(NamedTuple):
     @property
     def processes(self) -> int:
         """Number of processes: `--jobs`, else one for each core that this process may use."""
-        return self.jobs or min(_cores(), MAX_PROCESSES)
+        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        return self.jobs or min(cores, MAX_PROCESSES)
 
     def meanings(self, names: Sequence[str]) -> Mapping[str, Reading]:
         """Return the meanings that options give to headers."""
@@ -118,10 +119,6 @@ class Job(NamedTuple):
         return table.columns.reading(), *head, *(f"note: {text}" for text in notes)
 
 
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
 # --- A table ----------------------------------------------------------------------------------------------------------
 
 
@@ -144,11 +141,7 @@ class Converter:
     def __init__(self, form: Any, table: Table, compression: str, *, strict: bool, path: str = "") -> None:
         """`strict`: whether the first row that fails is an error; `path`: of the file that another process writes."""
         self.form, self.table, self.compression, self.strict, self.path = form, table, compression, strict, path
-        self.output: Any = b""  # of the last block, if it is kept
-
-    def header(self) -> Any:
-        """Return what stands before the first row."""
-        return compressed(self.form.writer.header(self.table.added, [self.form.header]), self.compression)
+        self.output = b""  # of the last block, if it is kept
 
     def converted(self, block: Any) -> Converted:
         """Return a block with the results in each row. Raises BadRow."""
@@ -175,7 +168,7 @@ class Converter:
             self.output = converted.output
             return converted._replace(output=b"")
         if not self.path:
-            return bytes(self.output)
+            return self.output
         with open(self.path, "r+b") as file:
             file.seek(question)
             file.write(self.output)
@@ -209,19 +202,21 @@ def convert_one(path: str, job: Job) -> Tally:
             is_file = isinstance(output.name, str) and os.path.isfile(output.name)
             place = output.name if is_file else ""
             convert = Converter(source.form, table, wanted.compression, strict=job.strict, path=place)
-            tally = _convert(source, convert, output, job)
-    return tally._replace(said=said)
+            return _convert(source, convert, output, job)._replace(said=said)
 
 
 def _convert(source: Source, convert: Converter, output: BinaryIO, job: Job) -> Tally:
     """Write a table; return the counts of all of it."""
-    header, line, tally = convert.header(), source.form.lines, Tally()
-    size = len(header)
+    form, tally = source.form, Tally()
+    header = compressed(form.writer.header(convert.table.added, [form.header]), convert.compression)
+    size, line = len(header), form.lines
     progress = Progress(is_shown=sys.stderr.isatty() and not job.quiet)
     try:
-        with source.form.writer.sink(output, header) as write:
+        with form.writer.sink(output, header) as write:
             for block, worker in _converted(source, convert, job.processes):
-                write(worker.answer_to(size) if worker else block.output)
+                if worker:
+                    worker.ask(size)
+                write(worker.answer() if worker else block.output)
                 size += block.size
                 line += block.lines
                 tally = tally.plus(block.tally)

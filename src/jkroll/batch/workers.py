@@ -41,26 +41,21 @@ class Worker:
 
     def ask(self, question: Any) -> None:
         """Send a question."""
-        with suppress(BrokenPipeError, ConnectionResetError):  # a process that was ended is noticed by its answer
+        with suppress(ConnectionError):  # a process that was ended is noticed by its answer
             self.connection.send(question)
 
     def answer(self) -> Any:
         """Return the answer to the last question, or raise its error; LostWorker if the process was ended."""
         try:
             answer = self.connection.recv()
-        except (EOFError, ConnectionResetError):
+        except (EOFError, ConnectionError):
             self.process.join()
             code = self.process.exitcode or 0
             how = f"was ended by signal {-code}" if code < 0 else f"ended with exit code {code}"
             raise LostWorker(f"a worker process {how}; the table it was working on was not written") from None
-        if isinstance(answer, BaseException):
+        if isinstance(answer, Exception):
             raise answer
         return answer
-
-    def answer_to(self, question: Any) -> Any:
-        """Ask a question and return the answer."""
-        self.ask(question)
-        return self.answer()
 
     def end(self) -> None:
         """Wait for the end of the process, which was told to end; kill it if it does not."""
@@ -74,17 +69,15 @@ def _serve(questions: "connection.Connection[Any, Any]", answer: Answer) -> None
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that a file that was begun is removed
     Thread(target=_end_with_parent, daemon=True).start()
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
-    try:
-        with suppress(EOFError, BrokenPipeError, ConnectionResetError):
-            while True:
-                question = questions.recv()
-                try:
-                    outcome = answer(question)
-                except Exception as error:
-                    outcome = error
-                questions.send(outcome)
-    except SystemExit:
-        os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables
+    with suppress(EOFError, ConnectionError, SystemExit):
+        while True:
+            question = questions.recv()
+            try:
+                outcome = answer(question)
+            except Exception as error:
+                outcome = error
+            questions.send(outcome)
+    os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables
 
 
 def _end_with_parent() -> None:

@@ -22,8 +22,6 @@ from ..rows.columns import DOUBT, Columns, Wanted, as_list, remarks_of
 from ..scene.limits import codes
 from ..text import fitting, json_text, quoted, say, spelled
 
-STRIP = 128  # rows written at once: their text stays in the cache
-
 
 class Lines:
     """Rows as lines of cells with a separator between them."""
@@ -55,19 +53,14 @@ class Lines:
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = ()) -> bytes:
         """Return rows. `before`: the beginning of each, in the format."""
         size = len(before) or max(map(length, columns), default=0)
-        columns = self._divided(columns)
         leads = self._leads(heads, is_begun=bool(before))
-        cells = [self._texts(column, lead, size) for column, lead in zip(columns, leads, strict=False)]
-        strips = []
-        for start in range(0, size, STRIP):
-            place = slice(start, start + STRIP)
-            strip = [before[place]] if before else []
-            strip += [self._numbers(column, lead, place) for column, lead in zip(cells, leads, strict=False)]
-            pieces = [self.end] * ((len(strip) + 1) * len(strip[0]))
-            for each, column in enumerate(strip):
-                pieces[each :: len(strip) + 1] = column
-            strips.append(b"".join(pieces))
-        return b"".join(strips)
+        cells: list[Sequence[bytes]] = [before] if before else []
+        for column, lead in zip(self._divided(columns), leads, strict=False):
+            cells.append(self._cells(column, lead, size))
+        pieces = [self.end] * ((len(cells) + 1) * size)
+        for place, column in enumerate(cells):
+            pieces[place :: len(cells) + 1] = column
+        return b"".join(pieces)
 
     @contextmanager
     def sink(self, stream: BinaryIO, header: bytes) -> Iterator[Callable[[bytes], None]]:
@@ -84,20 +77,14 @@ class Lines:
         """Return what stands before the cells of each column. `is_begun`: whether rows have a beginning."""
         return [self.separator if is_begun or place else b"" for place in range(len(heads))]
 
-    def _texts(self, column: Any, lead: bytes, size: int) -> Any:
-        """Return the cells of a column, each behind its lead; an array as it is."""
+    def _cells(self, column: Any, lead: bytes, size: int) -> list[bytes]:
+        """Return the cells of a column, or those of several in one array together, behind the lead."""
         if column is None or isinstance(column, str):
             return [lead + self._cell(column)] * size
         if isinstance(column, list):
             cells = {value: lead + self._cell(value) for value in {*column}}
-            return [cells[value] for value in column]
-        return column
-
-    def _numbers(self, column: Any, lead: bytes, place: slice) -> list[bytes]:
-        """Return some cells of a column; those of an array, which may be several columns, behind the lead."""
-        if isinstance(column, list):
-            return column[place]
-        rows = numbers_in_lines(column[..., place], self.separator, self.gap)
+            return [*map(cells.__getitem__, column)]
+        rows = numbers_in_lines(column, self.separator, self.gap)
         if self.has_commas:
             rows = [row.replace(b".", b",") for row in rows]
         return rows if lead == self.separator else [lead + row[1:] for row in rows]
@@ -280,18 +267,7 @@ def _text(cell: Cell) -> str:
 # --- The file that is written: whole or not at all, or standard output ------------------------------------------------
 
 MAX_KEPT = 50  # characters of a name that its temporary name has, too
-_STREAMS = ("stdin", "stdout", "stderr")
-_OPEN = rf"/dev/(?P<stream>{'|'.join(_STREAMS)})|/(?:dev|proc/self)/fd/(?P<number>\d+)"
-
-
-@contextmanager
-def naming(path: str) -> Iterator[None]:
-    """Set the file's name in an OSError: a full disk names no file, other errors a temporary one."""
-    try:
-        yield
-    except OSError as error:
-        error.filename = path
-        raise
+_STREAMS = ("/dev/stdin", "/dev/stdout", "/dev/stderr")
 
 
 @contextmanager
@@ -305,7 +281,7 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
     if os.path.isdir(path):
         file = quoted(os.path.join(path, "x.csv"))
         raise BadRequest(f"-o: {quoted(path)} is a directory; name a file in it, such as {file}")
-    with naming(path):
+    try:
         descriptor = _descriptor(path)
         if descriptor is not None or (os.path.exists(path) and not os.path.isfile(path)):
             sys.stdout.flush()  # it may be the same
@@ -314,24 +290,28 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
             return
         place = os.path.realpath(path)
         folder, name = os.path.split(place)
-        beside = os.path.join(folder, f".{name[:MAX_KEPT]}.{os.urandom(4).hex()}")
-        begun = open(beside, "xb")
+        temporary = os.path.join(folder, f".{name[:MAX_KEPT]}.{os.urandom(4).hex()}")
+        begun = open(temporary, "xb")
         try:
             with begun:
                 yield begun
             if os.path.exists(place):
-                os.chmod(beside, os.stat(place).st_mode & 0o7777)
-            os.replace(beside, place)
+                os.chmod(temporary, os.stat(place).st_mode & 0o7777)
+            os.replace(temporary, place)
         finally:
             with suppress(FileNotFoundError):
-                os.unlink(beside)
+                os.unlink(temporary)
+    except OSError as error:
+        error.filename = path  # a full disk names no file, other errors a temporary one
+        raise
 
 
 def _descriptor(path: str) -> int | None:
     """Return the number of the open file that a path such as /dev/stdout or /dev/fd/63 stands for, or None."""
-    if found := re.fullmatch(_OPEN, path):
-        return int(found["number"] or _STREAMS.index(found["stream"]))
-    return None
+    if path in _STREAMS:
+        return _STREAMS.index(path)
+    number = re.fullmatch(r"/(?:dev|proc/self)/fd/(\d+)", path)
+    return int(number[1]) if number else None
 
 
 @contextmanager
