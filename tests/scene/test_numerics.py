@@ -21,7 +21,7 @@ def all_places(function: Callable[[float], float], levels: list[float]) -> list[
     def values(_: Any, x: Any) -> Any:
         return numpy.array([function(place) for place in x.tolist()], dtype=float)
 
-    rows, roots = Scan(values, numpy.array(PLACES), len(levels)).crossings(numpy.array(levels))
+    rows, roots = Scan(values, numpy.array(PLACES), numpy.array(levels)).crossings()
     return [roots[rows == row].tolist() for row in range(len(levels))]
 
 

@@ -11,12 +11,13 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words, span, symbol_beside
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import middle
 from ..scene.alternatives import factor_of_law
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
-from ..scene.uncertainty import Bars, Sources, measures_of, uncertainties_of_unknowns
+from ..scene.uncertainty import measures_of, uncertainties_of_unknowns
 from ..scene.unknowns import solution
 from ..text import listed
 from .answer import Answer
@@ -54,7 +55,7 @@ class Inferred(Answer):
             self.scene, measured = problem.filled(), ()
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
         self.inputs = {name: in_words(name, value) for name, value in problem.echo().items()}
-        self._uncertainties = self._bars(self.solution)
+        self._uncertainties = uncertainties_of_unknowns(self.solution) if self.solution is not None else ({}, None)
         self.laws = {}  # what is found under each law stands beside the results
         self.displacement, self.validity = self.forward.displacement, self.forward.validity
         self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
@@ -73,45 +74,32 @@ class Inferred(Answer):
                 value,
                 condition=growths[name] if is_one else None,
                 growth=None if is_one else growths[name],
-                by_law={law: other.values[name] for law, other in self._by_law.items()},
+                by_law={law: middle(values[name]) for law, values in self.alternatives.items()},
                 propagated=self._propagated(name),
             )
             for name, value in self.solution.values.items()
         )
 
-    def _bars(self, solution: Solution | None) -> tuple[Bars, Sources | None]:
-        """Return the error bars of a solution and their sources, if there is one and anything is uncertain."""
-        if solution is None or not self.problem.is_uncertain:
-            return {}, None
-        return uncertainties_of_unknowns(solution)
-
     @cached_property
-    def _by_law(self) -> dict[str, Solution]:
-        """The solution under each other law of attraction that has the measured quantities by other formulas."""
+    def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
+        """The values, with error bars, under each other law that has the measured quantities by other formulas."""
         formulas = self.scene.formulas_to(*self.problem.measured)
-        solutions: dict[str, Solution] = {}
+        by_law = {}
         for law in LAWS:
             other = self.problem.replace(model=law)
             with suppress(MissingInput, NoResult):
                 if other.filled().formulas_to(*self.problem.measured) != formulas:
-                    solutions[law] = solution(other)
-        return solutions
-
-    @cached_property
-    def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
-        """The values under the other laws, with their error bars."""
-        return {law: self._measures(solution) for law, solution in self._by_law.items()}
-
-    def _measures(self, solution: Solution) -> dict[str, Any]:
-        """Return the values of a solution, with their error bars."""
-        measures = measures_of(self._bars(solution)[0]).items()
-        return {**solution.values, **{name: bar for name, bar in measures if not isinstance(bar, JkrollError)}}
+                    solved = solution(other)
+                    bars = measures_of(uncertainties_of_unknowns(solved)[0])
+                    known = {name: bar for name, bar in bars.items() if not isinstance(bar, JkrollError)}
+                    by_law[law] = {**solved.values, **known}
+        return by_law
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit; where the law is not exact, the values by Maugis' law."""
         symbols = {name: symbol_beside(name, {*self.inputs, *self.assumed}) for name in self.problem.unknowns}
-        if doubt.is_exceeded and doubt.limit.factor is factor_of_law and BETWEEN in self._by_law:
-            values = self._by_law[BETWEEN].values
+        if doubt.is_exceeded and doubt.limit.factor is factor_of_law and BETWEEN in self.alternatives:
+            values = {name: middle(value) for name, value in self.alternatives[BETWEEN].items()}
             told = listed(f"{symbols[name]} = {span(name, value, value)}" for name, value in values.items())
             better = f"by Maugis' law, better here than {self.scene.law.title}"
             return f"{told} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"

@@ -78,7 +78,7 @@ def run_infer(call: Call) -> int:
     form = call.form(names)
     for quantity in measured:
         if quantity in call.spreads:
-            raise already_given(quantity, quantity)
+            raise already_given(quantity)
     problems = Problems(names, measured, call.sweep)
     if len(names) > 1 and len(problems) > MAX_PAIRS:
         raise BadRequest(f"{len(problems)} pairs are more than {MAX_PAIRS}, in which two inputs are looked for")
@@ -118,7 +118,7 @@ def run_batch(call: Call) -> int:
     for name, value in {"quantities": call.quantities, **call.settings}.items():
         if isinstance(value, str) and not value.strip():
             raise BadRequest(f"--{name} is empty")
-    infer, measured = _inverse(call)
+    infer, measured = _unknown_and_measured(call)
     job = Job(
         call.inputs,
         call.materials,
@@ -134,26 +134,26 @@ def run_batch(call: Call) -> int:
     return run(call.subject, job)
 
 
-def _inverse(call: Call) -> tuple[str, str]:
+def _unknown_and_measured(call: Call) -> tuple[str, str]:
     """Return the names of the input that is sought and of the quantity that was measured; empty texts if none is."""
+    from ..scene.inverse import inputs_named
+
     if not call.infer and not call.measured:
         return "", ""
     if "," in call.infer or len(call.measured) > 1:
         raise BadRequest("batch infers one input; jkroll infer finds two, for lists and ranges too")
-    if call.measured and "=" in call.measured[0]:
-        name = call.measured[0].partition("=")[0]
-        raise BadRequest(f"--measured: a table has a column of the measured values; write --measured {quoted(name)}")
     if not call.infer or not call.measured:
-        raise BadRequest(
-            "--infer INPUT and --measured QUANTITY go together, as in --infer gamma --measured pull_off_force"
-        )
-    if call.quantities:
-        raise BadRequest("--infer and --quantities exclude each other")
-    if call.alternatives:
-        raise BadRequest("--infer and --alternatives exclude each other")
-    from ..scene.inverse import input_named
-
-    return input_named(call.infer), quantity_named(call.measured[0])
+        words = "--infer INPUT and --measured QUANTITY"
+        raise BadRequest(f"{words} go together, as in --infer gamma --measured pull_off_force")
+    for option, value in (("quantities", call.quantities), ("alternatives", call.alternatives)):
+        if value:
+            raise BadRequest(f"--infer and --{option} exclude each other")
+    quantity, has_value, _ = call.measured[0].partition("=")
+    if has_value:
+        remedy = f"write --measured {quoted(quantity)}"
+        raise BadRequest(f"--measured: a table has a column of the measured values; {remedy}")
+    (unknown,) = inputs_named([call.infer])
+    return unknown, quantity_named(quantity)
 
 
 def run_materials(call: Call) -> int:

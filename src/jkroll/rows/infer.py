@@ -1,6 +1,7 @@
 """The inverse problem in rows: columns of the unknowns of a table, and `jkroll.infer` for numbers and arrays."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from contextlib import suppress
 from math import nan, prod
 from typing import Any, overload
 
@@ -98,17 +99,10 @@ class Problems(Sweep):
         return Problem.of(self.names, self.quantities, given, *spheres, model=model)
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
-        """Return the columns of the unknowns. Raises the error of the inputs; MissingInput if all rows lack some."""
-        lacking = []
+        """Return the columns of the unknowns. Raises the error of the inputs."""
         for problem in self.kinds:
-            try:
+            with suppress(MissingInput, NoResult):  # each row says why it has no value
                 problem.check()
-            except MissingInput as error:
-                lacking.append(error)
-            except NoResult:
-                pass
-        if len(lacking) == len(self.kinds):
-            raise lacking[0]
         uncertain = [problem for problem in self.kinds if problem.is_uncertain]
         sides = {side for problem in uncertain for side in sources_of_results(problem, self.names).sides}
         inputs = {name for problem in self.kinds for name in problem.echo()}
@@ -191,7 +185,7 @@ def infer(
     known, _ = in_si({str(word): value for word, value in measured.items()}, named)
     described, _ = in_si(given)
     for name in known.keys() & described.keys():
-        raise already_given(name, name)
+        raise already_given(name)
     for each, value in {**known, **described}.items():
         check_range(each, value.value if is_uncertain(value) else value)
     spheres = materials_of(material, material2, materials)

@@ -3,7 +3,7 @@
 Here stand the inputs that can be unknown, the problem, its solution, and why it may have none; `unknowns` solves it.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import inf
 from typing import Any, NamedTuple
 
@@ -12,10 +12,10 @@ from ..materials.library import Material
 from ..quantities.errors import nearest
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
-from ..quantities.values import Uncertain, is_uncertain, middle
+from ..quantities.values import is_uncertain, middle
 from ..text import listed, quoted
 from .failures import MAX_DIGITS, MissingInput
-from .scene import EXCLUSIVE, Scene, check_exclusive
+from .scene import Scene, check_exclusive
 
 Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
 
@@ -86,20 +86,22 @@ class SeveralSolutions(Unsolved):
 
     def reason(self) -> str:
         """Return all values, with as many digits as typing them back takes: next to pull-off that is more."""
-        digits = DIGITS
-        while digits < MAX_DIGITS and not all(self._may_be_typed(values, digits) for values in self.values):
-            digits += 1
-        form = Format(digits=digits)
+        digits = next((digits for digits in range(DIGITS, MAX_DIGITS) if self._may_be_typed(digits)), MAX_DIGITS)
+        form, several = Format(digits=digits), len(self.problem.unknowns) > 1
         texts = [", ".join(amount(name, value, form) for name, value in values.items()) for values in self.values]
-        if len(self.problem.unknowns) > 1:
-            texts = [f"the pairs ({texts[0]})", *(f"({text})" for text in texts[1:])]
-        return f"{listed(texts)} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
+        pairs = "the pairs " if several else ""
+        told = listed([f"({text})" for text in texts] if several else texts)
+        return f"{pairs}{told} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
 
-    def _may_be_typed(self, values: Mapping[str, float], digits: int) -> bool:
+    def _may_be_typed(self, digits: int) -> bool:
         """Return whether values with so many digits give the measured ones."""
-        typed = {name: float(f"{value:.{digits}g}") for name, value in values.items()}
-        forward, levels = self.problem.with_values(typed).numbers(*self.problem.measured), self.problem.levels
-        return all(abs(forward.get(name, inf) - level) <= AS_SHOWN * abs(level) for name, level in levels.items())
+        levels = self.problem.levels
+        for values in self.values:
+            typed = {name: float(f"{value:.{digits}g}") for name, value in values.items()}
+            forward = self.problem.with_values(typed).numbers(*levels)
+            if not all(abs(forward.get(name, inf) - level) <= AS_SHOWN * abs(level) for name, level in levels.items()):
+                return False
+        return True
 
 
 class Unseparated(Unsolved):
@@ -114,28 +116,22 @@ class Unseparated(Unsolved):
         super().__init__(problem, f"{listed(problem.measured)} cannot give both: {remark} ({size}); {remedy}")
 
 
-def input_named(word: str) -> str:
-    """Return the input that a word stands for; raise BadRequest if it cannot be inferred."""
-    if (name := named(word)) in SIZES:
-        return name
-    guess = None if word in NOMENCLATURE else nearest(word, SIZES)
-    meant = f"did you mean {guess}? " if guess else ""
-    raise BadRequest(f"{quoted(word)} cannot be inferred; {meant}{', '.join(SIZES)} can")
-
-
 def inputs_named(words: Sequence[str]) -> list[str]:
     """Return the inputs that one word or two stand for; raise BadRequest if they cannot be inferred together."""
-    names = [input_named(word) for word in words]
+    names = [named(word) for word in words]
+    for word, name in zip(words, names, strict=True):
+        if name not in SIZES:
+            guess = None if word in NOMENCLATURE else nearest(word, SIZES)
+            meant = f"did you mean {guess}? " if guess else ""
+            raise BadRequest(f"{quoted(word)} cannot be inferred; {meant}{', '.join(SIZES)} can")
     if len(names) not in (1, 2) or len({*names}) < len(names):
         raise BadRequest(f"{quoted(','.join(words))}: one input can be inferred, or two that differ")
     return names
 
 
-def already_given(name: str, stated: str) -> BadRequest:
-    """Return the error of a name that is asked for, where it, or an input from which it follows, is stated."""
-    if name == stated:
-        return BadRequest(f"{name} is given and asked for; leave one of the two out")
-    return BadRequest(f"{name} is asked for, and {stated} is given: one follows from the other")
+def already_given(name: str) -> BadRequest:
+    """Return the error of a name that is asked for, or was measured, and is stated besides."""
+    return BadRequest(f"{name} is given and asked for; leave one of the two out")
 
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
@@ -185,14 +181,9 @@ class Problem(NamedTuple):
         return {name: middle(value) for name, value in self.measured.items()}
 
     @property
-    def uncertain(self) -> dict[str, Uncertain]:
-        """The inputs and measured values that have an uncertainty."""
-        return self.scene.uncertain | {name: value for name, value in self.measured.items() if is_uncertain(value)}
-
-    @property
     def is_uncertain(self) -> bool:
         """True if a measured value, or something in the scene, has an uncertainty."""
-        return bool(self.uncertain) or self.scene.is_uncertain
+        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
 
     def names_of(self, unknown: str) -> tuple[str, ...]:
         """Return the names of an unknown in the scene: those of both spheres if one material was named for both."""
@@ -221,10 +212,6 @@ class Problem(NamedTuple):
         of_rows = {name: value[rows] if getattr(value, "shape", ()) else value for name, value in values.items()}
         return self.replace(**of_rows)
 
-    def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
-        """Return the materials of the scene and those of their properties that are inputs."""
-        return self.scene.data_used(inputs)
-
     def missing(self, names: Sequence[str]) -> Iterable[str]:
         """Return the unknowns if the scene lacks an input without which the measured quantities have no value."""
         return names if self.filled().missing([*self.measured]) else ()
@@ -241,18 +228,13 @@ class Problem(NamedTuple):
 
     def check(self) -> None:
         """Raise the error of a problem that has no solution whatever the measured values are."""
-        for name in self.unknowns:
-            input_named(name)
-        check_exclusive(self.unknowns)
-        for stated in self.scene.stated:
-            if stated in self.measured:
-                raise already_given(stated, stated)
-            for name in self.unknowns:
-                if stated == name or any({stated, name} <= {*names} for names in EXCLUSIVE):
-                    raise already_given(name, stated)
-        inputs_of = {quantity: self._inputs_of(quantity) for quantity in self.measured}
-        for quantity, inputs in inputs_of.items():
-            if self.unknowns == (quantity,) or {*self.unknowns}.isdisjoint(inputs):
+        inputs_named(self.unknowns)
+        for name in (*self.unknowns, *self.measured):
+            if name in self.scene.stated:
+                raise already_given(name)
+        check_exclusive({*self.unknowns, *self.scene.stated})
+        for quantity in self.measured:
+            if self.unknowns == (quantity,) or {*self.unknowns}.isdisjoint(self._inputs_of(quantity)):
                 is_one = len(self.unknowns) == 1
                 raise NoDependence(self) if is_one else Unseparated(self, f"{quantity} depends on neither")
 

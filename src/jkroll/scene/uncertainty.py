@@ -60,26 +60,25 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
     All must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
     Raises BadRequest for what cannot be combined.
     """
-    stated = [*measured, *(source for source in _stated(scene) if not set(used).isdisjoint(source.names))]
-    of_materials = [source for source in _of_materials(scene) if not set(used).isdisjoint(source.names)]
-    kinds = {type(source.given) for source in stated or of_materials}
-    if len(kinds) > 1 and stated:
-        symbols = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in stated}
+    stated, of_materials = (
+        [source for source in sources if not set(used).isdisjoint(source.names)]
+        for sources in (_stated(scene), _of_materials(scene))
+    )
+    stated = [*measured, *stated]
+    symbols = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in stated}
+    if len(symbols) > 1:
         mixed = f"{symbols[Measured]} has a standard uncertainty (±) and {symbols[Interval]} a range"
         raise BadRequest(f"{mixed}; give both as ± or both as ranges", "± and range together")
-    kind = Measured if Measured in kinds else Interval
-    left_out = [source for source in of_materials if not isinstance(source.given, kind)]
-    sources = Sources([source for source in (*stated, *of_materials) if isinstance(source.given, kind)], left_out)
-    if kind is Interval:
-        if len(sources.entering) > MAX_RANGES:
-            count = len(sources.entering)
-            problem = f"{count} ranges are more than {MAX_RANGES}; give some of these inputs one value"
-            raise BadRequest(problem, "too many ranges")
-        moves_radius = not sources.given.keys().isdisjoint(("radius", "radius2"))
-        if XI in sources.given and XI not in scene.stated and moves_radius:
-            remedy = "give --xi, or single radii"
-            raise BadRequest(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
-    return sources
+    kind = Measured if any(isinstance(source.given, Measured) for source in stated or of_materials) else Interval
+    entering = [source for source in (*stated, *of_materials) if isinstance(source.given, kind)]
+    if kind is Interval and len(entering) > MAX_RANGES:
+        problem = f"{len(entering)} ranges are more than {MAX_RANGES}; give some of these inputs one value"
+        raise BadRequest(problem, "too many ranges")
+    names = {name for source in entering for name in source.names}
+    if kind is Interval and XI in names - scene.stated.keys() and not names.isdisjoint(("radius", "radius2")):
+        remedy = "give --xi, or single radii"
+        raise BadRequest(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
+    return Sources(entering, [source for source in of_materials if not isinstance(source.given, kind)])
 
 
 def _stated(scene: Scene) -> Iterator[Source]:
@@ -109,12 +108,8 @@ def sources_of_results(scene: Scene | Problem, names: Sequence[str]) -> Sources:
 def sides_of_results(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
     """Return the sides of the uncertainties of those quantities of a scene that have some: minus, plus, low, high."""
     inputs_of = {name: {*scene.inputs_of(name)} for name in scene.possible(names)}
-    sides: dict[str, set[str]] = {}
-    for source in sources_of(scene, set().union(*inputs_of.values())).entering:
-        for name, of_name in inputs_of.items():
-            if not of_name.isdisjoint(source.names):
-                sides.setdefault(name, set()).update(source.given.sides)
-    return sides
+    sources = sources_of(scene, set().union(*inputs_of.values()))
+    return {name: sources.sides for name, used in inputs_of.items() if not used.isdisjoint(sources.given)}
 
 
 # --- Error bars -------------------------------------------------------------------------------------------------------

@@ -28,6 +28,7 @@ from .inverse import (
 from .scene import LEAST, MOST
 
 Rows = Any  # an array of the numbers of rows
+Failures = dict[int, JkrollError]  # by row
 
 _STEP = 1e-6  # relative, of the differences that give a slope
 _ROUNDING = 1e-12  # of a function: a change as small as this comes from rounding, and not from the variable
@@ -64,43 +65,32 @@ def solution(problem: Problem) -> Solution:
     return arrays._replace(values=values, growths=growths, condition=float(arrays.condition[0]))
 
 
-def solutions(problem: Problem, size: int, near: Any = None) -> Solution:
-    """Return the solutions of some rows. `near`: places of two unknowns from which Newton's method starts first.
-
-    Raises the error of a problem that has none whatever the measured values are.
-    """
+def solutions(problem: Problem, size: int) -> Solution:
+    """Return the solutions of some rows. Raises the error of a problem that has none in any row."""
     problem.check()
-    places = numpy.full((len(problem.unknowns), size), nan)
-    values, growths = (dict(zip(problem.unknowns, numpy.full_like(places, nan), strict=True)) for _ in range(2))
-    solution = Solution(problem, values, numpy.full(size, nan), growths, {}, places)
-    if len(problem.unknowns) == 1:
-        step = _TOGETHER // len(grid(problem.unknowns[0], SIZES[problem.unknowns[0]]))
-        for start in range(0, size, step):
-            _find_roots(solution, numpy.arange(start, min(start + step, size)))
-    else:
-        _find_pairs(solution, near)
-    for column in (solution.condition, *growths.values()):
-        column[:] = [float(f"{number:.6g}") for number in column]  # the rest comes from rounding
-    return solution
+    count = len(problem.unknowns)
+    table, places = numpy.full((2 * count + 1, size), nan), numpy.full((count, size), nan)
+    failures = _find_roots(problem, table) if count == 1 else _find_pairs(problem, table, places)
+    table[count:] = [[float(f"{number:.6g}") for number in row] for row in table[count:]]  # the rest is rounding
+    values, growths = (dict(zip(problem.unknowns, rows, strict=True)) for rows in (table[:count], table[count:-1]))
+    return Solution(problem, values, table[-1], growths, failures, places)
 
 
-def solved_near(problem: Problem, solution: Solution) -> Mapping[str, Any]:
+def solved_near(problem: Problem, solved: Solution) -> Mapping[str, Any]:
     """Return the unknowns of a problem of which some values differ from those of a solved one.
 
-    An error says why a number has none.
+    An error says why a number has none. In arrays, two unknowns are those to which Newton's method leads from these.
     """
-    size = max(map(numpy.size, (solution.condition, *problem.levels.values(), *problem.scene.arrays.values())))
-    moved = solutions(problem, size, numpy.broadcast_to(solution.places, (len(solution.places), size)))
-    if size > 1 or numpy.ndim(solution.condition):
-        return moved.values
-    return {name: moved.failures.get(0, float(values[0])) for name, values in moved.values.items()}
-
-
-def _put(solution: Solution, rows: Rows, values: Values, condition: Any, growths: Values) -> None:
-    """Put what is known of some rows into a solution."""
-    for name in solution.values:
-        solution.values[name][rows], solution.growths[name][rows] = values[name], growths[name]
-    solution.condition[rows] = condition
+    size = max(map(numpy.size, (solved.condition, *problem.levels.values(), *problem.scene.arrays.values())))
+    if size == 1 and not numpy.ndim(solved.condition):
+        moved = solutions(problem, 1)
+        return {name: moved.failures.get(0, float(values[0])) for name, values in moved.values.items()}
+    if len(problem.unknowns) == 1:
+        return solutions(problem, size).values
+    pairs = Pairs(problem, size)
+    places, distance = pairs.improved(numpy.nan_to_num(numpy.broadcast_to(solved.places, (2, size))))
+    is_pair = (distance < inf) & (_conditions(pairs.slopes(places)[1]) <= MAX_CONDITION)
+    return {name: numpy.where(is_pair, values, nan) for name, values in pairs.values(places).items()}
 
 
 def outcomes(problem: Problem, values: Values) -> Any:
@@ -129,80 +119,85 @@ def grid(name: str, sizes: tuple[float, float]) -> Any:
     return numpy.concatenate([-values[::-1], [0.0], values]) if name == "load" else values
 
 
-def slopes(x: Any, y: Any) -> Any:
-    """Return slopes from three points each; from two where y is nan at an end, and nan where it is at both."""
-    has_low, has_high = numpy.isfinite(y[0]), numpy.isfinite(y[2])
-    run = numpy.where(has_high, x[2], x[1]) - numpy.where(has_low, x[0], x[1])
-    with numpy.errstate(divide="ignore", invalid="ignore"):
-        return (numpy.where(has_high, y[2], y[1]) - numpy.where(has_low, y[0], y[1])) / run
+def slopes(step: float, y: Any) -> Any:
+    """Return slopes from three points a step apart; from two where y is nan at one end, and nan where it is at both."""
+    low, high = numpy.diff(y, axis=0) / step
+    return numpy.where(numpy.isnan(low), high, numpy.where(numpy.isnan(high), low, (low + high) / 2))
 
 
 # --- One unknown ------------------------------------------------------------------------------------------------------
 
 
-def _find_roots(solution: Solution, rows: Rows) -> None:
-    """Solve for one unknown in some rows, among all sizes that a scene takes where none is among the usual ones."""
-    (unknown,), problem = solution.problem.unknowns, solution.problem.rows(rows)
-    values, failures = _scan(problem, len(rows), SIZES[unknown])
-    lacking = [row for row, error in failures.items() if isinstance(error, NoSolution)]
-    if lacking:
-        values[lacking], wider = _scan(problem.rows(lacking), len(lacking), _WIDEST)
-        told = {lacking[row]: each for row, each in wider.items() if isinstance(each, SeveralSolutions | Undetermined)}
-        failures = {row: error for row, error in {**failures, **told}.items() if numpy.isnan(values[row])}
-    solution.failures.update((int(rows[row]), error) for row, error in failures.items())
-    solved = numpy.flatnonzero(~numpy.isnan(values))
-    roots, factors = taken(unknown, values[solved]), numpy.array([1 / (1 + _STEP), 1.0, 1 + _STEP])
-    y = outcomes(problem.rows(numpy.tile(solved, 3)), {unknown: numpy.outer(factors, roots).ravel()}).reshape(3, -1)
+def _find_roots(problem: Problem, table: Any) -> Failures:
+    """Put the values of one unknown into a table, with their growths of errors and conditions; return the failures.
+
+    Where there is none among the usual sizes, all that a scene takes are scanned.
+    """
+    (unknown,), failures = problem.unknowns, Failures()
+    step = _TOGETHER // len(grid(unknown, SIZES[unknown]))
+    for start in range(0, table.shape[1], step):
+        rows = numpy.arange(start, min(start + step, table.shape[1]))
+        table[0, rows], usual = _scanned(problem, rows, SIZES[unknown])
+        lacking = [row for row, error in usual.items() if isinstance(error, NoSolution)]
+        table[0, lacking], wider = _scanned(problem, lacking, _WIDEST)
+        told = {row: error for row, error in wider.items() if isinstance(error, SeveralSolutions | Undetermined)}
+        failures |= {row: error for row, error in {**usual, **told}.items() if numpy.isnan(table[0, row])}
+    solved = numpy.flatnonzero(~numpy.isnan(table[0]))
+    roots = taken(unknown, table[0, solved])
+    factors = numpy.array([[1 / (1 + _STEP)], [1.0], [1 + _STEP]])
+    y = outcomes(problem.rows(numpy.tile(solved, 3)), {unknown: (factors * roots).ravel()}).reshape(3, -1)
     with numpy.errstate(divide="ignore", invalid="ignore"):
-        condition = abs(y[1] / slopes(numpy.log(factors), y))
-    _put(solution, rows[solved], {unknown: roots}, condition, {unknown: condition})
+        condition = abs(y[1] / slopes(numpy.log1p(_STEP), y))
+    table[:, solved] = roots, condition, condition
+    return failures
 
 
-def _scan(problem: Problem, size: int, sizes: tuple[float, float]) -> tuple[Any, dict[int, JkrollError]]:
-    """Return the values of one unknown between two sizes, nan in rows without a solution, and the reasons of these."""
-    (level,) = problem.levels.values()
-    levels, scan = numpy.full(size, level, dtype=float), _scanned(problem, size, sizes)
-    rows, roots = scan.crossings(levels)
-    at_level = scan.rows[_are_level(scan.y, levels[scan.rows])]
+def _scan(problem: Problem, size: int, sizes: tuple[float, float]) -> "Scan":
+    """Return the scan of the measured quantity against the unknown."""
+    (unknown,), (level,) = problem.unknowns, problem.levels.values()
+
+    def function(rows: Rows, x: Any) -> Any:
+        return outcomes(problem.rows(rows), {unknown: x})[0]
+
+    return Scan(function, grid(unknown, sizes), numpy.full(size, level, dtype=float))
+
+
+def _scanned(problem: Problem, rows: Rows, sizes: tuple[float, float]) -> tuple[Any, Failures]:
+    """Return the values of one unknown between two sizes in some rows, nan where there is none, and the reasons."""
+    values, failures = numpy.full(len(rows), nan), Failures()
+    if not len(rows):
+        return values, failures
+    problem = problem.rows(rows)
+    scan = _scan(problem, len(rows), sizes)
+    of_roots, roots = scan.crossings()
     # Nearly all rows have one root and no stretch, and need no closer look.
-    is_plain = (numpy.bincount(rows, minlength=size) == 1) & (numpy.bincount(at_level, minlength=size) <= PER_DECADE)
-    values, failures = numpy.full(size, nan), dict[int, JkrollError]()
-    values[rows[is_plain[rows]]] = roots[is_plain[rows]]
+    at_level = numpy.bincount(scan.rows[scan.are_level(scan.rows, scan.y)], minlength=len(rows))
+    is_plain = (numpy.bincount(of_roots, minlength=len(rows)) == 1) & (at_level <= PER_DECADE)
+    values[of_roots] = numpy.where(is_plain[of_roots], roots, nan)
     for row in numpy.flatnonzero(~is_plain).tolist():
-        points = slice(*numpy.searchsorted(scan.rows, [row, row + 1]))
         try:
-            values[row] = _root(problem.rows(row), sizes, scan.x[points], scan.y[points], roots[rows == row].tolist())
+            values[row] = _root(problem.rows(row), sizes, scan, row, roots[of_roots == row].tolist())
         except NoResult as error:
-            failures[row] = error
+            failures[int(rows[row])] = error
     return values, failures
 
 
-def _scanned(problem: Problem, size: int, sizes: tuple[float, float]) -> "Scan":
-    """Return the scan of the measured quantity against the unknown."""
-    (unknown,) = problem.unknowns
-    return Scan(lambda rows, x: outcomes(problem.rows(rows), {unknown: x})[0], grid(unknown, sizes), size)
-
-
-def _are_level(y: Any, level: Any) -> Any:
-    return abs(y - level) <= _ROUNDING * abs(level)
-
-
-def _root(problem: Problem, sizes: tuple[float, float], x: Any, y: Any, roots: Sequence[float]) -> float:
-    """Return the one root of a single row, given the points of its scan. Raises the reason why there is none."""
-    ((unknown, (quantity, level)),) = zip(problem.unknowns, problem.levels.items(), strict=True)
+def _root(problem: Problem, sizes: tuple[float, float], scan: "Scan", row: int, roots: Sequence[float]) -> float:
+    """Return the one root of a row of a scan. Raises the reason why there is none."""
+    (unknown,), (quantity,) = problem.unknowns, problem.measured
+    x, y = scan.x[scan.rows == row], scan.y[scan.rows == row]
     low, high = float(numpy.fmin.reduce(y)), float(numpy.fmax.reduce(y))
     if numpy.isnan(low):
         raise problem.failure()
     if high - low <= _ROUNDING * max(abs(low), abs(high)):
         raise NoDependence(problem)
-    at_level = x[_are_level(y, level)]
+    at_level = x[scan.are_level(row, y)]
     if len(at_level) > PER_DECADE and 0 < 10 * at_level[0] <= at_level[-1]:
-        inside = at_level[[0, -1]]
+        inside, both = at_level[[0, -1]], numpy.full(2, row)
         outside = numpy.clip(inside * [0.5, 2.0], *sizes)
-        ends, _ = bisected(inside, outside, lambda x: _are_level(outcomes(problem, {unknown: x})[0], level))
-        first, last = ends.tolist()
-        stretch = f"every value from {amount(unknown, first)} to {amount(unknown, last)}"
-        raise Undetermined(problem, f"{stretch} gives {equal(problem.levels)}", (first, last))
+        (first, last), _ = bisected(inside, outside, lambda x: scan.are_level(both, scan.function(both, x)))
+        stretch = f"every value from {amount(unknown, float(first))} to {amount(unknown, float(last))}"
+        raise Undetermined(problem, f"{stretch} gives {equal(problem.levels)}", (float(first), float(last)))
     if not roots:
         lies = f"it lies between {amount(quantity, low)} and {amount(quantity, high)}"
         text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([unknown])}"
@@ -216,14 +211,14 @@ class Scan:
     """Points of a function in each row, in rising order, of which it rises or falls from one to the next.
 
     The last values beside gaps and the extremes divide a scan into pieces on which the function rises or falls. A piece
-    that crosses a level is bisected down to neighbouring doubles. `rows`, `x` and `y` are arrays with an element for
-    each point; y is nan in gaps.
+    that crosses the level of its row is bisected down to neighbouring doubles. `rows`, `x` and `y` are arrays with an
+    element for each point; y is nan in gaps.
     """
 
-    def __init__(self, function: Callable[[Rows, Any], Any], x: Any, size: int) -> None:
-        """`function`: of rows and a value in each; `x`: values that are scanned in each of `size` rows, in order."""
-        self.function = function
-        self.rows, self.x = numpy.repeat(numpy.arange(size), len(x)), numpy.tile(x, size)
+    def __init__(self, function: Callable[[Rows, Any], Any], x: Any, levels: Any) -> None:
+        """`function`: of rows and a value in each; `x`: values that are scanned, in order; `levels`: one for a row."""
+        self.function, self.levels = function, levels
+        self.rows, self.x = numpy.repeat(numpy.arange(len(levels)), len(x)), numpy.tile(x, len(levels))
         self.y = function(self.rows, self.x)
         self._add_ends()
         self._add_extremes()
@@ -261,21 +256,24 @@ class Scan:
         )
         self._add(row, turn)
 
-    def crossings(self, levels: Any) -> tuple[Rows, Any]:
+    def are_level(self, rows: Rows, y: Any) -> Any:
+        """Return which values in rows are the levels of these, but for rounding."""
+        return abs(y - self.levels[rows]) <= _ROUNDING * abs(self.levels[rows])
+
+    def crossings(self) -> tuple[Rows, Any]:
         """Return the rows and values at which functions have the level of their row, but for jumps over it.
 
         The function at such a value is the level as it is shown. Next to pull-off doubles may have none.
         """
         rows, x, y = self.rows, self.x, self.y
-        side = numpy.sign(y - levels[rows])
+        side = numpy.sign(y - self.levels[rows])
         left = numpy.flatnonzero((rows[:-1] == rows[1:]) & (side[:-1] * side[1:] < 0))
-        row, level, first, second = rows[left], levels[rows[left]], y[left], y[left + 1]
+        row, level, first, second = rows[left], self.levels[rows[left]], y[left], y[left + 1]
         ends = bisected(x[left], x[left + 1], lambda x: (self.function(row, x) < level) == (first < level))
         off = numpy.array([abs(self.function(row, end) - level) for end in ends])
         root = numpy.where(off[0] < off[1], *ends)
         scale = numpy.where(level == 0, numpy.maximum(abs(first), abs(second)), abs(level))
-        is_root = off.min(axis=0) <= AS_SHOWN * scale
-        exact = side == 0
+        is_root, exact = off.min(axis=0) <= AS_SHOWN * scale, side == 0
         every = numpy.array([numpy.append(rows[exact], row[is_root]), numpy.append(x[exact], root[is_root])])
         row, root = numpy.unique(every, axis=1)
         return row.astype(int), root
@@ -295,24 +293,17 @@ def bisected(inside: Any, outside: Any, is_inside: Callable[[Any], Any]) -> tupl
 # --- Two unknowns -----------------------------------------------------------------------------------------------------
 
 
-def _find_pairs(solution: Solution, near: Any) -> None:
-    """Solve for two unknowns in each row. `near`: places from which Newton's method starts; rows with nan are left."""
-    problem, rows = solution.problem, numpy.arange(len(solution.condition))
-    if near is not None:
-        rows = numpy.flatnonzero(numpy.isfinite(near).all(axis=0))
-        pairs = Pairs(problem.rows(rows), len(rows))
-        places, distance = pairs.improved(near[:, rows])
-        _put(solution, rows, *pairs.measures(places))
-        rows = rows[(distance == inf) | ~(solution.condition[rows] <= MAX_CONDITION)]
-    for row in rows.tolist():
+def _find_pairs(problem: Problem, table: Any, places: Any) -> Failures:
+    """Put the values of two unknowns into a table, with their growths of errors and conditions; return the failures."""
+    failures = Failures()
+    for row in range(table.shape[1]):
         pairs = Pairs(problem.rows(row))
         try:
-            solution.places[:, [row]] = pairs.pair()
-            _put(solution, [row], *pairs.measures(solution.places[:, [row]]))
+            places[:, [row]] = place = pairs.pair()
+            table[:, row] = pairs.measures(place)
         except NoResult as error:
-            solution.failures[row] = error
-            unknown = dict.fromkeys(problem.unknowns, nan)
-            _put(solution, [row], unknown, nan, unknown)
+            failures[row] = error
+    return failures
 
 
 class Pairs:
@@ -355,31 +346,27 @@ class Pairs:
         scales = _LINEAR * abs(self.levels)
         if scales.all():
             return scales
-        usual = numpy.nanmedian(abs(self.rows([0]).on_mesh), axis=1)
-        return numpy.where(scales == 0, usual[:, None], scales)
+        usual = numpy.nanmedian(abs(self.rows([0]).on_mesh), axis=1, keepdims=True)
+        return numpy.where(scales == 0, usual, scales)
 
     def slopes(self, places: Any) -> tuple[Any, Any]:
         """Return the residuals at places, and a matrix of their derivatives for each: by quantity and unknown."""
         count = places.shape[1]
         steps = _STEP * numpy.repeat([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]], count, axis=1)
         every = self.rows(numpy.tile(numpy.arange(count), 5))
-        residuals = every.residuals(numpy.tile(places, 5) + steps).reshape(2, 5, count)
-        middle = residuals[:, 0]
-        around = [(residuals[:, low], middle, residuals[:, low + 1]) for low in (1, 3)]
-        by_unknown = [slopes((-_STEP, 0.0, _STEP), points) for points in around]
-        return middle, numpy.array(by_unknown).T
+        residuals = every.residuals(numpy.tile(places, 5) + steps).reshape(2, 5, count).swapaxes(0, 1)
+        return residuals[0], numpy.array([slopes(_STEP, residuals[[low, 0, low + 1]]) for low in (1, 3)]).T
 
-    def measures(self, places: Any) -> tuple[Values, Any, Values]:
-        """Return the values of the unknowns at places, their condition numbers, and the growths of errors."""
-        _, matrices = self.slopes(places)
-        values = self.values(places)
-        ends = [[self.values(places + shift) for shift in (-step, step)] for step in _STEP * numpy.eye(2)[:, :, None]]
-        changes = numpy.array([[high[name] - low[name] for low, high in ends] for name in values]) / (2 * _STEP)
-        inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.1 / MAX_CONDITION)
-        spreads = numpy.linalg.norm(numpy.moveaxis(changes, -1, 0) @ inverse, axis=2)
+    def measures(self, place: Any) -> list[float]:
+        """Return the values of the unknowns at a place, the growths of errors there, and the condition number."""
+        _, (matrix,) = self.slopes(place)
+        steps = _STEP * numpy.eye(2)
+        values = numpy.array([*self.values(numpy.concatenate([place, place - steps, place + steps], axis=1)).values()])
+        changes = (values[:, 3:] - values[:, 1:3]) / (2 * _STEP)
+        inverse = numpy.linalg.pinv(numpy.nan_to_num(matrix), rcond=0.1 / MAX_CONDITION)
         with numpy.errstate(divide="ignore", invalid="ignore"):
-            growths = {name: spread / abs(values[name]) for name, spread in zip(values, spreads.T, strict=True)}
-        return values, _conditions(matrices), growths
+            growths = numpy.linalg.norm(changes @ inverse, axis=1) / abs(values[:, 0])
+        return [*values[:, 0], *growths, _conditions(matrix)]
 
     def improved(self, start: Any) -> tuple[Any, Any]:
         """Return the places to which Newton's method leads from others, and how far they are from solutions.
@@ -412,10 +399,10 @@ class Pairs:
             is_pair &= ((values >= least * (1 - _SAME)) | (name == "load")) & (values <= most * (1 + _SAME))
         return best, numpy.where(is_pair, distance, inf)
 
-    # --- The search, in one row ---
+    # --- The search ---
 
     @cached_property
-    def _mesh(self) -> Any:
+    def mesh(self) -> Any:
         """The places of the grid."""
         axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in self.problem.unknowns]
         return numpy.array(numpy.meshgrid(*axes, indexing="ij"))
@@ -423,11 +410,11 @@ class Pairs:
     @cached_property
     def on_mesh(self) -> Any:
         """The quantities at the places of the grid."""
-        return outcomes(self.problem, self.values(self._mesh.reshape(2, -1)))
+        return outcomes(self.problem, self.values(self.mesh.reshape(2, -1)))
 
     def pair(self) -> Any:
         """Return the place of the one pair. Raises the reason why there is none."""
-        _, matrices = self.slopes(self._mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))
+        _, matrices = self.slopes(self.mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))
         known = matrices[numpy.isfinite(matrices).all(axis=(1, 2))]
         if len(known) and not (_conditions(known) <= MAX_CONDITION / 10).any():
             raise Unseparated(self.problem, self._left_open(known[len(known) // 2]))
@@ -449,13 +436,13 @@ class Pairs:
 
     def _in_cells(self) -> Any:
         """Return places in the cells that both measured values may cross: the centre, and one towards each corner."""
-        residuals = self._above(self.on_mesh).reshape(self._mesh.shape)
+        residuals = self._above(self.on_mesh).reshape(self.mesh.shape)
         corners = numpy.lib.stride_tricks.sliding_window_view(residuals, (2, 2), axis=(1, 2))
         low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
         margin = _MARGIN * (high - low)
         is_at_gap = numpy.isnan(corners).any(axis=(3, 4)) & numpy.isfinite(low)
         cells = ((low - margin <= 0) & (high + margin >= 0) | is_at_gap).all(axis=0)
-        first, last = self._mesh[:, :-1, :-1][:, cells], self._mesh[:, 1:, 1:][:, cells]
+        first, last = self.mesh[:, :-1, :-1][:, cells], self.mesh[:, 1:, 1:][:, cells]
         shares = [(0.5, 0.5), *((i, j) for i in (0.2, 0.8) for j in (0.2, 0.8))]
         return numpy.concatenate([first + numpy.reshape(share, (2, 1)) * (last - first) for share in shares], axis=1)
 
@@ -468,11 +455,11 @@ class Pairs:
             return problem.failure()
         scene = problem.filled()
         first, second = sorted(levels, key=lambda name: len({*problem.unknowns}.intersection(scene.inputs_of(name))))
-        ranges = [(name, "it", heights) for name, heights in zip(levels, self.on_mesh, strict=True)]
+        ranges = [(name, "it", values) for name, values in zip(levels, self.on_mesh, strict=True)]
         ranges.append((second, f"where {equal({first: levels[first]})}, {second}", self._along(first, second)))
         sizes = f"for {sizes_in_words(problem.unknowns)}"
-        for name, subject, heights in ranges:
-            low, high = float(numpy.nanmin(heights, initial=inf)), float(numpy.nanmax(heights, initial=-inf))
+        for name, subject, values in ranges:
+            low, high = float(numpy.nanmin(values, initial=inf)), float(numpy.nanmax(values, initial=-inf))
             if low <= high and not low <= levels[name] <= high:
                 given = equal({name: levels[name]} if subject == "it" else levels)
                 lies = f"{subject} lies between {amount(name, low)} and {amount(name, high)}"
@@ -483,12 +470,10 @@ class Pairs:
         """Return a quantity at values of the unknowns at which the other one has its measured value."""
         depends = self.problem.filled().inputs_of(first)
         sought, other = sorted(self.problem.unknowns, key=lambda name: name not in depends)
-        places, level = grid(other, SIZES[other]), self.problem.levels[first]
-        problem = Problem((sought,), {first: level}, self.problem.with_values({other: places}))
-        scan = _scanned(problem, len(places), SIZES[sought])
-        rows, roots = scan.crossings(numpy.full(len(places), level))
-        heights = outcomes(self.problem, {sought: roots, other: places[rows]})
-        return heights[[*self.problem.measured].index(second)]
+        values = grid(other, SIZES[other])
+        problem = Problem((sought,), {first: self.problem.levels[first]}, self.problem.with_values({other: values}))
+        rows, roots = _scan(problem, len(values), SIZES[sought]).crossings()
+        return outcomes(self.problem, {sought: roots, other: values[rows]})[[*self.problem.measured].index(second)]
 
     def _left_open(self, matrix: Any) -> str:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
