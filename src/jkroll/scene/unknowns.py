@@ -185,7 +185,8 @@ def _scanned(problem: Problem, rows: Rows, sizes: tuple[float, float]) -> tuple[
 def _root(problem: Problem, sizes: tuple[float, float], scan: "Scan", row: int, roots: Sequence[float]) -> float:
     """Return the one root of a row of a scan. Raises the reason why there is none."""
     (unknown,), (quantity,) = problem.unknowns, problem.measured
-    x, y = scan.x[scan.rows == row], scan.y[scan.rows == row]
+    points = slice(*numpy.searchsorted(scan.rows, [row, row + 1]))
+    x, y = scan.x[points], scan.y[points]
     low, high = float(numpy.fmin.reduce(y)), float(numpy.fmax.reduce(y))
     if numpy.isnan(low):
         raise problem.failure()
