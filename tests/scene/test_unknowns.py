@@ -531,10 +531,6 @@ def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
         (COMMAND.replace("young", "work_of_adhesion"), 2, "surface_energy and work_of_adhesion exclude each other"),
         (COMMAND.replace(",young", ""), 2, "an input needs one measured quantity, and 2 are given: "),
         (COMMAND.replace("quartz", "grains.csv"), 2, "infer reads no tables, and batch infers one input"),
-        (COMMAND.replace("300nN", "1nN:1uN:1001"), 2, (
-            "1001 pairs are more than 1000, in which two inputs are looked "
-            "for"
-        )),
         (COMMAND.replace("1kN", "1TN"), 1, "surface_energy,youngs_modulus: no pair of values gives "),
         ("batch grains.csv --infer gamma,young --measured P_c", 2, "batch infers one input"),
         ("batch grains.csv --infer gamma --measured P_c --measured stiffness", 2, "batch infers one input"),

@@ -39,7 +39,7 @@ class Inferred(Answer):
     `forward` is the answer about what was measured.
     """
 
-    solution: Solution | None = None  # None where `failure` says why
+    solution: Solution  # unless `failure` says why there is none
     failure: MissingInput | NoResult | None = None
 
     def __init__(self, problem: Problem) -> None:
@@ -55,7 +55,7 @@ class Inferred(Answer):
             self.scene, measured = problem.filled(), ()
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
         self.inputs = {name: in_words(name, value) for name, value in problem.echo().items()}
-        self._uncertainties = uncertainties_of_unknowns(self.solution) if self.solution is not None else ({}, None)
+        self._uncertainties = uncertainties_of_unknowns(self.solution) if self.failure is None else ({}, None)
         self.laws = {}  # what is found under each law stands beside the results
         self.displacement, self.validity = self.forward.displacement, self.forward.validity
         self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
@@ -63,8 +63,7 @@ class Inferred(Answer):
     @cached_property
     def results(self) -> tuple[Result, ...]:
         """The values of the unknowns, with their uncertainties."""
-        if self.solution is None:
-            assert self.failure is not None
+        if self.failure is not None:
             return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
         growths = {name: growth if isfinite(growth) else None for name, growth in self.solution.growths.items()}
         is_one = len(growths) == 1  # the growth of errors is then the condition
@@ -111,35 +110,34 @@ class Inferred(Answer):
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The proof of what is found, and what the measured quantities rest on."""
-        if self.solution is None:
+        if self.failure is not None:
             return ()
         bars, sources = self._uncertainties
         notes = (
-            *self._proofs(self.solution),
+            *self._proofs(),
             *self.forward.notes,
             *about_missing([*self.results], {}),
             *(about_uncertainties(bars, sources) if sources is not None else ()),
         )
         return tuple(dict.fromkeys(notes))  # both ways leave out the same
 
-    def _proofs(self, solution: Solution) -> Iterator[Note]:
+    def _proofs(self) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""
-        names, forward = [*solution.values], solution.forward
-        for name, value in solution.values.items():
+        values, forward, condition = self.solution.values, self.solution.forward, self.solution.condition
+        for name, value in values.items():
             if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
                 yield Note("caveat", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
             if name in _RAISING and not _LOSING.isdisjoint(forward):
                 symbol = symbol_beside(name, self.scene.given)
                 yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
             yield from _unused(name, [*forward], self.scene)
-        if names[1:]:
-            proof = f"{_equal(solution.values)} give {_equal(forward)}; κ = {solution.condition:.3g}"
-            yield Note("model", proof)
-            yield Note("model", f"scanned: {sizes_in_words(names)}, {PER_DECADE} values a decade")
+        if len(values) > 1:
+            yield Note("model", f"{_equal(values)} give {_equal(forward)}; κ = {condition:.3g}")
+            yield Note("model", f"scanned: {sizes_in_words(values)}, {PER_DECADE} values a decade")
             return
-        proof = f"{_equal(solution.values)} gives {_equal(forward)}{_of_both(names[0], self.scene)}"
-        slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*names, *forward))
-        yield Note("model", f"{proof}; κ = |{slope}| = {solution.condition:.3g}")
+        slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*values, *forward))
+        proof = f"{_equal(values)} gives {_equal(forward)}{_of_both(values, self.scene)}"
+        yield Note("model", f"{proof}; κ = |{slope}| = {condition:.3g}")
 
     @cached_property
     def explained(self) -> Answer:
@@ -149,9 +147,9 @@ class Inferred(Answer):
         return explained
 
 
-def _of_both(name: str, scene: Scene) -> str:
+def _of_both(values: Mapping[str, float], scene: Scene) -> str:
     """Return that the surface energy is meant of both bodies, where these are not alike, and the work of adhesion."""
-    if name != "surface_energy" or "radius2" not in scene.stated or "surface_energy2" in scene.given:
+    if "surface_energy" not in values or "radius2" not in scene.stated or "surface_energy2" in scene.given:
         return ""
     return f" if γ2 = γ1, so w = {amount('work_of_adhesion', scene['work_of_adhesion'])}"
 

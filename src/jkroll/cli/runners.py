@@ -16,7 +16,6 @@ from ..text import ascii_text, listed, quoted, say, say_wrapped, wrapped
 from .call import Call, is_table
 
 WIDTH_OF_EXPORT = 120  # of a comment
-MAX_PAIRS = 1_000  # scenes in which two inputs are looked for, which takes up to seconds in each
 
 
 def run_export(call: Call) -> int:
@@ -80,8 +79,6 @@ def run_infer(call: Call) -> int:
         if quantity in call.spreads:
             raise already_given(quantity)
     problems = Problems(names, measured, call.sweep)
-    if len(names) > 1 and len(problems) > MAX_PAIRS:
-        raise BadRequest(f"{len(problems)} pairs are more than {MAX_PAIRS}, in which two inputs are looked for")
     return write(call, problems, Question(tuple(names), tuple(names)), form, Inferred)
 
 

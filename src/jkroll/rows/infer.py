@@ -11,9 +11,9 @@ from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import PROPERTIES, named
-from ..quantities.values import Spread, is_uncertain
+from ..quantities.values import Spread, is_uncertain, middle
 from ..scene.failures import MissingInput
-from ..scene.inverse import SIZES, Problem, already_given, inputs_named
+from ..scene.inverse import SIZES, Problem, inputs_named
 from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
@@ -96,7 +96,9 @@ class Problems(Sweep):
 
     def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Problem:
         """Return a row of inputs among which are the measured values."""
-        return Problem.of(self.names, self.quantities, given, *spheres, model=model)
+        measured = {name: given[name] for name in self.quantities}
+        others = {name: value for name, value in given.items() if name not in measured}
+        return Problem(tuple(self.names), measured, Scene(others, *spheres, model=model))
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
         """Return the columns of the unknowns. Raises the error of the inputs."""
@@ -180,27 +182,26 @@ def infer(
     is_list = isinstance(wanted, list | tuple)
     names = inputs_named([*map(str, wanted)] if is_list else [str(wanted)])
     if not isinstance(measured, Mapping) or len(measured) != len(names):
-        problem, example = _ONE if len(names) == 1 else _TWO
-        raise QuantityError("measured", str(measured), problem, f"write {{{example}}}")
+        lack, example = _ONE if len(names) == 1 else _TWO
+        raise QuantityError("measured", str(measured), lack, f"write {{{example}}}")
     known, _ = in_si({str(word): value for word, value in measured.items()}, named)
     described, _ = in_si(given)
-    for name in known.keys() & described.keys():
-        raise already_given(name)
-    for each, value in {**known, **described}.items():
-        check_range(each, value.value if is_uncertain(value) else value)
-    spheres = materials_of(material, material2, materials)
-    inputs = {**described, **known}
-    arrays = {each: value for each, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
+    for name, value in known.items():
+        check_range(name, middle(value))
+    scene = Scene(described, *materials_of(material, material2, materials), model=model)
+    problem, inputs = Problem(tuple(names), known, scene), {**described, **known}
     if has_bars := any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
-    shape = broadcast(arrays)
-    flat = {each: numpy.broadcast_to(value, shape).ravel() for each, value in arrays.items()}
-    whole = Problem.of(names, [*known], {**inputs, **flat}, *spheres, model=model)
-    solved = solutions(whole, prod(shape)) if arrays else solution(whole)
-    values, condition = dict(solved.values), solved.condition
-    if has_bars:
-        bars, _ = uncertainties_of_unknowns(solved)
-        values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in values.items()}
-    elif arrays:
-        values, condition = {name: value.reshape(shape) for name, value in values.items()}, condition.reshape(shape)
+    arrays = {name: value for name, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
+    if arrays:
+        shape = broadcast(arrays)
+        flat = {name: numpy.broadcast_to(value, shape).ravel() for name, value in arrays.items()}
+        solved = solutions(problem.replace(**flat), prod(shape))
+        values = {name: column.reshape(shape) for name, column in solved.values.items()}
+        condition = solved.condition.reshape(shape)
+    else:
+        solved = solution(problem)
+        bars = uncertainties_of_unknowns(solved)[0] if has_bars else {}
+        values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in solved.values.items()}
+        condition = solved.condition
     return InferredValues(values, condition) if is_list else values[names[0]]

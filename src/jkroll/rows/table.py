@@ -108,7 +108,8 @@ class Table:
             raise BadRequest(f"{self.measured}: the row has no measured value", "no measured value")
         from ..scene.inverse import Problem  # for which a table without an unknown does not pay
 
-        return Problem.of([self.unknown], [self.measured], given, *spheres, model=self.model)
+        measured = {self.measured: given.pop(self.measured)}
+        return Problem((self.unknown,), measured, Scene(given, *spheres, model=self.model))
 
     # --- The columns that are added -----------------------------------------------------------------------------------
 

@@ -8,7 +8,6 @@ from math import inf
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError, NoResult
-from ..materials.library import Material
 from ..quantities.errors import nearest
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
@@ -161,19 +160,6 @@ class Problem(NamedTuple):
     unknowns: tuple[str, ...]
     measured: Values  # by quantity
     scene: Scene
-
-    @classmethod
-    def of(
-        cls,
-        unknowns: Sequence[str],
-        quantities: Sequence[str],
-        given: Mapping[str, Any],
-        *spheres: Material | None,
-        model: str | None,
-    ) -> "Problem":
-        """Return the problem, given the inputs and, among them, the measured values of quantities."""
-        others = {name: value for name, value in given.items() if name not in quantities}
-        return cls(tuple(unknowns), {name: given[name] for name in quantities}, Scene(others, *spheres, model=model))
 
     @property
     def levels(self) -> Values:
