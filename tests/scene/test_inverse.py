@@ -398,6 +398,14 @@ def test_a_material_that_lacks_an_input_fails_its_rows_alone(run: Run, tmp_path:
     assert run(words.replace(",stiff", "")).code == 2
 
 
+def test_rows_that_all_lack_an_input_say_so_one_by_one(run: Run) -> None:
+    """As the rows of any question do."""
+    ran = run("infer gamma 1um,2um --measured contact_radius=30nm --csv")
+    assert ran.code == 1
+    assert column(ran.out, "status") == ["needs youngs_modulus and poisson_ratio"] * 2
+    assert "give --young 10GPa --poisson 0.3" in ran.err
+
+
 def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run: Run) -> None:
     words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN,1e26N"
     found, forward, failed = run(f"{words} --explain").out.split("\n\n")

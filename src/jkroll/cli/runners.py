@@ -133,8 +133,6 @@ def run_batch(call: Call) -> int:
 
 def _unknown_and_measured(call: Call) -> tuple[str, str]:
     """Return the names of the input that is sought and of the quantity that was measured; empty texts if none is."""
-    from ..scene.inverse import inputs_named
-
     if not call.infer and not call.measured:
         return "", ""
     if "," in call.infer or len(call.measured) > 1:
@@ -149,6 +147,8 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
     if has_value:
         remedy = f"write --measured {quoted(quantity)}"
         raise BadRequest(f"--measured: a table has a column of the measured values; {remedy}")
+    from ..scene.inverse import inputs_named
+
     (unknown,) = inputs_named([call.infer])
     return unknown, quantity_named(quantity)
 
