@@ -300,7 +300,8 @@ def test_numbers_of_a_map_are_coloured_by_value(run: Run, monkeypatch: pytest.Mo
 def test_curves_are_rows_of_their_values(run: Run) -> None:
     out = run("map pull-off quartz,iron --x radius=1nm:1um:4 --mark quartz@50nm --quiet").out.splitlines()
     assert re.split(r"  +", out[0].strip()) == ["R1", "P_c"]
-    rows = [re.split(r"  +", line.strip()) for line in out[1:10]]
+    assert {*out[1]} == {"─"}
+    rows = [re.split(r"  +", line.strip()) for line in out[2:11]]
     radii = {"1 nm": 1e-9, "10 nm": 1e-8, "100 nm": 1e-7, "1 µm": 1e-6}
     assert [row[:2] for row in rows] == [
         *([name, text] for name in ("quartz", "iron") for text in radii),

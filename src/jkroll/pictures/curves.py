@@ -151,7 +151,7 @@ PANELS: Mapping[str, _Panel] = {
 def curves_of_contact(
     scenes: Sequence[Scene], loads: Loads | None, panel: str | None
 ) -> tuple[Picture, tuple[str, ...]]:
-    """Return the panels of a contact under one law or several, or one of them, and notes.
+    """Return the panels of a contact that all its laws have, or one of them, and notes.
 
     First on laws that lack a panel; then what is in doubt, unless several laws can be compared.
     """
@@ -162,16 +162,11 @@ def curves_of_contact(
     fixed: dict[str, None] = {}
     notes: dict[str, None] = {}
     for draw, needed, further in [PANELS[panel]] if panel is not None else PANELS.values():
-        errors = [_lacking(scene, *needed) for scene in scenes]
-        having = [scene for scene, error in zip(scenes, errors, strict=True) if error is None]
-        missing += filter(None, errors)
-        if having:
-            drawn = draw(having, loads)
-            if len(having) == 1 < len(scenes):  # all curves are of one law, and have its colour
-                colour = scenes.index(having[0])
-                drawn = drawn._replace(curves=tuple(curve._replace(colour=colour) for curve in drawn.curves))
-            panels.append(drawn)
-        for scene in having:
+        if errors := [error for scene in scenes if (error := _lacking(scene, *needed))]:
+            missing += errors
+            continue
+        panels.append(draw(scenes, loads))
+        for scene in scenes:
             names = [*needed, *(name for name in further if is_one and not _lacking(scene, name))]
             unloaded = scene.replace(load=0.0)
             inputs = [name for name in unloaded.inputs_of(*names) if name not in varied]

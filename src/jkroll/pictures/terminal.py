@@ -7,6 +7,7 @@ from typing import Any, TextIO
 
 import numpy
 
+from ..output.table import Column, write_table
 from ..quantities.formatting import amount, in_units
 from ..quantities.markup import plain, symbol
 from ..text import fitting, say, terminal_width, width_of, wrapped
@@ -104,13 +105,13 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
     _say([drawn.title], out)
     for panel in drawn.panels:
         _say([panel.title], out)
-        for cells in _aligned(_rows(panel), out):
-            say(_GAP.join(cells).rstrip(), out)
+        names, x, y = _columns(panel)
+        write_table([names], [x, y], out)
     _say([*drawn.caption, *drawn.remarks], out)
 
 
-def _rows(panel: Panel) -> list[Sequence[str]]:
-    """Return the heads and the rows of a panel: the curve or the point, x and y."""
+def _columns(panel: Panel) -> list[Column]:
+    """Return the columns of a panel: the curve or the point, x and y."""
     rows: list[tuple[str, float, float]] = []
     for curve in panel.curves:
         points = [(x, y) for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True) if panel.shows(x, y)]
@@ -118,11 +119,11 @@ def _rows(panel: Panel) -> list[Sequence[str]]:
         rows += [(plain(curve.text), *points[round(last * step / max(steps, 1))]) for step in range(steps + 1)]
     rows += [(plain(mark.text), mark.x, mark.y) for mark in panel.marks if mark.x is not None and mark.y is not None]
     names, *numbers = zip(*rows, strict=True)
-    columns: list[Sequence[str]] = [["", *names]]
+    columns = [Column("", names, is_right=False)]
     for axis, values in zip((panel.x, panel.y), numbers, strict=True):
         texts, unit = in_units(quantity_of(axis.name).unit, values, DIGITS + 1, is_log=axis.is_log)
-        columns.append([quantity_of(axis.name).symbol + bracketed(unit), *texts])
-    return [*zip(*columns, strict=True)]
+        columns.append(Column(quantity_of(axis.name).symbol + bracketed(unit), texts))
+    return columns
 
 
 def _aligned(rows: Iterable[Sequence[str]], out: TextIO) -> list[list[str]]:
