@@ -16,7 +16,7 @@ from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Problem, inputs_named
 from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
-from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
+from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
 from ..scene.uncertainty import measures_of, sources_of_results, uncertainties_of_unknowns
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
@@ -202,6 +202,6 @@ def infer(
     else:
         solved = solution(problem)
         bars = uncertainties_of_unknowns(solved)[0] if has_bars else {}
-        values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in solved.values.items()}
+        values = with_uncertainties(solved.values, bars)
         condition = solved.condition
     return InferredValues(values, condition) if is_list else values[names[0]]

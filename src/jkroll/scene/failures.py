@@ -9,9 +9,7 @@ from operator import ge
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
-from ..physics.contact import pull_off_force_dmt
-from ..physics.jkr import FOLD_APPROACH
-from ..physics.motion import LARGEST
+from ..physics import FORMULAS
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
@@ -236,12 +234,24 @@ def _is_held_by_grips_alone(given: Given) -> bool:
     return bool(given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
 
 
+def _of_formula(name: str, given: Given) -> Any:
+    """Return what another formula makes of the arguments."""
+    formula = FORMULAS[name]
+    return formula(**{parameter: given[parameter] for parameter in parameters_of(formula)})
+
+
 def _pull_off_dmt(given: Given) -> Any:
-    return -pull_off_force_dmt(**{name: given[name] for name in parameters_of(pull_off_force_dmt)})
+    return -_of_formula("pull_off_force_dmt", given)
 
 
 def _fold(given: Given) -> Any:
-    return FOLD_APPROACH * given["approach"]
+    return _of_formula("approach_at_fold", given)
+
+
+def _fitted(_: Given) -> float:
+    from ..physics.motion import LARGEST  # most answers are of contacts at rest
+
+    return LARGEST
 
 
 RULES: Mapping[str, Rule] = {  # by formula
@@ -254,7 +264,7 @@ RULES: Mapping[str, Rule] = {  # by formula
     "edge_ratio_at_approach": _above(BEYOND_FOLD, lambda given: given["fold_approach_maugis"]),
     "contact_radius_dmt_at_approach": _above(BEYOND_FOLD, lambda _: 0.0),
     "yield_displacement_at_hysteresis": _at_most(TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
-    "sticking_speed_viscous": _at_most(STICKS_ALWAYS, lambda _: LARGEST),
+    "sticking_speed_viscous": _at_most(STICKS_ALWAYS, _fitted),
     "r_min": Rule(NO_CHAIN, lambda given: given["radius2"] == INFINITY),
     "vertical_frequency": Rule(NOT_HELD, _is_held_by_grips_alone),
     "peeling_force": Rule(NOT_HELD, _is_held_by_grips_alone),

@@ -15,7 +15,7 @@ from .failures import NO_END, reason_of, without_value
 from .scene import Scene
 
 if TYPE_CHECKING:
-    from .uncertainty import Propagated
+    from .uncertainty import Bars
 
 ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
 _PLAIN = float, int, str  # types of values that hold no others
@@ -80,51 +80,22 @@ def solve(
     >>> {name: round(value, 1) for name, value in solve(["n_grav"], material="quartz", radius=1e-7).items()}
     {'n_grav': 939.4}
     """
-    names = _names(wanted)
+    names = [named(str(name)) for name in (wanted if _is_list(wanted) else [wanted])]
     described, registry = in_si(given)
-    spheres = materials_of(material, material2, materials)
-    if any(map(is_uncertain, described.values())):
+    scene = Scene(described, *materials_of(material, material2, materials), model=model)
+    results = values_of(scene, names)
+    if scene.uncertain:
+        from .uncertainty import uncertainties
+
         refuse_arrays(described)
-        answers = _uncertain_answers(Scene(described, *spheres, model=model), names)
-        return answers[names[0]] if isinstance(wanted, str) else answers
-    results = values_of(Scene(described, *spheres, model=model), names)
-    if registry is not None:
+        results = with_uncertainties(results, uncertainties(scene, names)[0])
+    elif registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
-    return results[names[0]] if isinstance(wanted, str) else results
+    return results if _is_list(wanted) else results[names[0]]
 
 
-def _names(wanted: str | Iterable[str]) -> list[str]:
-    """Return the wanted names as a list."""
-    if isinstance(wanted, str):
-        return [named(wanted)]
-    if not isinstance(wanted, Iterable):
-        raise UnknownQuantity(str(wanted))
-    return [named(str(name)) for name in wanted]
-
-
-def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
-    """Return the material of a name, or a material that was given, with its properties in SI units; None for None."""
-    if material is None:
-        return None
-    if isinstance(material, Material):
-        return material._replace(properties=_properties(argument, material))
-    if not isinstance(material, str):
-        raise QuantityError(argument, str(material), "is not the name of one material", 'write "quartz"')
-    return (materials or known_materials())[material]
-
-
-def _properties(argument: str, material: Material) -> Mapping[str, float]:
-    """Return the properties of a material, which may have been made by hand."""
-    given = material.properties
-    if not isinstance(given, Mapping):
-        raise QuantityError(argument, str(given), "is not a mapping of properties", "write {name: value}")
-    properties, _ = in_si(given)
-    for name, value in properties.items():
-        if not NOMENCLATURE[name].twin:
-            raise QuantityError(name, str(value), "is not a property of a material", "give it by its name")
-        if not isinstance(value, float):
-            raise QuantityError(name, str(value), "is not a single number")
-    return properties
+def _is_list(wanted: Any) -> bool:
+    return isinstance(wanted, Iterable) and not isinstance(wanted, str)
 
 
 def materials_of(
@@ -134,6 +105,23 @@ def materials_of(
     if materials is not None and not isinstance(materials, Materials):
         raise QuantityError("materials", str(materials), "is not a Materials object", 'write Materials("mine.toml")')
     return _material("material", material, materials), _material("material2", material2, materials)
+
+
+def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
+    """Return the material of a name, or one that may have been made by hand, with its properties in SI units."""
+    if isinstance(material, str):
+        return (materials or known_materials())[material]
+    if material is None:
+        return None
+    if not (isinstance(material, Material) and isinstance(material.properties, Mapping)):
+        raise QuantityError(argument, str(material), "is not the name of one material", 'write "quartz"')
+    properties, _ = in_si(material.properties)
+    for name, value in properties.items():
+        if not NOMENCLATURE[name].twin:
+            raise QuantityError(name, str(value), "is not a property of a material", "give it by its name")
+        if not isinstance(value, float):
+            raise QuantityError(name, str(value), "is not a single number")
+    return material._replace(properties=properties)
 
 
 def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -147,10 +135,10 @@ def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
         return {name: scene[name] for name in names}
     import numpy
 
-    parts = [slice(start, start + ELEMENTS_AT_ONCE) for start in range(0, scene.shape[0], ELEMENTS_AT_ONCE)]
-    blocks = [
-        values_of(scene.replace(**{name: value[part] for name, value in scene.arrays.items()}), names) for part in parts
-    ]
+    blocks = []
+    for start in range(0, scene.shape[0], ELEMENTS_AT_ONCE):
+        block = {name: value[start : start + ELEMENTS_AT_ONCE] for name, value in scene.arrays.items()}
+        blocks.append(values_of(scene.replace(**block), names))
     return {
         name: value if isinstance(value, float) else numpy.concatenate([block[name] for block in blocks])
         for name, value in blocks[0].items()
@@ -164,19 +152,14 @@ def refuse_arrays(described: Mapping[str, Any]) -> None:
             raise QuantityError(name, "an array", "stands beside an uncertain value, which takes single values")
 
 
-def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """Return the values of quantities with their uncertainties; floats where no uncertain input enters."""
-    from .uncertainty import uncertainties
-
-    bars, _ = uncertainties(scene, names)
-    return {name: with_uncertainty(name, value, bars.get(name)) for name, value in values_of(scene, names).items()}
-
-
-def with_uncertainty(name: str, value: float, bar: "Propagated | JkrollError | None") -> float | Uncertain:
-    """Return a value with its uncertainty, if it has one; raise a Failure with the reason why there is none."""
-    if isinstance(bar, JkrollError):
-        raise without_value(name, NO_END + reason_of(name, bar), "no error bar")
-    return value if bar is None else bar.uncertainty
+def with_uncertainties(values: Mapping[str, float], bars: "Bars") -> dict[str, float | Uncertain]:
+    """Return values with their error bars, if they have some; raise a Failure with the reason why one has none."""
+    measures: dict[str, float | Uncertain] = dict(values)
+    for name, bar in bars.items():
+        if isinstance(bar, JkrollError):
+            raise without_value(name, NO_END + reason_of(name, bar), "no error bar")
+        measures[name] = bar.uncertainty
+    return measures
 
 
 def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> tuple[dict[str, Any], Any]:
@@ -234,16 +217,14 @@ def _number(name: str, value: Any, registries: list[Any]) -> Any:
     if isinstance(value, str):
         return value_of(value, name)
     if hasattr(value, "std_dev"):
-        measured = Measured(value.nominal_value, value.std_dev)  # as the package `uncertainties` and pint have them
-        return checked(measured, name, str(value))
+        value = Measured(value.nominal_value, value.std_dev)  # as the package `uncertainties` and pint have them
     if is_uncertain(value):
         return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):
         value = [_number(name, item, registries) for item in value]
         if any(map(is_uncertain, value)):
-            raise QuantityError(
-                name, "a list", "holds uncertain values, and arrays have no uncertainty", "give them one by one"
-            )
+            problem = "holds uncertain values, and arrays have no uncertainty"
+            raise QuantityError(name, "a list", problem, "give them one by one")
     return as_floats(name, value)
 
 
