@@ -15,7 +15,9 @@ names in `dimensions`. Its arguments are positive, but for these, where its docs
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 from importlib import import_module
+from types import ModuleType
 from typing import Any
 
 _NAMES = {  # of the formulas, by their modules
@@ -77,11 +79,16 @@ _NAMES = {  # of the formulas, by their modules
 _HOMES = {name: module for module, names in _NAMES.items() for name in names.split()}
 
 
+@cache
+def _module(name: str) -> ModuleType:
+    return import_module(f".{name}", __name__)
+
+
 class _Formulas(Mapping[str, Callable[..., Any]]):
     """The formulas by name. A module is imported when the first of its formulas is asked for."""
 
     def __getitem__(self, name: str) -> Callable[..., Any]:
-        formula: Callable[..., Any] = getattr(import_module(f".{_HOMES[name]}", __name__), name)
+        formula: Callable[..., Any] = getattr(_module(_HOMES[name]), name)
         return formula
 
     def __iter__(self) -> Iterator[str]:
