@@ -16,7 +16,7 @@ from relative import approx
 
 @pytest.mark.parametrize(
     ("columns", "first", "rows"),
-    [("400", "material", 2), ("100", "quantity", 21), ("62", "material", 21), ("30", "material", 2)],
+    [("400", "material", 2), ("100", "material", 21), ("62", "material", 21), ("30", "material", 2)],
 )
 def test_scenes_are_rows_or_columns_or_several_tables(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, first: str, rows: int
@@ -37,12 +37,8 @@ def test_scenes_as_columns_have_a_line_for_each_input_that_differs(run: Run, mon
     monkeypatch.setenv("COLUMNS", "120")
     table = run("report quartz,iron 50nm 100nm --gamma 75mJ/m2 --quiet", terminal=True).out.splitlines()
     table = table[next(place for place, line in enumerate(table) if " material " in f" {line}") :]
-    assert table[0].split() == ["quantity", "material", "quartz", "quartz", "iron", "iron"]
+    assert table[0].split() == ["material", "quartz", "quartz", "iron", "iron"]
     assert table[2].split()[-6:] == ["R1", "[nm]", "50", "100", "50", "100"]
-
-
-def test_scenes_that_do_not_differ_are_numbered(run: Run) -> None:
-    assert "pair" in run("report quartz,quartz 100nm --quiet", terminal=True).out
 
 
 def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -23,6 +23,7 @@ from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, doubts
 from ..scene.scene import Scene
 from .advice import about_doubt, displacement_in_full, over_this_law
 from .notes import (
+    about_assumed,
     about_given,
     about_idle,
     about_limits,
@@ -35,7 +36,7 @@ from .notes import (
     idle_of,
 )
 from .questions import Question
-from .results import Note, Result, model_error, over_spacing, with_law
+from .results import Kind, Note, Result, model_error, over_spacing, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -167,10 +168,12 @@ class Answer:
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
-        return [
-            Note("warning" if doubt.limit.ends_meaning else "doubt", self.about(doubt), doubt.excess)
-            for doubt in self.exceeded
-        ]
+        width = min((result.width for result in self.results), default=0.0)  # no smaller doubt matters
+        notes = []
+        for doubt in self.exceeded:
+            kind: Kind = "doubt" if doubt.excess > width else "lesser doubt"
+            notes.append(Note("warning" if doubt.limit.ends_meaning else kind, self.about(doubt)))
+        return notes
 
     @property
     def exceeded(self) -> list[Doubt]:
@@ -181,11 +184,6 @@ class Answer:
         """Return what follows from a limit for these results, with the values that may stand in their place."""
         headline = [name for name in self._known if name in self.question.headline]
         return about_doubt(doubt, self.scene, headline, self._known)
-
-    @property
-    def width(self) -> float:
-        """The size of the smallest error bar of the results, as the logarithm of a factor: no smaller doubt matters."""
-        return min((result.width for result in self.results), default=0.0)
 
     @cached_property
     def _entering(self) -> tuple[set[str], set[str]]:
@@ -205,6 +203,7 @@ class Answer:
         """The sentences about the answer, but for doubts."""
         scene, (bars, sources) = self.scene, self._uncertainties
         notes = (
+            *about_assumed(self.assumed),
             *about_given(scene, self._possible, self._entering[0]),
             *about_idle(idle_of(scene, self._entering[1])),
             *about_values(scene, self._known),

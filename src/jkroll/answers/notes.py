@@ -3,12 +3,12 @@
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, get_args
 
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_beside, symbol_of
 from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, of_sphere
+from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..scene.alternatives import assumes_displacement, rolling
 from ..scene.failures import NO_END, MissingInput, grouped, without_value
 from ..scene.limits import ENDING_MEANING, IMPACT, MEANINGS, OF_LAW, Doubt, codes_of, doubts, touched
@@ -26,12 +26,14 @@ if TYPE_CHECKING:
 Rows = tuple[Scene, Sequence[str]]  # of a kind: a scene that stands for them, and the quantities that it shows
 
 _SHORT = Format(digits=4)
+_ENERGIES = ("surface_energy", "surface_energy2")
 _RULES = {  # by which quantities follow that could have been given
     "contacts": "as many contacts as grains in each, n_c = N",
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
 _CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
+_OF_HAMAKER = ("work_of_adhesion", "atomic_spacing")
 _UNLIKE = 3.0  # ratio of two surface energies from which on a note has their harmonic mean
 _LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 _STICKING = (
@@ -47,7 +49,6 @@ _MORE = "more: --explain"
 _BEHIND = ("model", "data")  # kinds that change nothing that a reader does: in explanations
 _APART = ("material", "assumed", "warning")  # said when a file of materials was read, and above all others
 _KINDS = get_args(Kind)
-_FIRST_DOUBT, _AFTER_ERROR_BARS = "doubt", "assumed"  # the kinds in whose place doubts stand
 
 
 # --- What is given ----------------------------------------------------------------------------------------------------
@@ -73,48 +74,34 @@ def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_
     `has_values`: whether a rule gives the same value in all rows of which the scene is one.
     """
     steps = {*scene.formulas_to(*names)}
-    energies = [scene.given.get(name) for name in ("surface_energy", "surface_energy2")]
+    energies = [scene.given.get(name) for name in _ENERGIES]
     are_equal = all(isinstance(energy, float) for energy in energies) and energies[0] == energies[1]
     if are_equal or "surface_energy2" not in inputs:
         steps.discard("work_of_adhesion")
-    rules = {name: rule for name, rule in _RULES.items() if name in steps}
-    for name, value in scene.numbers(*rules).items() if has_values else ():
-        rules[name] += f" = {amount(name, value, _SHORT)}"
-    by_rule = {name: f"{rule} ({NOMENCLATURE[name].option})" for name, rule in rules.items()}
-    return by_rule | {name: assumed_value(name) for name in DEFAULTS if name in inputs and name not in scene.given}
+    texts = {name: rule for name, rule in _RULES.items() if name in steps}
+    for name, value in scene.numbers(*texts).items() if has_values else ():
+        texts[name] += f" = {amount(name, value, _SHORT)}"
+    for name, value in DEFAULTS.items():
+        if name in inputs and name not in scene.given:
+            texts[name] = f"{symbol_of(name)} = {amount(name, value)}" if value else "no load"
+    return {name: f"{text} ({NOMENCLATURE[name].option})" for name, text in texts.items()}
 
 
-def assumed_value(name: str) -> str:
-    """Return the value of an input that was assumed, with the option that sets it."""
-    value = f"{symbol_of(name)} = {amount(name, DEFAULTS[name])}" if DEFAULTS[name] else "no load"
-    return f"{value} ({NOMENCLATURE[name].option})"
+def about_assumed(texts: Mapping[str, str]) -> list[Note]:
+    """Return the note on what was assumed, if anything was."""
+    return [Note("assumed", f"assumed: {', '.join(texts.values())}")] if texts else []
 
 
 def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> Iterator[Note]:
     """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
-    if texts := assumed(scene, inputs, names).values():
-        yield Note("assumed", f"assumed: {', '.join(texts)}")
-    steps = {*scene.formulas_to(*names)}
-    if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
-        values = ((name, scene[name]) for name in ("work_of_adhesion", "atomic_spacing"))
-        here = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in values)
-        other = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
-        work = amount("work_of_adhesion", scene.replace(cutoff=other)["work_of_adhesion"])
-        yield Note("result", f"{here}; at D0 = {amount('cutoff', other)}, w = {work}")
-    energies: list[Any] = [scene.values.get(name) for name in ("surface_energy", "surface_energy2") if name in inputs]
-    are_two = "work_of_adhesion" in steps and len(energies) == 2
-    if are_two and all(isinstance(energy, float) for energy in energies) and max(energies) > _UNLIKE * min(energies):
+    if "shear_strength" in scene.formulas_to(*names):
+        text = "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)"
+        yield Note("assumption", text)
+    energies = [scene[name] for name in _ENERGIES if name in inputs]
+    if len(energies) == len(_ENERGIES) and max(energies) > _UNLIKE * min(energies):
         work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
         text = f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike"
         yield Note("result", f"{text}: --work-of-adhesion")
-    of_1 = {name: scene.given.get(name) for name in ("youngs_modulus", "poisson_ratio")}
-    are_alike = all(scene.given.get(of_sphere(2, name), value) == value for name, value in of_1.items())
-    if "shear_strength" in steps:
-        softer = "" if are_alike else " of the softer solid, a rule of this program"
-        text = f"sliding and twisting are known to an order of magnitude: τ = G/4π²{softer} (--shear-strength)"
-        yield Note("assumption", text)
-    if "contact_shear_modulus" in steps and not are_alike:
-        yield Note("assumption", "k_s without Dundurs' coupling of unlike solids")
     yield from _about_data(scene, inputs)
 
 
@@ -160,11 +147,13 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values: what happens in a collision, what a contact is, what gives way first in it."""
     yield from about_spinning(scene, names)
+    if "hamaker" in scene.inputs_of(*names):
+        cutoff = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
+        here = ", ".join(f"{symbol_of(name)} = {amount(name, scene[name])}" for name in _OF_HAMAKER)
+        there = amount("work_of_adhesion", scene.replace(cutoff=cutoff)["work_of_adhesion"])
+        yield Note("result", f"{here}; at D0 = {amount('cutoff', cutoff)}, w = {there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("result", _STICKING)
-    if "restitution" in names and scene["restitution"] == 0:
-        speed = amount("sticking_speed", scene["sticking_speed"])
-        yield Note("result", f"e = 0: they stick, as v_stick = {speed} is not below v")
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
         for ratio in scene.numbers("energy_over_sticking").values():  # none in a law without U_stick
             yield Note("result", f"W0 = P_cδ0 of JKR is {ratio:.3g} U_stick, the largest energy that sticks")
@@ -224,12 +213,9 @@ def about_limits(found: Iterable[Doubt]) -> list[Note]:
 def about_missing(results: Iterable[Result], errors: Mapping[str, JkrollError]) -> list[Note]:
     """Return a note for each reason why values are missing, with the names of all that it concerns."""
     reasons: dict[str, JkrollError] = {}
-    for result in results:
-        if result.value is None:
-            error = errors.get(result.name)
-            if not isinstance(error, MissingInput):
-                error = without_value(result.name, result.reason)
-            reasons[result.name] = error
+    for name, reason in ((result.name, result.reason) for result in results if result.value is None):
+        error = errors.get(name)
+        reasons[name] = error if isinstance(error, MissingInput) else without_value(name, reason)
     return [Note("missing", f"{first_symbols(names)}: {reason}") for names, reason in grouped(reasons)]
 
 
@@ -320,30 +306,28 @@ class OfRows:
         return assumed_of_kinds(self._kinds)
 
     def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:
-        """Return the lines to print; `has_table`: whether they are below a table, whose head has what was assumed.
+        """Return the lines to print; `has_table`: whether they are below a table.
 
-        It has columns beside the values of a law that is not exact, too.
+        Its head has what was assumed, and columns beside the values of a law that is not exact say how far it is off.
         """
         of_law = codes_of(OF_LAW)[::-1]  # the worst first
         codes = [code for code in self.tally.codes if code not in of_law]
         codes += [code for code in of_law if code in self.tally.codes and not has_table]
-        ending = [code for code in codes if code in ENDING_MEANING]
-        notes = [Note("warning", self._counted("numbers have no meaning", ending))] if ending else []
+        notes = self._counted("warning", "numbers have no meaning", [code for code in codes if code in ENDING_MEANING])
         if not quiet:
-            doubts = [code for code in codes if code not in ending]
-            notes += [Note("doubt", self._counted("doubts", doubts), size=0.0)] if doubts else []
+            notes += self._counted("lesser doubt", "doubts", [code for code in codes if code not in ENDING_MEANING])
             of_gaps = (gaps.sentence() if self.tally.rows > 1 else gaps.words for gaps in self.tally.gaps.values())
             notes += [Note("missing", text) for text in of_gaps]
-            of_kinds = dict.fromkeys(note for kind in self._kinds for note in notes_on_rows(*kind))
-            notes += [*about_idle(idle_of_kinds(self._kinds)), *(note for note in of_kinds if note.kind != "assumed")]
-            notes += [Note("assumed", f"assumed: {', '.join(self.assumed.values())}")] if self.assumed else []
+            notes += dict.fromkeys(note for kind in self._kinds for note in notes_on_rows(*kind))
+            notes += [*about_idle(idle_of_kinds(self._kinds)), *about_assumed(self.assumed)]
         return _lines(notes, has_head=has_table)
 
-    def _counted(self, lead: str, codes: Sequence[str]) -> str:
-        """Return in how many rows codes stand, each with its meaning."""
+    def _counted(self, kind: Kind, lead: str, codes: Sequence[str]) -> list[Note]:
+        """Return the note in how many rows codes stand, each with its meaning, if there are some."""
         counts, rows = self.tally.codes, self.tally.rows
-        first, *others = (f"{code} in {counts[code]} of {rows} rows ({MEANINGS[code]})" for code in codes)
-        return "; ".join([f"{lead}: {first}", *(text.replace(f" of {rows} rows", "") for text in others)])
+        texts = [f"{code} in {counts[code]} ({MEANINGS[code]})" for code in codes]
+        text = "; ".join(texts).replace(" (", f" of {rows} rows (", 1)
+        return [Note(kind, f"{lead}: {text}")] if texts else []
 
 
 # --- Lines ------------------------------------------------------------------------------------------------------------
@@ -355,19 +339,18 @@ def lines_of(answer: "Answer", *, has_head: bool = False, quiet: bool = False) -
     `quiet`: whether warnings alone are wanted.
     """
     notes = [*answer.notes, *answer.doubts()]
-    return _lines([note for note in notes if note.kind == "warning" or not quiet], answer.width, has_head=has_head)
+    return _lines([note for note in notes if note.kind == "warning" or not quiet], has_head=has_head)
 
 
 def every_line(answer: "Answer") -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    every = _by_importance([*answer.notes, *answer.doubts()], answer.width)
-    texts = [(note.text, "warning" if note.kind == "warning" else "note") for note in every if note.kind != "material"]
-    return [f"{lead}: {text}" for text, lead in texts]
+    notes = [note for note in _by_importance([*answer.notes, *answer.doubts()]) if note.kind != "material"]
+    return [f"{'warning' if note.kind == 'warning' else 'note'}: {note.text}" for note in notes]
 
 
-def _lines(notes: Iterable[Note], width: float = 0.0, *, has_head: bool) -> list[str]:
+def _lines(notes: Iterable[Note], *, has_head: bool) -> list[str]:
     """Return a line of what was assumed, one of warnings, and the first notes; the last says whether there are more."""
-    every = _by_importance(notes, width)
+    every = _by_importance(notes)
     head = [note.text for note in every if note.kind == "assumed" and not has_head]
     warnings = "; ".join(note.text for note in every if note.kind == "warning")
     others = [note for note in every if note.kind not in _APART]
@@ -384,12 +367,6 @@ def _first_clauses(text: str) -> str:
     return text
 
 
-def _by_importance(every: Iterable[Note], width: float) -> list[Note]:
-    """Return notes, the most important first: doubts by their size, unless the error bars are wider."""
-
-    def key(note: Note) -> tuple[int, float]:
-        if note.size is None or note.kind == "warning":
-            return _KINDS.index(note.kind), 0.0
-        return _KINDS.index(_FIRST_DOUBT if note.size > width else _AFTER_ERROR_BARS), -note.size
-
-    return sorted(every, key=key)
+def _by_importance(notes: Iterable[Note]) -> list[Note]:
+    """Return notes, the most important kind first."""
+    return sorted(notes, key=lambda note: _KINDS.index(note.kind))

@@ -72,7 +72,7 @@ class Result(NamedTuple):
         return max(log(bar.value / bar.low), log(bar.high / bar.value))
 
 
-# Of notes, the most important first. What makes numbers doubtful has a size, by which these stand among each other.
+# Of notes, the most important first. A lesser doubt is within the error bars, or about some rows of many.
 Kind = Literal[
     "material",
     "warning",
@@ -83,6 +83,7 @@ Kind = Literal[
     "displacement",
     "result",
     "model",
+    "lesser doubt",
     "assumed",
     "assumption",
     "unchecked",
@@ -95,7 +96,6 @@ class Note(NamedTuple):
 
     kind: Kind  # a warning is of a number without a meaning
     text: str
-    size: float | None = None  # of what makes numbers doubtful: the logarithm of a factor
 
 
 def with_law(result: Result, scene: Scene) -> Result:

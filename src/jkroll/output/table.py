@@ -1,7 +1,6 @@
 """Tables on a terminal, in the width there is: of one scene, of a list of pairs, and of texts."""
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import accumulate, compress
 from math import isnan
 from textwrap import wrap
@@ -20,7 +19,7 @@ from ..quantities.formatting import (
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
-from ..quantities.values import of_sides
+from ..quantities.values import Interval, of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA, SIO2, rolled_solid
 from ..scene.limits import OF_LAW, codes_of
@@ -35,18 +34,20 @@ if TYPE_CHECKING:
 _DIGITS = 4  # of a value on a terminal
 _OF_A_RANGE = 2  # of its ends
 _NONE = "–"
+_AS = "as "  # before the law whose value stands for another, too
 _GAP = 2  # blanks between columns
 _LEAST_TEXT = 24  # of a text in several lines
-_LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}
+_OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
+# Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
+_FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
 
 
 class Column(NamedTuple):
-    """A column of texts. Numbers are set to the right; `meaning` is the head in words."""
+    """A column of texts. Numbers are set to the right."""
 
     head: str
     cells: Sequence[str]
     is_right: bool = True
-    meaning: str = ""
 
 
 # --- One scene --------------------------------------------------------------------------------------------------------
@@ -54,12 +55,23 @@ class Column(NamedTuple):
 
 def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     """Write the inputs of one scene, and its results below each other, beside what may stand in their place."""
-    _write_inputs([], answer.measures, answer.assumed, out, form)
+    _write_inputs("", answer.measures, answer.assumed, out, form)
     others, law = _others(answer), head_of(answer.scene.law.name)
-    rows = [_scene_row(result, others, answer, form) for result in _results(answer)]
-    quantity, symbol, unit, *values = zip(["quantity", "symbol", "unit", law, *others], *rows, strict=True)
-    texts = [Column(head, cells, is_right=False) for head, *cells in (quantity, symbol, unit)]
-    write_table(texts[:2], [Column(head, cells) for head, *cells in values], out, trailing=texts[2:])
+    rows = [["quantity", "symbol", "unit", law, *others]]
+    for result in _results(answer):
+        name, same = result.name, None if result.value is None else f"{_AS}{law}"
+        values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
+        numbers = [value for value in values if value not in (None, same)][:1]
+        unit = _unit(name, numbers, form)
+        texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), pretty(unit[0]) if numbers else ""]
+        rows.append([*texts, *(_cell(value, unit, form) for value in values)])
+    words, symbols, units, *columns = _columns(rows, texts=3)
+    write_table([words, symbols], columns, out, trailing=[units])
+
+
+def _columns(rows: Iterable[Sequence[str]], *, texts: int) -> list[Column]:
+    """Return the columns of rows, the first of which has the heads; `texts`: the number of those with words."""
+    return [Column(head, cells, place >= texts) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
 
 
 def _results(answer: "Answer") -> "list[Result]":
@@ -84,34 +96,22 @@ def head_of(law: str) -> str:
     return LAWS[law].title.partition("–")[0]
 
 
-def _scene_row(
-    result: "Result", others: Mapping[str, Mapping[str, Any]], answer: "Answer", form: Format
-) -> Sequence[str]:
-    """Return the cells of a result: words, symbol, unit, value, and what may stand in its place."""
-    name, same = result.name, None if result.value is None else f"as {head_of(answer.scene.law.name)}"
-    values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
-    numbers = [value for value in values if value is not None and not isinstance(value, str)]
-    unit = _unit(name, numbers[:1], form)
-    cells = [_cell(value, unit, form) for value in values]
-    return NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), pretty(unit[0]) if numbers else "", *cells
-
-
-def _unit(name: str, values: "Sequence[float | Uncertain]", form: Format) -> tuple[str, Unit]:
+def _unit(name: str, values: Sequence[Any], form: Format) -> tuple[str, Unit]:
     """Return the unit that suits values, or else that of the quantity."""
     text, unit = form.common_unit(name, values) or (form.unit(name).removeprefix("1"), Unit(1, 1, ()))
     return with_known_prefix(name, text), unit
 
 
-def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form: Format, none: str = _NONE) -> str:
+def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form: Format) -> str:
     """Return a value in a unit: with four digits and their zeros, a range with two, or with its error bar."""
     if value is None:
-        return none
-    if isinstance(value, str) or (isinstance(value, tuple) and value.kind != "range"):
-        return form.in_unit(value, unit)
-    if isinstance(value, tuple):
+        return _NONE
+    if isinstance(value, Interval):
         return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or _OF_A_RANGE)
-    number = convert(value, unit[1])
-    return significant(number, form.digits or _DIGITS, zeros=form.digits is None and number != 0)
+    if isinstance(value, float):
+        number = convert(value, unit[1])
+        return significant(number, form.digits or _DIGITS, zeros=form.digits is None and number != 0)
+    return form.in_unit(value, unit)
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -122,95 +122,62 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
 
     A pair is a row, or a column where only that fits the terminal.
     """
-    pairs = _Pairs(columns, form)
-    common = {name: values[0] for name, values in pairs.inputs.items() if len({*values}) == 1}
-    _write_inputs([pairs.counted(common)], common, assumed, out, form)
-    several = [name for name, values in pairs.inputs.items() if len({*values} - {None}) != 1]
-    leading = [pairs.of_input(name) for name in several if not pairs.is_implied(name)]
-    results = [column for name in columns.wanted.names if name not in pairs.inputs for column in pairs.of_result(name)]
-    results += [Column(DOUBT, pairs.doubts, is_right=False)] if any(pairs.doubts) else []
-    words, heads, *others = _across(leading, results)
-    tables = [(leading, results), ([words, heads], others), ([heads], others)]
-    write_table(*next((table for table in tables if _fits([*table[0], *table[1]], out)), tables[0]), out)
+    inputs = {name: [in_words(name, value) for value in values] for name, values in columns.inputs.items()}
+    kinds = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
+    common = {name: next(iter(values)) for name, values in kinds.items() if len(values) == 1}
+    several = [name for name in inputs if name not in common]
+    count = f"{len(columns)} {'states' if 'state' in inputs else 'pairs'}"
+    if "radius2" in several and "radius2" not in form.typed:
+        count += " of equal spheres (R2 = R1)"
+    _write_inputs(count, common, assumed, out, form)
+    leading = [
+        input_column(name, inputs[name], form, symbol_beside(name, inputs))
+        for name in several
+        if name in form.typed or name not in _FOLLOWING
+    ]
+    results = [
+        each for name in columns.wanted.names if name not in inputs for each in _result_columns(name, columns, form)
+    ]
+    doubts = [_worst(bits & ~OF_LAW) for bits in as_list(columns.doubts)]
+    results += [Column(DOUBT, doubts, is_right=False)] if any(doubts) else []
+    across = _columns([(column.head, *column.cells) for column in (*leading, *results)], texts=1)
+    if _fits(across, out) and not _fits([*leading, *results], out):
+        leading, results = across[:1], across[1:]
+    write_table(leading, results, out)
 
 
-def _across(leading: Sequence[Column], results: Sequence[Column]) -> list[Column]:
-    """Return the rows of a table as columns, behind its heads in words and in symbols."""
-    numbers = Column("pair", [str(number) for number, _ in enumerate(results[0].cells, 1)])
-    columns = [*(leading or [numbers]), *results]
-    heads, *pairs = zip(*((column.head, *column.cells) for column in columns), strict=True)
-    words = ["quantity", *(column.meaning for column in columns[1:])]
-    texts = [Column(head, cells, is_right=False) for head, *cells in (words, heads)]
-    return [*texts, *(Column(head, cells) for head, *cells in pairs)]
+def _worst(doubts: int) -> str:
+    """Return the first code of doubts, with the number of others."""
+    first, *others = codes_of(doubts) or [""]
+    return f"{first} ({len(others)} more)" if others else first
 
 
-class _Pairs:
-    """The values of columns as they are printed, with their uncertainties."""
+def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]:
+    """Return the columns of a result: by the other law where that moves a result of the pairs, and by data."""
+    law_matters = any(bits & OF_LAW for bits in as_list(columns.doubts))
+    values = {"": _measures(columns, name)}
+    for kind, key in columns.wanted.beside(name).items():
+        others = _measures(columns, key)
+        if kind == DATA and any(value is not None for value in others):
+            values[" by data"] = ["no data" if value is None else value for value in others]
+        elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
+            values[f" by {head_of(kind)}"] = others
+    unit = _unit(name, [value for value in values[""] if value is not None], form)
+    symbol, in_unit = symbol_beside(name, columns.inputs), f" [{pretty(unit[0])}]" if unit[0] else ""
+    return [
+        Column(f"{symbol}{words}{in_unit}", [_cell(value, unit, form) for value in of_kind])
+        for words, of_kind in values.items()
+    ]
 
-    def __init__(self, columns: "Columns", form: Format) -> None:
-        self.columns, self.form = columns, form
-        self.inputs: dict[str, list[Any]] = {
-            name: [in_words(name, value) for value in column] for name, column in columns.inputs.items()
-        }
 
-    @cached_property
-    def doubts(self) -> list[str]:
-        """The worst doubt of each pair, with the number of others, but those that have columns of values."""
-        texts = []
-        for bits in as_list(self.columns.doubts):
-            codes = codes_of(bits & ~OF_LAW)
-            texts.append(codes[0] + (f" ({len(codes) - 1} more)" if codes[1:] else "") if codes else "")
-        return texts
-
-    def counted(self, common: Collection[str]) -> str:
-        """Return how many pairs, or states of one, there are; `common`: the inputs that all of them share."""
-        if "state" in self.inputs:
-            return f"{len(self.columns)} states"
-        is_equal = "radius2" in self.inputs and "radius2" not in common and self.is_implied("radius2")
-        return f"{len(self.columns)} pairs" + (" of equal spheres (R2 = R1)" if is_equal else "")
-
-    def is_implied(self, name: str) -> bool:
-        """Return whether an input repeats another: spheres of one radius, or a property of the material."""
-        if name == "energy":
-            return "energy_ratio" in self.inputs
-        if name == "radius2":
-            return self.inputs[name] == self.inputs.get("radius")
-        leader = self.inputs.get(_LEADERS.get(name, ""))
-        if name == "surface_energy" or leader is None or None in leader:
-            return False
-        return len({*zip(leader, self.inputs[name], strict=True)}) == len({*leader})
-
-    def of_input(self, name: str) -> Column:
-        """Return the column of an input."""
-        return input_column(name, self.inputs[name], self.form, symbol_beside(name, self.inputs))
-
-    def of_result(self, name: str) -> list[Column]:
-        """Return the columns of a result: by the other law where that moves a result of the pairs, and by data."""
-        values, symbol = self._measures(name), symbol_beside(name, self.inputs)
-        unit = _unit(name, [value for value in values if value is not None], self.form)
-        in_unit, words = f" [{pretty(unit[0])}]" if unit[0] else "", NOMENCLATURE[name].sentence
-
-        def column(head: str, values: Iterable[Any], none: str = _NONE) -> Column:
-            return Column(f"{head}{in_unit}", [_cell(value, unit, self.form, none) for value in values], meaning=words)
-
-        columns = [column(symbol, values)]
-        law_matters = any(bits & OF_LAW for bits in as_list(self.columns.doubts))
-        for kind, key in self.columns.wanted.beside(name).items():
-            others = self._measures(key)
-            if kind == DATA and any(value is not None for value in others):
-                columns.append(column(f"{symbol} by data", others, "no data"))
-            elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
-                columns.append(column(f"{symbol} by {head_of(kind)}", others))
-        return columns
-
-    def _measures(self, key: str) -> list[Any]:
-        """Return the values of a column of results, with their uncertainties if they have some; None is a gap."""
-        keys = self.columns.wanted.sides_of(key)
-        sides = (self.columns.column(each) for each in keys.values())
-        return [
-            None if isnan(value) else of_sides(float(value), dict(zip(keys, of_row, strict=True)))
-            for value, *of_row in zip(self.columns.column(key), *sides, strict=True)
-        ]
+def _measures(columns: "Columns", key: str) -> list[Any]:
+    """Return the values of a column of results, with their uncertainties if they have some; None is a gap."""
+    keys = columns.wanted.sides_of(key)
+    sides = (columns.column(each) for each in keys.values())
+    return [
+        None if isnan(value) else of_sides(float(value), dict(zip(keys, of_row, strict=True)))
+        for value, *of_row in zip(columns.column(key), *sides, strict=True)
+    ]
 
 
 def input_column(name: str, values: Sequence[Any], form: Format, symbol: str) -> Column:
@@ -223,24 +190,20 @@ def input_column(name: str, values: Sequence[Any], form: Format, symbol: str) ->
         return amount(name, value, form) if unit is None else form.in_unit(value, unit)
 
     head = symbol if unit is None else f"{symbol} [{pretty(unit[0])}]"
-    quantity = NOMENCLATURE[name]
-    return Column(head, [*map(text, values)], not quantity.is_word, quantity.sentence)
+    return Column(head, [*map(text, values)], not NOMENCLATURE[name].is_word)
 
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
 
 
 def _write_inputs(
-    lead: Sequence[str],
-    inputs: "Mapping[str, float | str | Uncertain]",
-    assumed: Mapping[str, str],
-    out: TextIO,
-    form: Format,
+    lead: str, inputs: "Mapping[str, float | str | Uncertain]", assumed: Mapping[str, str], out: TextIO, form: Format
 ) -> None:
     """Write a line with the inputs that were given, behind a lead, and one with what was assumed."""
-    follows = ["energy"] if "energy_ratio" in inputs else []
-    given = {name: value for name, value in inputs.items() if name not in (*assumed, *follows)}
-    if texts := [*lead, *_described(given, form)]:
+    given = {name: value for name, value in inputs.items() if name not in assumed}
+    if "energy" not in form.typed:  # else it follows from another input
+        given.pop("energy", None)
+    if texts := [*filter(None, [lead]), *_described(given, form)]:
         say_wrapped(", ".join(texts), out)
     if assumed:
         say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
@@ -255,11 +218,11 @@ def _described(inputs: "Mapping[str, float | str | Uncertain]", form: Format) ->
         radius = amount("radius", inputs["radius"], form)
         texts["radius"] = f"R1 = {radius} on a plane" if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
         del texts["radius2"]
-    for leader in ("material", "material2"):
-        if leader in texts:
-            data = [texts.pop(name) for name in inputs if _LEADERS.get(name) == leader and name not in form.typed]
-            solid = inputs[leader] if "material" in inputs else f"sphere 2: {inputs[leader]}"
-            texts[leader] = f"{solid} ({', '.join(data)})" if data else str(solid)
+    for material, properties in _OF_MATERIALS.items():
+        if material in texts:
+            data = [texts.pop(name) for name in properties if name in texts and name not in form.typed]
+            solid = inputs[material] if "material" in inputs else f"sphere 2: {inputs[material]}"
+            texts[material] = f"{solid} ({', '.join(data)})" if data else str(solid)
     return texts.values()
 
 
@@ -271,15 +234,12 @@ def write_table(
 ) -> None:
     """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
 
-    Those below the first leave out rows in which they say nothing. On a terminal too narrow for one column, the last of
-    the leading ones is left.
+    Those below the first leave out rows in which they say nothing.
     """
-    if leading[1:] and not _fits([*leading, *columns[:1], *trailing], out):
-        leading = leading[-1:]
     while columns:
-        ends = accumulate(_sizes(columns, out), initial=sum(_sizes([*leading, *trailing], out)))
+        ends = accumulate((_size([column], out) for column in columns), initial=_size([*leading, *trailing], out))
         count = max(sum(end <= terminal_width() + _GAP for end in ends) - 1, 1)
-        _print([*leading, *columns[:count], *trailing], out)
+        say("\n".join(_lines([*leading, *columns[:count], *trailing], out)), out)
         columns = columns[count:]
         is_said = [any(map(_is_own, cells)) for cells in zip(*(column.cells for column in columns), strict=True)]
         leading, columns, trailing = (_of_rows(each, is_said) for each in (leading, columns, trailing))
@@ -289,7 +249,7 @@ def write_table(
 
 def _is_own(cell: str) -> bool:
     """Return whether a cell says more than another one."""
-    return cell not in ("", _NONE) and not cell.startswith("as ")
+    return cell not in ("", _NONE) and not cell.startswith(_AS)
 
 
 def _of_rows(columns: Iterable[Column], are_shown: Sequence[bool]) -> list[Column]:
@@ -297,36 +257,35 @@ def _of_rows(columns: Iterable[Column], are_shown: Sequence[bool]) -> list[Colum
 
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
-    """Write rows of texts; the last column is broken into lines where it is wider than the terminal."""
-    rows = [*rows]
-    others = [Column(head, cells, is_right=False) for head, *cells in zip(heads, *rows, strict=True)][:-1]
-    room = max(terminal_width() - sum(_sizes(others, out)), _LEAST_TEXT)
-    lines = []
-    for *cells, text in rows:
-        first, *further = wrap(fitting(text, out), room) or [""]
-        lines += [(*cells, first), *((*[""] * len(cells), line) for line in further)]
-    _print([Column(head, cells, is_right=False) for head, *cells in zip(heads, *lines, strict=True)], out)
+    """Write rows of texts; what is wider than the terminal goes on below the last column."""
+    columns = _columns([heads, *rows], texts=len(heads))
+    left = _size(columns[:-1], out)
+    width = max(terminal_width(), left + _LEAST_TEXT)
+    for line in _lines(columns, out):
+        say("\n".join(wrap(line, width, subsequent_indent=" " * left)), out)
+
+
+def _lines(columns: Iterable[Column], out: TextIO) -> list[str]:
+    """Return the heads of columns, a line below them, and the rows."""
+    lines = [(" " * _GAP).join(cells) for cells in zip(*(_padded(column, out) for column in columns), strict=True)]
+    rule = "─" * min(width_of(lines[0]), terminal_width())
+    head, *rows = (line.rstrip() for line in lines)
+    return [head, rule, *rows]
+
+
+def _padded(column: Column, out: TextIO) -> list[str]:
+    """Return the head and the cells of a column, all as wide as the widest of them."""
+    texts = [fitting(text, out) for text in (column.head, *column.cells)]
+    width = max(map(width_of, texts))
+    blanks = [" " * (width - width_of(text)) for text in texts]
+    return [blank + text if column.is_right else text + blank for blank, text in zip(blanks, texts, strict=True)]
+
+
+def _size(columns: Iterable[Column], out: TextIO) -> int:
+    """Return the width of columns on a terminal, with the blanks behind each."""
+    return sum(width_of(_padded(column, out)[0]) + _GAP for column in columns)
 
 
 def _fits(columns: Iterable[Column], out: TextIO) -> bool:
     """Return whether columns fit the terminal beside each other."""
-    return sum(_sizes(columns, out)) <= terminal_width() + _GAP
-
-
-def _sizes(columns: Iterable[Column], out: TextIO) -> list[int]:
-    """Return the widths of columns on a terminal, each with the blanks behind it."""
-    return [_GAP + max(width_of(fitting(text, out)) for text in (column.head, *column.cells)) for column in columns]
-
-
-def _print(columns: Sequence[Column], out: TextIO) -> None:
-    """Write heads, a line below them, and rows."""
-    sizes = _sizes(columns, out)
-    heads, *rows = zip(*((column.head, *column.cells) for column in columns), strict=True)
-    lines = []
-    for row in (heads, *rows):
-        line = ""
-        for column, text, size in zip(columns, (fitting(cell, out) for cell in row), sizes, strict=True):
-            blanks = " " * (size - _GAP - width_of(text))
-            line += (blanks + text if column.is_right else text + blanks) + " " * _GAP
-        lines.append(line.rstrip())
-    say("\n".join([lines[0], "─" * (sum(sizes) - _GAP), *lines[1:]]), out)
+    return _size(columns, out) <= terminal_width() + _GAP

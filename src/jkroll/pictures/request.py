@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..answers.advice import advised
-from ..answers.notes import about_given, about_idle, about_middles, idle_of
+from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, idle_of
 from ..answers.results import equation_of
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
@@ -290,7 +290,8 @@ def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequenc
     `given`: the scene as a user gave it, of which `scene` is one point.
     """
     uncertain = {name: measured for name in inputs if (measured := given.uncertainty_of(name)) is not None}
-    return [note.text for note in (*about_middles(uncertain), *about_given(scene, [*names], inputs))]
+    notes = *about_middles(uncertain), *about_assumed(assumed(scene, inputs, names)), *about_given(scene, names, inputs)
+    return [note.text for note in notes]
 
 
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
