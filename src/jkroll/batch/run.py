@@ -105,9 +105,9 @@ class Job(NamedTuple):
         """
         from ..answers.notes import about_idle, assumed_of_kinds, idle_of_kinds, left_out_in_words
 
-        given, judges = table.given | table.of_solids, table.wanted.doubts
+        judges = table.wanted.doubts
         every = assumed_of_kinds(table.kinds, judges=judges)
-        assumed = [text for name, text in every.items() if name not in given]
+        assumed = [text for name, text in every.items() if name not in table.given]
         notes = [message for message in table.labels.values() if message]
         if "radius" not in table.given and not self.quantities:
             notes.append("no column and no option gives a radius; what needs one is left out")

@@ -3,7 +3,7 @@
 No file is opened here: `batch` reads and writes.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -63,23 +63,24 @@ class Table:
         """
         check_inputs(columns, measured)
         self.columns, self.places, self.unknown, self.measured = columns, columns.places, unknown, measured
-        self.spheres = [known[inputs[name]] if name in inputs else None for name in MATERIALS]
+        self.spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
         self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
         self.model = law_named(inputs["model"]).name if "model" in inputs else None
         self.said = {"model": self.model} if self.model is not None else {}  # columns of text, the same in all rows
         self.readers = [Reader(column) for column in columns.inputs]
-        self.lookups = {name: Lookup(known, solid) for name, solid in zip(MATERIALS, self.spheres, strict=True)}
+        self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
         self.given = columns.names | self.fixed.keys()
         # Names in the first rows that are, or may be, no material's, with their messages.
         self.labels, aliases = _names_of_materials(columns, rows, known)
-        scenes, are_labels = self._kinds(rows)
-        self.wanted = self._wanted(scenes, asked, doubt=doubt, labels=self.labels if are_labels else {})
+        scenes = self._kinds(rows)
+        self.wanted = self._wanted(scenes, asked, doubt=doubt)
         if alternatives:
             self.wanted = self.wanted.with_alternatives(scenes, self.wanted.names)
         self.labels = self.labels and {**self.labels, **aliases}
         self.left_out = self._add_sides(rows, uncertainty=uncertainty)
         solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
-        self.of_solids = {XI for solid in solids if solid.displacement is not None}  # which nothing assumes
+        if any(solid.displacement is not None for solid in solids):  # which nothing assumes
+            self.given |= {XI}
         # A scene of each kind of rows, with the quantities that it shows, or that were measured.
         self.kinds = [(scene.filled(), [measured]) if unknown else (scene, self.wanted.names) for scene in scenes]
         for text in columns.texts:
@@ -96,12 +97,12 @@ class Table:
         """The headers of all columns that are added."""
         return [*self.said, *self.wanted.heads(header), *remarks_of(self.wanted)]
 
-    def scene(self, given: Mapping[str, Any], *spheres: Material | None) -> Any:
-        """Return the scene of inputs and of the materials of both spheres, or the problem of a measured one.
+    def scene(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Any:
+        """Return the scene of inputs and of the materials of cells, or the problem of a measured one.
 
         Raises an error of the scene.
         """
-        given = {**self.fixed, **given}
+        given, spheres = {**self.fixed, **given}, {**self.spheres, **solids}.values()
         if not self.unknown:
             return Scene(given, *spheres, model=self.model)
         if self.measured not in given:
@@ -113,7 +114,7 @@ class Table:
 
     # --- The columns that are added -----------------------------------------------------------------------------------
 
-    def _kinds(self, rows: Cells) -> tuple[list[Any], bool]:
+    def _kinds(self, rows: Cells) -> list[Any]:
         """Return scenes of no rows that together have all inputs, and whether their materials are labels.
 
         Of columns that exclude each other, a scene has one. What an input is matters, and not its values, but for one
@@ -123,38 +124,27 @@ class Table:
         no work of adhesion, or it is not known whether there is.
         """
         columns = self.columns
-        of_names = {column.name: {row[column.place].strip() for row in rows} - {""} for column in columns.materials}
-        labels = [name for name, texts in of_names.items() if texts and texts <= self.labels.keys()]
-        infinite = {column.name for column in columns.inputs if _is_infinite(column, rows)}
-        spheres = dict(zip(MATERIALS, self.spheres, strict=True))
-        if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
-            spheres = {name: solid and solid._replace(displacement=None) for name, solid in spheres.items()}
+        values = {column.name: INFINITY if _is_infinite(column, rows) else _NO_ROWS for column in columns.inputs}
+        cases = [_without_exclusive(first, [*values], self.measured) for first in values or [""]]
         some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
-        names = [column.name for column in columns.inputs]
-        cases = dict.fromkeys(_without_exclusive(first, names, self.measured) for first in names or [""])
+        solids, of_labels = dict[str, Material | None](), dict[str, Material | None]()
+        if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
+            solids = {name: solid and solid._replace(displacement=None) for name, solid in self.spheres.items()}
+        for column in columns.materials:
+            texts = {row[column.place].strip() for row in rows} - {""}
+            of_labels |= {column.name: LABEL} if texts and texts <= self.labels.keys() else {}
+            solids[column.name] = some
 
-        def kinds(labels: Collection[str]) -> list[Any]:
-            of_columns = {name: LABEL if name in labels else some for name in of_names}
-            inputs = ({name: INFINITY if name in infinite else _NO_ROWS for name in case} for case in cases)
-            return [self.scene(given, *{**spheres, **of_columns}.values()) for given in inputs]
+        def kinds(solids: Mapping[str, Material | None]) -> list[Any]:
+            return [self.scene({name: values[name] for name in case}, solids) for case in dict.fromkeys(cases)]
 
-        scenes = kinds(labels)
-        if labels and (self.unknown or scenes[0].missing(["work_of_adhesion"])):
-            return kinds([]), False  # their rows will say that they are unknown
-        return scenes, bool(labels)
+        scenes = kinds(solids | of_labels)
+        if of_labels and (self.unknown or scenes[0].missing(["work_of_adhesion"])):
+            return kinds(solids)  # their rows will say that they are unknown
+        return scenes
 
-    def _wanted(
-        self,
-        scenes: Sequence[Any],
-        asked: tuple[Sequence[str], Sequence[str]],
-        *,
-        doubt: bool,
-        labels: Mapping[str, str],
-    ) -> Wanted:
-        """Return the quantities that columns and options allow, without uncertainties: those that some scene has.
-
-        `labels`: names that are no material's, if the scenes leave out what they would give.
-        """
+    def _wanted(self, scenes: Sequence[Any], asked: tuple[Sequence[str], Sequence[str]], *, doubt: bool) -> Wanted:
+        """Return the quantities that columns and options allow, without uncertainties: those that some scene has."""
         if self.unknown:
             from .infer import Unknowns
 
@@ -166,11 +156,11 @@ class Table:
                 raise BadRequest(f"--quantities: {name} is an input here")
             lacks = [*filter(None, (_lack_of(name, scene) for scene in scenes))]
             if len(lacks) == len(scenes):
-                texts = [message or f"no material {quoted(text)}" for text, message in labels.items()]
+                texts = [message or f"no material {quoted(text)}" for text, message in self.labels.items()]
                 if texts:
                     raise BadTable("; ".join([texts[0], str(lacks[0])]))
                 raise lacks[0]
-        first, second = self.spheres
+        first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
         shown = {name for scene in scenes for name in scene.possible(offered) if scene.shows_to_identical(name)}
         shown -= {*self.given, *(name for name in shown if is_of_two and NOMENCLATURE[name].of_identical)}
@@ -283,10 +273,9 @@ class TableBlock(Block):
 
     def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the scene of the inputs of rows that are alike."""
-        spheres = dict(zip(MATERIALS, self.table.spheres, strict=True))
-        spheres |= {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
-        scene = self.table.scene(given, *spheres.values())
-        if LABEL in spheres.values() and scene.missing(self.table.wanted.names):
+        solids = {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
+        scene = self.table.scene(given, solids)
+        if LABEL in solids.values() and scene.missing(self.table.wanted.names):
             raise BadRequest("names are no materials")  # each row by itself says which
         return scene
 
@@ -297,16 +286,14 @@ class TableBlock(Block):
         table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
         if all(cells[name].strip() == table.columns.texts[place].strip() for name, place in table.places.items()):
             raise BadRequest("the row repeats the header")
-        given: dict[str, Any] = {}
-        spheres = dict(zip(MATERIALS, table.spheres, strict=True))
-        labels: list[JkrollError] = []
-        problems: list[JkrollError] = []
+        given, solids = dict[str, Any](), dict[str, Material | None]()
+        labels, problems = list[JkrollError](), list[JkrollError]()
         for name in self.indices:
             try:
                 if cells[name].strip():
-                    spheres[name] = table.lookups[name].material(cells[name])
+                    solids[name] = table.lookups[name].material(cells[name])
             except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
-                spheres[name] = LABEL
+                solids[name] = LABEL
                 labels.append(error)
         for column in table.columns.inputs:
             try:
@@ -315,7 +302,7 @@ class TableBlock(Block):
             except JkrollError as error:
                 problems.append(error)
         if not problems:
-            scene = table.scene(given, *spheres.values())
+            scene = table.scene(given, solids)
             if not labels or not scene.missing(table.wanted.names):
                 return scene
         errors = [*labels, *problems]
