@@ -487,16 +487,6 @@ def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
     )  # which may be that of the measurement, or a code
 
 
-def test_what_belongs_to_a_chosen_column_is_chosen_with_it() -> None:
-    for beside in ("F_err", "u(F) [nN]", "F [nN] std", "F (%) ±"):
-        names = ["R1 [um]", "F [nN]", "G_err", "F2_err", beside]
-        meanings = stated_meanings(["F [nN]=pull_off_force"], names, "pull_off_force")
-        columns = {column.name: column for column in understood(names, [], meanings).inputs}
-        assert [*columns["pull_off_force"].sides.values()] == [4]
-        meanings = stated_meanings(["F [nN]=pull_off_force", f"{beside}="], names, "pull_off_force")
-        assert not any(column.sides for column in understood(names, [], meanings).inputs)
-
-
 def test_a_chosen_column_whose_unit_is_not_known_says_nothing_of_others() -> None:
     names = ["R1 [um]", "F [old]", "x (y)"]
     assert stated_meanings(["F [old]=pull_off_force"], names, "pull_off_force").keys() == {"F [old]"}

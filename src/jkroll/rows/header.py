@@ -253,34 +253,29 @@ def _easy(text: str) -> str:
 def stated_meanings(texts: Iterable[str], names: Iterable[str] = (), measured: str = "") -> dict[str, Reading]:
     """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input.
 
-    `names`: the headers of a table, among which the columns of uncertainties of what is said are said, too. `measured`:
-    a quantity that columns have besides inputs. Raises BadRequest.
+    `measured`: a quantity that columns have besides inputs, by its name or symbol; `names`: the headers among which
+    they are. Raises BadRequest.
     """
     symbol = NOMENCLATURE[measured].symbol if measured else ""
-    of_words = {word: measured for word in (key(measured), key(symbol)) if word}
+    more = tuple((word, measured) for word in (key(measured), key(symbol)) if word)
     meanings: dict[str, Reading] = {}
     for text in texts:
         head, is_pair, meaning = map(str.strip, text.rpartition("="))
         if not is_pair or not head:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
-        stated = reading_of(meaning, tuple(of_words.items()))
+        stated = reading_of(meaning, more)
         if meaning and (not stated.is_input or stated.is_symbol or stated.meant):
             problem = f": {stated.problem}" if stated.problem else ""
             raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; write one, as in radius [nm]")
         if head in meanings:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
-        unit_text = ""
-        for split in _splits(head) if stated.name else ():
-            word = key(split.word)
-            if reading := _exact(split, {word: Meaning([stated.name])}):
-                unit_text = reading.unit_text or unit_text  # of several, the longest is the last
-                of_words |= {word: stated.name} if word and not stated.part else {}
-        meanings[head] = stated._replace(unit_text=stated.unit_text or unit_text)
-    for head in map(str.strip, names) if of_words else ():
-        reading = reading_of(head, tuple(of_words.items()))
-        if reading.is_input and (reading.name == measured or (reading.part and not reading_of(head).is_input)):
-            meanings.setdefault(head, reading)
-    return meanings
+        for split in _splits(head) if stated.name and not stated.unit_text else ():
+            if reading := _exact(split, {key(split.word): Meaning([stated.name])}):
+                stated = stated._replace(unit_text=reading.unit_text)  # of several units, the longest is the last
+        meanings[head] = stated
+    readings = {head.strip(): reading_of(head.strip(), more) for head in names} if measured else {}
+    of_measured = {head: reading for head, reading in readings.items() if reading.is_input and reading.name == measured}
+    return of_measured | meanings
 
 
 def understood(
