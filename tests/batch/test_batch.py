@@ -23,7 +23,7 @@ from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import unit_of
-from jkroll.rows.cells import Column, Reader
+from jkroll.rows.cells import Column
 from jkroll.rows.columns import Columns, Row, Wanted
 from jkroll.rows.header import understood
 from jkroll.rows.reasons import ROW
@@ -215,9 +215,9 @@ def test_a_column_is_read_as_a_one_liner_reads_it(unit: str, number: str) -> Non
         return
     cell = number.encode()
     for cells in ([cell, cell], [cell, b""], [cell, b"3 " + unit.encode()]):
-        assert Reader(column).numbers({"radius": cells}).values[0] == expected
+        assert column.numbers({"radius": cells}).values[0] == expected
     own = f"{number} {unit}".encode()
-    assert Reader(Column(0, "radius", "", None)).numbers({"radius": [own, own]}).values.tolist() == [expected] * 2
+    assert Column(0, "radius", "", None).numbers({"radius": [own, own]}).values.tolist() == [expected] * 2
 
 
 @pytest.mark.parametrize(
@@ -230,7 +230,7 @@ def test_what_is_no_number_is_read_as_none(text: str) -> None:
         (Column(0, "load", "nN", unit_of("nN", "load")), b"1"),
         (Column(0, "load", "", None), b"1 nN"),
     ):
-        found = Reader(column).numbers({column.name: [others, text.encode()]})
+        found = column.numbers({column.name: [others, text.encode()]})
         assert found.odd == [1]
         assert math.isnan(found.values[1])
 
@@ -238,13 +238,13 @@ def test_what_is_no_number_is_read_as_none(text: str) -> None:
 def test_empty_cells_and_several_units_are_read_together() -> None:
     cells = [b"1 nN", b"", b"", b"2.5e1 uN", b" ", b"+3 nN", b"4 uN"]
     with patch.object(Column, "read", side_effect=AssertionError):
-        values = Reader(Column(0, "load", "", None)).numbers({"load": cells}).values.tolist()
+        values = Column(0, "load", "", None).numbers({"load": cells}).values.tolist()
     assert str(values) == "[1e-09, nan, nan, 2.5e-05, nan, 3e-09, 4e-06]"
 
 
 @pytest.mark.parametrize("unit", ["nN", "N"])
 def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
-    found = Reader(Column(0, "load", "", None)).numbers({"load": [f"1 {unit}".encode(), b"5", b"2 nN"]})
+    found = Column(0, "load", "", None).numbers({"load": [f"1 {unit}".encode(), b"5", b"2 nN"]})
     assert found.odd == [1]
 
 

@@ -121,7 +121,7 @@ class Arrow:
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""
         cells = {name: Cells(batch.column(place), name) for name, place in table.places.items()}
-        read = {reader.column.name: _numbers(batch, reader.column) for reader in table.readers}
+        read = {column.name: _numbers(batch, column) for column in table.columns.inputs}
         numbers = {name: column for name, column in read.items() if column is not None}
         texts = {name: column if name in numbers else column.texts() for name, column in cells.items()}
         return Records(batch, texts, {}, range(batch.num_rows), batch.num_rows, numbers=numbers)

@@ -7,7 +7,7 @@ as in a one-liner. A cell that is no plain number with a decimal unit is read by
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from functools import lru_cache
 from math import isfinite
 from types import MappingProxyType
@@ -21,7 +21,7 @@ from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import Unit, dimension_of, exponent_of
-from ..quantities.values import Uncertain, has_uncertainty, unit_of, value_of
+from ..quantities.values import Uncertain, has_uncertainty, is_uncertain, middle, unit_of, value_of
 from ..scene.alternatives import measured_solid
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
@@ -86,6 +86,58 @@ class Column(NamedTuple):
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return exponent_of(self.unit)
 
+    def __hash__(self) -> int:
+        """Return the hash of a key of what cells mean."""
+        return hash((self.place, self.name))
+
+    def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
+        """Return the numbers of a block of cells, by the names of the columns."""
+        cells = columns[self.name] if not self.sides else self._with_sides(columns)
+        match = _CELL.fullmatch(next(filter(None, cells), b""))
+        values = self._together(cells, (match and match[2]) or b"")
+        return Numbers(values) if values is not None else self._of_many_kinds(cells)
+
+    def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
+        """Return the cells of the values, each with its uncertainty."""
+        rows = zip(*(columns[name] for name in self.places), strict=True)
+        return [self.joined(*(cell.decode(errors="replace") for cell in row)).encode() for row in rows]
+
+    def _together(self, cells: Sequence[bytes], unit: bytes) -> Floats | None:
+        """Return the numbers of cells that are plain numbers with the same unit behind them, or empty; else None."""
+        exponent = self.exponent if not unit else _exponent(unit, self.name)
+        if exponent is None or (unit and unit in cells):  # a unit without a number is no empty cell
+            return None
+        text = b",".join(cells) + b","
+        if unit:
+            unit += b","
+            if text.count(unit) + cells.count(b"") != len(cells):
+                return None
+            text = text.replace(unit, b",")
+        return plain_numbers(text, exponent, len(cells))
+
+    def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
+        """Return the numbers of cells of which some are no numbers, or have other units than others."""
+        values = numpy.full(len(cells), numpy.nan)
+        by_unit: dict[bytes, list[int]] = {}
+        others: list[int] = []
+        for place, cell in enumerate(cells):
+            if match := _CELL.fullmatch(cell):
+                by_unit.setdefault(match[2] or b"", []).append(place)
+            elif cell and not cell.isspace():
+                others.append(place)
+        for unit, places in by_unit.items():
+            numbers = self._together([cells[place] for place in places], unit)
+            if numbers is None:
+                others += places
+            else:
+                values[places] = numbers
+        meanings = {place: _meaning(self, cells[place]) for place in others}
+        odd = [place for place, meaning in meanings.items() if isinstance(meaning, JkrollError)]
+        uncertain = {place: meaning for place, meaning in meanings.items() if is_uncertain(meaning)}
+        for place in meanings.keys() - {*odd}:
+            values[place] = middle(meanings[place])
+        return Numbers(values, odd, uncertain)
+
     def read(self, text: str) -> float | Uncertain:
         """Return the SI value of a cell, with its uncertainty if it states one.
 
@@ -134,95 +186,13 @@ class Numbers(NamedTuple):
     uncertain: Mapping[int, Uncertain] = MappingProxyType({})
 
 
-class Kept(dict[Any, Any]):
-    """A memory of what keys mean, or of the errors about them, which take as long as a hundred rows to word.
-
-    Unlike an lru_cache it can be pickled, as a table is sent to processes.
-    """
-
-    def __init__(self, meaning: Callable[[Any], Any]) -> None:
-        """`meaning`: returns what a key means, or raises a JkrollError."""
-        self.meaning = meaning
-
-    def __missing__(self, key: Hashable) -> Any:
-        try:
-            meaning = self.meaning(key)
-        except JkrollError as error:
-            meaning = error.with_traceback(None)
-        if len(self) >= MAX_KEPT:
-            self.clear()
-        self[key] = meaning
-        return meaning
-
-
-class Reader:
-    """Reads a column, block after block."""
-
-    def __init__(self, column: Column) -> None:
-        """`column`: its name and unit."""
-        self.column = column
-        self._cache = Kept(self._value)
-
-    def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
-        """Return the numbers of a block of cells, by the names of the columns."""
-        cells = self._cells(columns)
-        match = _CELL.fullmatch(next(filter(None, cells), b""))
-        values = self._together(cells, (match and match[2]) or b"")
-        return Numbers(values) if values is not None else self._of_many_kinds(cells)
-
-    def _cells(self, columns: Mapping[str, Sequence[bytes]]) -> Sequence[bytes]:
-        """Return the cells of the values, each with its uncertainty."""
-        column = self.column
-        if not column.sides:
-            return columns[column.name]
-        rows = zip(*(columns[name] for name in column.places), strict=True)
-        return [column.joined(*(cell.decode("utf-8", "replace") for cell in row)).encode() for row in rows]
-
-    def _together(self, cells: Sequence[bytes], unit: bytes) -> Floats | None:
-        """Return the numbers of cells that are plain numbers with the same unit behind them, or empty; else None."""
-        exponent = self.column.exponent if not unit else _exponent(unit, self.column.name)
-        if exponent is None:
-            return None
-        text = b",".join(cells) + b","
-        if unit:
-            if unit in cells:  # without a number, which is no empty cell
-                return None
-            unit += b","
-            if text.count(unit) + cells.count(b"") != len(cells):
-                return None
-            text = text.replace(unit, b",")
-        return plain_numbers(text, exponent, len(cells), has_empty=not all(cells))
-
-    def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
-        """Return the numbers of cells of which some are no numbers, or have other units than others."""
-        values = numpy.full(len(cells), numpy.nan)
-        by_unit: dict[bytes, list[int]] = {}
-        others: list[int] = []
-        for place, cell in enumerate(cells):
-            if match := _CELL.fullmatch(cell):
-                by_unit.setdefault(match[2] or b"", []).append(place)
-            elif cell and not cell.isspace():
-                others.append(place)
-        for unit, places in by_unit.items():
-            numbers = self._together([cells[place] for place in places], unit)
-            if numbers is None:
-                others += places
-            else:
-                values[places] = numbers
-        odd: list[int] = []
-        uncertain: dict[int, Uncertain] = {}
-        for place in others:
-            value: float | Uncertain | JkrollError = self._cache[cells[place]]
-            if isinstance(value, JkrollError):
-                odd.append(place)
-            elif isinstance(value, float):
-                values[place] = value
-            else:
-                values[place], uncertain[place] = value.value, value
-        return Numbers(values, odd, uncertain)
-
-    def _value(self, cell: bytes) -> float | Uncertain:
-        return self.column.read(cell.decode(errors="replace"))
+@lru_cache(maxsize=MAX_KEPT)
+def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
+    """Return the value of a cell, or the error about it, which takes as long as a hundred rows to word."""
+    try:
+        return column.read(cell.decode(errors="replace"))
+    except JkrollError as error:
+        return error.with_traceback(None)
 
 
 @lru_cache(maxsize=MAX_KEPT)
@@ -236,12 +206,12 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
     return exponent_of(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
 
 
-def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) -> Floats | None:
-    """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text, if there may be some.
+def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
+    """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text.
 
     Returns None for any other text, for another count of numbers, and for a 0 that may be a number below the doubles.
 
-    >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5, has_empty=True)
+    >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
     """
     if text.translate(None, PLAIN):
@@ -255,7 +225,7 @@ def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) ->
             text = text.replace(b"e" + power + b",", b"E%d;" % (int(power) + exponent))
         text = text[:1] + text[1:].replace(b",", suffix + b",").replace(b";", b",")
     empty = b"," + suffix + b","
-    while has_empty and empty in text:  # in a run of them, every other one is found
+    while empty in text:  # in a run of them, every other one is found
         text = text.replace(empty, b",null,")
     try:
         values = orjson.loads(b"[" + text[1:-1] + b"]")
@@ -279,24 +249,27 @@ class Lookup:
 
     def __init__(self, materials: Materials, otherwise: Material | None) -> None:
         """`otherwise`: the material of a row whose cell is empty."""
+        self.materials = materials
         self.known: list[Material | None] = [otherwise]
-        self._cache = Kept(self._index)
-        self._of_names = Kept(materials.__getitem__)
+        self._indices: dict[bytes, int] = {}  # by cell
 
     def indices(self, cells: Sequence[bytes]) -> Indices:
         """Return the indices of the materials that cells name."""
-        return numpy.array([*map(self._cache.__getitem__, cells)], dtype=numpy.int64)
+        if len(self._indices) > MAX_KEPT:
+            self._indices.clear()
+        for cell in [cell for cell in dict.fromkeys(cells) if cell not in self._indices]:
+            self._indices[cell] = self._index(cell.decode(errors="replace"))
+        return numpy.array([*map(self._indices.__getitem__, cells)], dtype=numpy.int64)
 
     def material(self, text: str) -> Material:
         """Return the material of a name. Raises UnknownMaterial, UnclearMaterial or MaterialsFileError."""
-        solid: Material | JkrollError = self._of_names[text]
+        solid = _solid(self.materials, text)
         if isinstance(solid, JkrollError):
             raise solid.with_traceback(None)
         return solid
 
-    def _index(self, cell: bytes) -> int:
-        text = cell.decode(errors="replace")
-        solid = self._of_names[text] if text.strip() else self.known[0]
+    def _index(self, text: str) -> int:
+        solid = _solid(self.materials, text) if text.strip() else self.known[0]
         if isinstance(solid, JkrollError):
             solid = LABEL
         if solid not in self.known:
@@ -322,6 +295,15 @@ class Lookup:
             for name in first.properties
         }
         return LABEL._replace(properties=properties)
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _solid(materials: Materials, text: str) -> Material | JkrollError:
+    """Return the material of a name, or the error about it."""
+    try:
+        return materials[text]
+    except JkrollError as error:
+        return error.with_traceback(None)
 
 
 def _kind(material: Material | None) -> Hashable:

@@ -18,7 +18,7 @@ from ..quantities.values import is_uncertain, value_of
 from ..scene.failures import MissingInput, NotInLaw
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
-from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
+from .cells import LABEL, Column, Indices, Lookup, Numbers
 from .columns import DOUBT, SIDES, STATUS, Wanted, remarks_of
 from .header import Header, check_inputs
 from .rows import BAD, Block, groups
@@ -67,7 +67,6 @@ class Table:
         self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
         self.model = law_named(inputs["model"]).name if "model" in inputs else None
         self.said = {"model": self.model} if self.model is not None else {}  # columns of text, the same in all rows
-        self.readers = [Reader(column) for column in columns.inputs]
         self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
         self.given = columns.names | self.fixed.keys()
         # Names in the first rows that are, or may be, no material's, with their messages.
@@ -263,8 +262,8 @@ class TableBlock(Block):
     def __init__(self, table: Table, records: Records) -> None:
         """`records`: the cells of the columns that the table reads."""
         self.table, self.cells, self.odd = table, records.cells, records.odd
-        unread = [reader for reader in table.readers if reader.column.name not in records.numbers]
-        numbers = {**records.numbers, **{reader.column.name: reader.numbers(self.cells) for reader in unread}}
+        unread = [column for column in table.columns.inputs if column.name not in records.numbers]
+        numbers = {**records.numbers, **{column.name: column.numbers(self.cells) for column in unread}}
         self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
         are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
         are_rows[[*self.odd]] = BAD
