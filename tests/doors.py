@@ -18,8 +18,8 @@ import jkroll.rows.sweep
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.call import Call
+from jkroll.cli.process import read
 from jkroll.cli.question import question_of
-from jkroll.cli.reader import read
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.rows.columns import SIDES, Columns, Row, Wanted

@@ -165,7 +165,7 @@ MESSAGES = {
     "pull-off quartz 100nm --digits 0": (2, "--digits: '0' is not a whole number from 1 to 17"),
     "pull-off quartz 100nm --laod 5nN": (
         2,
-        "pull-off takes no '--laod'; --load is an option of yield-force, r-min, n-grav, ...",
+        "no such option '--laod'; --load is an option of yield-force, r-min, n-grav, ...",
     ),
     "contact quartz 100nm --laod 5nN": (2, "no such option '--laod'; did you mean --load?"),
     "pull-off 100nm --surface-tension 25mJ/m2": (2, "no such option '--surface-tension'; did you mean --gamma?"),
@@ -201,7 +201,10 @@ MESSAGES = {
         "--quantities is empty; name some, such as --quantities pull_off_force,r_min",
     ),
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
-    "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
+    "--bare pull-off quartz 100nm": (
+        2,
+        "no such option '--bare'; --bare is an option of pull-off, yield-force, r-min, ...",
+    ),
     "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),
     "map pull-off --x radius=1nm:1um --csv": (2, "map takes no '--csv'; --data FILE writes the numbers as CSV"),
     "export lammps quartz 100nm -o x": (2, "export takes no '-o'; it writes to standard output: add > FILE"),

@@ -15,7 +15,7 @@ from jkroll.answers.questions import QUESTIONS
 from jkroll.batch.run import Job
 from jkroll.cli.call import OPTIONS, Call
 from jkroll.cli.commands import COMMANDS, OUTPUT, Option, flags_of
-from jkroll.cli.reader import HINTS, SYNONYMS, read
+from jkroll.cli.process import HINTS, SYNONYMS, read
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
 
@@ -185,15 +185,6 @@ def test_file_names_may_begin_with_a_hyphen_and_a_digit(run: Run) -> None:
     for words in (["-1.csv", "-o", "-2.csv"], ["-o-3.csv", "--", "-1.csv"]):
         assert run("batch", "--jobs", "1", "--quiet", *words).code == 0
     assert sorted(path.name for path in Path().iterdir()) == ["-1.csv", "-2.csv", "-3.csv"]
-
-
-@pytest.mark.parametrize(
-    ("word", "problem"), [("a\0.csv", "contains a NUL character"), ("a\ud83d.csv", "contains half a character")]
-)
-def test_what_is_in_no_word_is_refused(run: Run, word: str, problem: str) -> None:
-    ran = run("pull-off", "quartz", "1um", "-o", word)
-    assert (ran.code, ran.out) == (2, "")
-    assert ran.err.startswith(f"jkroll: 'a?.csv' {problem}")
 
 
 def test_a_law_is_known_in_any_case(run: Run) -> None:

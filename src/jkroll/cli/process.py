@@ -1,24 +1,78 @@
-"""The command line as a process: arguments to an exit code, with the streams, and an error as one line."""
+"""The command line: words are read as what they ask for, which is run; an error is one line and an exit code.
+
+A command stands first, its words and options behind it in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A
+value that begins with a hyphen stands behind `=`, unless it is negative. Behind `--` there are words only.
+"""
 
 import errno
 import io
 import os
 import sys
-from collections.abc import Callable, Iterable, Sequence
-from typing import TextIO
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import Any, TextIO
 
 from ..errors import BadRequest, JkrollError
-from ..text import quoted, say_wrapped, shown
-from .commands import DEBUG, Action
-from .reader import read
+from ..quantities.errors import ALIKE, QUANTITY_SYNONYMS, nearest
+from ..quantities.nomenclature import NOMENCLATURE, named
+from ..text import closest, quoted, say, say_wrapped, shown
+from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of
 
 CANNOT_WRITE = 1
 UNFORESEEN = 1
 BROKEN_PIPE = 141
 
+# What others type, and what is certainly meant by it; the names and symbols of quantities are taken as options, too.
+SYNONYMS: Mapping[str, str] = {
+    "help": "--help",
+    "manual": "guide",
+    "units": "guide units",
+    "version": "--version",
+    "--format bare": "--bare",
+    "--format csv": "--csv",
+    "--format json": "--json",
+    "--out": "-o",
+    "--output": "-o",
+    "--unit": "--to",
+    "--units": "--to",
+}
+# What others type, behind any command or behind that one, and what may be meant by it.
+_NOT_MODELLED = "spheres are smooth, dry and elastic here: jkroll guide measurements says what that leaves out"
+HINTS: Mapping[str, str] = {
+    "convert": "jkroll batch adds results to each row of a table, --to is the unit of results",
+    "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
+    "--format": "write --json, --csv or --bare, or name a file: -o x.tsv",
+    "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
+    "--plane": "a plane is a sphere 2 without end: --radius2 plane",
+    "--restitution": "jkroll impact gives it for a speed: jkroll impact quartz 100nm --speed 1m/s",
+    "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
+    "--material": "a material stands alone: jkroll pull-off quartz 100nm",
+    "--ndjson": "write --json; jkroll batch reads and writes NDJSON",
+    "batch --to": "the results of a table are in SI units, as their headers say",
+    "batch --digits": "the results of a table have all their digits",
+    **dict.fromkeys(("-R", "--radius"), "a radius stands alone: jkroll pull-off quartz 100nm"),
+    **dict.fromkeys(("--roughness", "--rms", "--humidity", "--temperature"), _NOT_MODELLED),
+    **{f"export {flag}": "it writes to standard output: add > FILE" for flag in ("-o", "--output", "--out")},
+    **{
+        f"{command} {flag}": "--data FILE writes the numbers as CSV"
+        for command in ("map", "figure")
+        for flag in ("--csv", "--json")
+    },
+    **{f"batch {flag}": "--format and the name of the file say the format" for flag in ("--json", "--csv", "--bare")},
+}
+# Words of a scene that may be given by name, too.
+NAMED = {
+    "MATERIAL": Option("material", "--material", metavar="quartz"),
+    "RADIUS": Option("radius", "--radius", metavar="100nm"),
+}
+R = Option("R", "--R", metavar="50nm")  # the reduced radius here, a sphere's in many other places
+MAX_OTHERS = 3  # commands that are named
+_DASHES = ("–", "—")  # as word processors make them of hyphens
 
-def main(arguments: Sequence[str] | None = None, read: Callable[[Sequence[str]], Action] = read) -> int:
-    """Run what a command line is read as and return the exit code; print an error as one line."""
+
+def main(arguments: Sequence[str] | None = None, reader: Callable[[Sequence[str]], Action] | None = None) -> int:
+    """Run what a command line is read as, by `reader` if there is one, and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     is_debugged = DEBUG.flag in words
     words = [word for word in words if word != DEBUG.flag]
@@ -30,8 +84,7 @@ def main(arguments: Sequence[str] | None = None, read: Callable[[Sequence[str]],
         for stream in (sys.stdout, sys.stderr):
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
-        _check(words)
-        code = read(words)()
+        code = (reader or read)(words)()
         sys.stdout.flush()
         return code
     except BrokenPipeError:
@@ -43,17 +96,6 @@ def main(arguments: Sequence[str] | None = None, read: Callable[[Sequence[str]],
 
             traceback.print_exc()
         return _report(error, words)
-
-
-def _check(words: Iterable[str]) -> None:
-    """Refuse words that no shell can pass on, since no file can have them as its name."""
-    for word in words:
-        if "\0" in word:
-            raise BadRequest(f"{quoted(word)} contains a NUL character")
-        try:
-            word.encode("utf-8", "surrogateescape")
-        except UnicodeEncodeError:
-            raise BadRequest(f"{quoted(word)} contains half a character (a lone surrogate)") from None
 
 
 def _report(error: Exception, words: Sequence[str]) -> int:
@@ -70,10 +112,8 @@ def _report(error: Exception, words: Sequence[str]) -> int:
         message, code = f"cannot write{file}: {error.strerror or error}", CANNOT_WRITE
         _discard(sys.stdout)
     else:
-        message = (
-            f"{type(error).__name__}: {shown(str(error))}; this is a bug in jkroll: run it with {DEBUG.flag} to see "
-            "where"
-        )
+        problem = f"{type(error).__name__}: {shown(str(error))}"
+        message = f"{problem}; this is a bug in jkroll: run it with {DEBUG.flag} to see where"
         code = UNFORESEEN
     try:
         say_wrapped(f"jkroll: {message}", sys.stderr)
@@ -89,3 +129,213 @@ def _discard(stream: TextIO) -> None:
             os.dup2(nothing.fileno(), stream.fileno())
     except (OSError, ValueError, AttributeError):  # it was closed from the start, or it is no file
         pass
+
+
+# --- Words and options ------------------------------------------------------------------------------------------------
+
+
+def read(words: Sequence[str]) -> Action:
+    """Return what a command line asks for, or raise the error that says what is wrong with it."""
+    first, *rest = words or (HELP.flag,)
+    if rest and (first == "help" or first in HELP.flags):
+        first, rest = rest[0], [HELP.flag]
+    if first in SYNONYMS:
+        first, *rest = *SYNONYMS[first].split(), *rest
+    if first in COMMANDS:
+        return _action(COMMANDS[first], rest)
+    if not first.startswith("-") or first in ("-", "--"):
+        raise _no_such_command(first)
+    _, given = _read([first], flags_of(None))
+    if HELP.name in given:
+        return partial(_print_help, None)
+    if VERSION.name in given:
+        return print_version
+    raise BadRequest(f"{first} stands alone: jkroll {first}")
+
+
+def _action(command: Command, words: Sequence[str]) -> Action:
+    """Return what the words behind a command ask for."""
+    end = words.index("--") if "--" in words else len(words)
+    if any(flag in words[:end] for flag in HELP.flags):
+        return partial(_print_help, command.name)
+    by_name = [option for kind, option in NAMED.items() if kind in command.kinds]
+    arguments, options = _read(words[:end], {option.flag: option for option in by_name} | command.flags(), command)
+    arguments += words[end + 1 :]
+    arguments += [options.pop(option.name) for option in by_name if option.name in options]
+    if len(arguments) > command.most_words:
+        extra = quoted(arguments[int(command.most_words)])
+        raise BadRequest(f"{extra} is one word too many: jkroll {command.name} {command.words}".rstrip())
+    from .call import Call
+
+    return partial(command.runner_function(), Call(command, arguments, options))
+
+
+def _print_help(name: str | None) -> int:
+    """Print the help of a command, or of the program."""
+    from .help import help_of
+
+    say(help_of(name), sys.stdout)
+    return 0
+
+
+def print_version() -> int:
+    """Print the version."""
+    from .. import __version__
+
+    say(f"jkroll {__version__}", sys.stdout)
+    return 0
+
+
+def _read(
+    words: Iterable[str], flags: Mapping[str, Option], command: Command | None = None
+) -> tuple[list[str], dict[str, Any]]:
+    """Return the words without the options, and the values of the options by name."""
+    kinds = command.kinds if command else ()
+    arguments: list[str] = []
+    given: dict[str, Any] = {}
+    rest = deque(words)
+    while rest:
+        word = rest.popleft()
+        if "RADIUS" in kinds and (spelt := _named_value(word, flags)):
+            word = spelt
+        elif word[:1] in _DASHES and word[1:2].isalpha() and "IN" not in kinds:
+            raise BadRequest(f"{quoted(word)} begins with a dash; options begin with hyphens: --{word[1:]}")
+        elif not word.startswith("-") or word == "-" or ("IN" in kinds and _is_negative(word)):
+            arguments.append(_with_unit(word, rest) if "RADIUS" in kinds else word)
+            continue
+        flag, value = _split(word, flags)
+        meant = SYNONYMS.get(f"{flag} {rest[0] if value is None and rest else value}")  # --format json
+        if meant and flag not in flags:
+            if value is None:
+                rest.popleft()
+            flag, value = meant, None
+        option = _option(flag, flags)
+        if option is None:
+            raise _no_such_option(flag, command.name if command else None)
+        if not option.metavar:
+            if value is not None:
+                raise BadRequest(f"{option.flag} takes no value: leave {quoted('=' + value)} out")
+            given[option.name] = True
+        elif option.repeats:
+            given[option.name] = (*given.get(option.name, ()), _value(option, value, rest, flags))
+        elif option.name in given:
+            raise BadRequest(f"{option.flag} is given more than once")
+        else:
+            given[option.name] = option.read(_value(option, value, rest, flags))
+    return arguments, _with_radius(given)
+
+
+def _with_radius(given: dict[str, Any]) -> dict[str, Any]:
+    """Return options with R as the radius of sphere 1 where sphere 2 has one. Raises BadRequest where it has none."""
+    if R.name not in given:
+        return given
+    value = given.pop(R.name)
+    if "radius2" not in given:
+        both = f"--radius {value}, that of equal spheres, or --reduced-radius {value}"
+        raise BadRequest(f"{R.name} may be the radius of a sphere or the reduced radius: write {both}")
+    if "radius" in given:
+        raise BadRequest("--radius is given more than once")
+    return {**given, "radius": value}
+
+
+def _split(word: str, flags: Mapping[str, Option]) -> tuple[str, str | None]:
+    """Return the option of a word, and the value that is joined to it, if there is one: --to=nN, -ox.csv."""
+    flag, has_value, value = word.partition("=")
+    short = flags.get(word[:2])
+    if short is not None and short.metavar and word[2:] and _option(f"-{flag}", flags) is None:
+        return word[:2], word[2:].removeprefix("=")
+    return flag, value if has_value else None
+
+
+def _value(option: Option, value: str | None, rest: deque[str], flags: Mapping[str, Option]) -> str:
+    """Return the value of an option, which is joined to it or the next of the other words."""
+    if value is None:
+        following = rest[0] if rest else HELP.flag
+        if following.startswith("-") and following != "-" and not _is_negative(following):
+            is_option = _option(following.partition("=")[0], flags) is not None
+            meant = "" if is_option else f"; if {quoted(following)} is meant, write {option.flag}={shown(following)}"
+            raise BadRequest(f"{option.flag} needs a value, as in {option.flag} {option.metavar}{meant}")
+        value = rest.popleft()
+    quantity = NOMENCLATURE.get(option.name)
+    return _with_unit(value, rest) if quantity is not None and quantity.unit not in ("", "1") else value
+
+
+def _with_unit(number: str, rest: deque[str]) -> str:
+    """Return a value, if it is a number with the unit that follows it after a space."""
+    is_number = number[-1:].isdigit() and not number.strip("+-−±().0123456789eE")
+    if is_number and rest and rest[0][:1].isalpha() and rest[0].casefold() not in ("plane", "all"):
+        return f"{number} {rest.popleft()}"
+    return number
+
+
+def _is_negative(text: str) -> bool:
+    """Return whether a text begins as a negative value does."""
+    return len(text) > 1 and text[0] == "-" and text[1] in "0123456789."
+
+
+def _named_value(word: str, flags: Mapping[str, Option]) -> str | None:
+    """Return a word such as gamma=25mJ/m2 as an option."""
+    name, has_value, _ = word.partition("=")
+    return f"--{word}" if has_value and not word.startswith("-") and _option(f"--{name}", flags) else None
+
+
+def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
+    """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none."""
+    if option := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
+        return option
+    by_name = {option.name: option for option in flags.values() if option.name in NOMENCLATURE}
+    if flag == R.flag and "radius" in by_name:
+        return R
+    return by_name.get(named(flag[2:], by_name)) if flag.startswith("--") else None
+
+
+# --- Mistakes ---------------------------------------------------------------------------------------------------------
+
+
+def _no_such_command(word: str) -> BadRequest:
+    """Return the error about a first word that is not a command."""
+    name = word.replace("-", "_").casefold()
+    if name in HINTS:
+        hint = HINTS[name]
+    elif command := closest(name.replace("_", "-"), COMMANDS):
+        hint = f"did you mean {command}?"
+    elif quantity := nearest(name):
+        hint = f"did you mean the quantity {quantity}? jkroll quantities {quantity} lists the commands that show it"
+    else:
+        hint = "see jkroll --help"
+    return BadRequest(f"no such command {quoted(word)}; {hint}")
+
+
+def _no_such_option(flag: str, command: str | None) -> BadRequest:
+    """Return the error about an option that a command, or the program before any command, does not take."""
+    if _is_negative(flag):
+        remedy = "a negative value follows the option that takes it: --load -5nN"
+        return BadRequest(f"{quoted(flag)} begins with a hyphen, as options do; {remedy}")
+    name, flags = flag.lstrip("-").replace("-", "_").casefold(), flags_of(command)
+    everywhere = [each for taker in COMMANDS.values() for each in taker.flags()]
+    problem = f"no such option {quoted(flag)}"
+    if flag in everywhere:
+        problem, flags = f"{command} takes no {quoted(flag)}" if command else problem, {}
+    if hint := HINTS.get(f"{command} {flag}") or HINTS.get(flag):
+        return BadRequest(f"{problem}; {hint}")
+    if by_symbol := _option(f"--{flag.lstrip('-')}", flags):
+        return BadRequest(f"{problem}; did you mean {by_symbol.flag}?")
+    if guess := _meant(name, flags):
+        return BadRequest(f"{problem}; did you mean {guess}?")
+    if guess := _meant(name, everywhere):
+        takers = [taker.name for taker in COMMANDS.values() if guess in taker.flags()]
+        more = ", ..." if len(takers) > MAX_OTHERS else ""
+        return BadRequest(f"{problem}; {guess} is an option of {', '.join(takers[:MAX_OTHERS])}{more}")
+    return BadRequest(f"{problem}; see {' '.join(filter(None, ['jkroll', command]))} --help")
+
+
+def _meant(name: str, flags: Iterable[str]) -> str | None:
+    """Return the option that a name stands for, begins or resembles; None if there is none."""
+    known = {flag.lstrip("-").replace("-", "_"): flag for flag in flags}
+    if (synonym := SYNONYMS.get(f"--{name}")) in known.values():
+        return synonym
+    quantity = NOMENCLATURE.get(QUANTITY_SYNONYMS.get(name, name))
+    if quantity is not None and quantity.option in known.values():
+        return quantity.option
+    begun = [word for word in known if name and word.startswith(name)]
+    return known.get(min(begun, key=len) if begun else closest(name, known, ALIKE) or "")

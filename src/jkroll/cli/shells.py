@@ -24,7 +24,7 @@ from .help import TITLE
 
 def main() -> int:
     """Answer a shell that completes, or teach it to; return the exit code."""
-    return process.main(read=lambda words: partial(_exit_code, words))
+    return process.main(reader=lambda words: partial(_exit_code, words))
 
 
 def _exit_code(words: Sequence[str]) -> int:
