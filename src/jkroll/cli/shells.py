@@ -88,7 +88,7 @@ def _option(option: Option) -> TyperOption:
         metavar=option.metavar or None,
         help=option.sentence(),
         hidden=option.hidden,
-        autocompletion=_safe(partial(_values, option.name)),
+        autocompletion=_completed([option.name]),
     )
 
 
@@ -98,7 +98,7 @@ def _argument(command: Command) -> TyperArgument:
         param_decls=["words"],
         nargs=1 if command.most_words == 1 else -1,
         metavar=command.words,
-        autocompletion=_safe(partial(_words, command.kinds)),
+        autocompletion=_completed(command.kinds),
     )
 
 
@@ -115,8 +115,6 @@ for _command in COMMANDS.values():
 
 # --- Candidates -------------------------------------------------------------------------------------------------------
 
-Completer = Callable[[str], Iterable[str]]  # from a begun word to what it may become; typer drops what begins otherwise
-
 _UNITS = {
     "m": ("nm", "um", "mm", "m", "angstrom"),
     "N": ("nN", "uN", "mN", "N", "dyn"),
@@ -129,42 +127,36 @@ _UNITS = {
 }
 
 
-def _safe(complete: Completer) -> Callable[[object, object, str], list[str]]:
-    """Return a completer as typer has it. It offers nothing that a shell could run: typer quotes too little for zsh."""
-    return lambda _context, _words, incomplete: [text for text in complete(incomplete) if _is_plain(text)]
+def _completed(kinds: Sequence[str]) -> Callable[[object, object, str], list[str]]:
+    """Return what completes a begun word of the first of some kinds, or, once a word may stand before it, of any.
+
+    Typer drops what begins otherwise. Nothing is offered that a shell could run: typer quotes too little for zsh.
+    """
+
+    def complete(_context: object, _words: object, begun: str) -> list[str]:
+        candidates = [text for kind in (kinds if begun else kinds[:1]) for text in _candidates(kind, begun)]
+        return [text for text in candidates if all(letter.isalnum() or letter in "_-−.+,@=:/" for letter in text)]
+
+    return complete
 
 
-def _is_plain(candidate: str) -> bool:
-    """Return whether every shell reads a candidate as one word and runs nothing of it."""
-    return all(character.isalnum() or character in "_-−.+,@=:/" for character in candidate)
-
-
-def _words(kinds: Sequence[str], begun: str) -> Iterable[str]:
-    """Return the words of a command; those of all kinds once one is begun, as the first may stand already."""
-    return [text for kind in (kinds if begun else kinds[:1]) for text in _values(kind, begun)]
-
-
-def _values(name: str, begun: str) -> Iterable[str]:
-    """Return the values of an option, or the words of a kind; an input in each unit of its dimension."""
-    if name in _CANDIDATES:
-        return _CANDIDATES[name](begun)
-    return _amounts(name, begun) if name in NOMENCLATURE else ()
-
-
-def _amounts(name: str, begun: str) -> Iterable[str]:
-    """Return a begun number with each unit of an input; the example of the input if nothing is typed yet."""
+def _candidates(kind: str, begun: str) -> Iterable[str]:
+    """Return words of a kind, or values of an option: names, which may stand in a list, or a number with each unit."""
+    head, comma, word = begun.rpartition(",")
+    if kind in _OF_MATERIALS:
+        return [head + comma + name for name in _materials(word)]
+    if kind in _NAMES:
+        return [head + comma + name for name in _NAMES[kind]()]
+    name = "radius" if kind == "RADIUS" else kind
+    if name not in NOMENCLATURE:
+        return []
+    if not begun:
+        return [] if kind == "RADIUS" else [NOMENCLATURE[name].example]
     number = begun[: len(begun) - len(begun.lstrip("0123456789.-+−"))]
-    units = _UNITS.get(NOMENCLATURE[name].unit, ()) if number else ()
-    return [number + unit for unit in units] if begun else [NOMENCLATURE[name].example]
+    return [number + unit for unit in _UNITS.get(NOMENCLATURE[name].unit, ()) if number]
 
 
-def _listed(names: Callable[[], Iterable[str]], begun: str) -> Iterable[str]:
-    """Return names that may follow in a list with commas."""
-    head, comma, _ = begun.rpartition(",")
-    return [head + comma + name for name in names()]
-
-
-def _materials(begun: str) -> Iterable[str]:
+def _materials(begun: str) -> list[str]:
     """Return materials, and aliases where no name fits; only the shipped ones while a user's file is broken."""
     from ..materials.library import known_materials, materials_of_user
 
@@ -172,9 +164,8 @@ def _materials(begun: str) -> Iterable[str]:
         materials = materials_of_user(None)
     except JkrollError:  # which the call itself will report
         materials = known_materials()
-    head, comma, word = begun.rpartition(",")
-    names = [name for name in (*materials.names, "all") if name.startswith(word)]
-    return [head + comma + name for name in names or materials.aliases if name.startswith(word)]
+    names = [name for name in (*materials.names, "all") if name.startswith(begun)]
+    return names or [name for name in materials.aliases if name.startswith(begun)]
 
 
 def _results() -> list[str]:
@@ -193,33 +184,23 @@ def _inputs() -> list[str]:
     return [*SIZES, *(word for word, name in OPTION_WORDS.items() if name in SIZES)]
 
 
-def _named(module: str, constant: str) -> Iterable[str]:
-    """Return the names that a constant of a module has, which is imported for them alone."""
-    names: Iterable[str] = getattr(import_module(f"..{module}", __package__), constant)
-    return names
-
-
 def _axes() -> list[str]:
     """Return the quantities that an axis can have, each with the sign before its range."""
     return [f"{name}=" for name, quantity in NOMENCLATURE.items() if quantity.range is not ANY]
 
 
 # By the kind of a word, or the name of an option.
-_CANDIDATES: Mapping[str, Completer] = {
-    "FIGURE": lambda _: _named("pictures.figures", "FIGURE_NAMES"),
-    "INPUT": partial(_listed, _inputs),
-    "MATERIAL": _materials,
-    "NAME": lambda _: NOMENCLATURE,
-    "PROGRAM": lambda _: _named("output.exports", "PROGRAMS"),
-    "QUANTITY": lambda _: _results(),
-    "RADIUS": lambda begun: _amounts("radius", begun) if begun else (),
-    "TOPIC": lambda _: topics(),
-    "mark": _materials,
-    "material": _materials,
-    "material2": _materials,
-    "measured": lambda _: [f"{name}=" for name in _results()],
-    "model": partial(_listed, lambda: LAWS),
-    "quantities": partial(_listed, _results),
-    "x": lambda _: _axes(),
-    "y": lambda _: _axes(),
+_OF_MATERIALS = ("MATERIAL", "material", "material2", "mark")
+_NAMES: Mapping[str, Callable[[], Iterable[str]]] = {
+    "FIGURE": lambda: import_module("..pictures.figures", __package__).FIGURE_NAMES,
+    "INPUT": _inputs,
+    "NAME": lambda: NOMENCLATURE,
+    "PROGRAM": lambda: import_module("..output.exports", __package__).PROGRAMS,
+    "QUANTITY": _results,
+    "TOPIC": topics,
+    "measured": lambda: [f"{name}=" for name in _results()],
+    "model": lambda: LAWS,
+    "quantities": _results,
+    "x": _axes,
+    "y": _axes,
 }
