@@ -203,7 +203,7 @@ MESSAGES = {
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (
         2,
-        "no such option '--bare'; --bare is an option of pull-off, yield-force, r-min, ...",
+        "jkroll without a command takes no '--bare'; --bare is an option of pull-off, yield-force, r-min, ...",
     ),
     "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),
     "map pull-off --x radius=1nm:1um --csv": (2, "map takes no '--csv'; --data FILE writes the numbers as CSV"),

@@ -42,7 +42,6 @@ def test_scenes_as_columns_have_a_line_for_each_input_that_differs(run: Run, mon
 
 
 def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("jkroll.cli.question.MAX_TABLE", 99)
     monkeypatch.setattr("jkroll.rows.sweep.Sweep.most_in_table", 99)
     monkeypatch.setattr("jkroll.rows.columns.BLOCK", 40)
     for way in (10**9, -1):  # by floats, and by arrays

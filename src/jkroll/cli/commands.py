@@ -1,7 +1,7 @@
 """The commands: their words and options, as they are typed and explained, and the function that runs each."""
 
 from collections.abc import Callable, Mapping
-from functools import cache, partial
+from functools import cache
 from importlib import import_module
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
@@ -107,7 +107,6 @@ _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", _AS_TEXT)
 CSV = Option("csv", "--csv", _AS_TEXT)
 CITE = Option("cite", "--cite", "Show the BibTeX entries of the data")
-MODEL_OF_EXPORT = Option("model", "--model", "Law of attraction, jkr (the default) or dmt", "dmt")
 
 _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
 AXES = tuple(Option(name, f"--{name}", _AXIS, "AXIS", group="Axes") for name in ("x", "y"))
@@ -253,8 +252,9 @@ class Command(NamedTuple):
 def _options_of_export() -> tuple[Option, ...]:
     from ..output.exports import QUANTITIES, THRESHOLDS
 
-    inputs = (option for option in input_options(QUANTITIES + THRESHOLDS) if option.name != MODEL_OF_EXPORT.name)
-    return (*inputs, MODEL_OF_EXPORT, MATERIALS, QUIET)
+    law = Option("model", "--model", "Law of attraction, jkr (the default) or dmt", "dmt")
+    inputs = (option for option in input_options(QUANTITIES + THRESHOLDS) if option.name != law.name)
+    return (*inputs, law, MATERIALS, QUIET)
 
 
 def _options_of_table() -> tuple[Option, ...]:
@@ -274,16 +274,16 @@ def _any_input() -> tuple[Option, ...]:
     return input_options(QUESTIONS["report"].quantities, any_input=True)
 
 
-def _options_of_question(name: str, *own: Option) -> tuple[Option, ...]:
-    """Return the options of a question: inputs, its own, output."""
-    inputs = _any_input() if name == "report" else input_options(QUESTIONS[name].quantities)
-    return (*inputs, *own, *OUTPUT)
-
-
 def _question(
-    name: str, job: str, sentence: str, example: str, *own: Option, runner: str = "question:run_question"
+    name: str, job: str, sentence: str, example: str, *others: Option, runner: str = "question:run_question"
 ) -> Command:
-    return Command(name, sentence, _SCENE, partial(_options_of_question, name, *own), runner, example, job)
+    """Return the command of a question: it takes inputs, options of its own, and those of the output."""
+
+    def options() -> tuple[Option, ...]:
+        inputs = _any_input() if name == "report" else input_options(QUESTIONS[name].quantities)
+        return (*inputs, *others, *OUTPUT)
+
+    return Command(name, sentence, _SCENE, options, runner, example, job)
 
 
 _COMMANDS = (

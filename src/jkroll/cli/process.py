@@ -315,7 +315,7 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
     everywhere = [each for taker in COMMANDS.values() for each in taker.flags()]
     problem = f"no such option {quoted(flag)}"
     if flag in everywhere:
-        problem, flags = f"{command} takes no {quoted(flag)}" if command else problem, {}
+        problem, flags = f"{command or 'jkroll without a command'} takes no {quoted(flag)}", {}
     if hint := HINTS.get(f"{command} {flag}") or HINTS.get(flag):
         return BadRequest(f"{problem}; {hint}")
     if by_symbol := _option(f"--{flag.lstrip('-')}", flags):

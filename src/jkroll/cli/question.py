@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
-from itertools import chain, islice
+from itertools import islice
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from ..answers.answer import Answer
     from ..rows.columns import Columns, Wanted
 
-MAX_TABLE = 10_000  # rows of a table on a terminal
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
 
 
@@ -112,36 +111,33 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
             raise row.failure(0)
         blocks = iter([row])
     notes = OfRows(sweep.noted(wanted))
-    deliver(call, wanted, notes, blocks, form)
+    deliver(call, wanted, notes, blocks, form, is_table=is_shown)
     if len(sweep) == 1 and not call.quiet:
         return _ended(call, notes, lines_of(answer(next(sweep.scenes()))))
     return _ended(call, notes, notes.lines(has_table=is_shown, quiet=call.quiet))
 
 
-def deliver(call: Call, wanted: "Wanted", notes: OfRows, blocks: "Iterable[Columns]", form: Format) -> bool:
-    """Write columns to stdout, as a table or as lines of text, or to a file; return whether it was a table."""
+def deliver(
+    call: Call, wanted: "Wanted", notes: OfRows, blocks: "Iterable[Columns]", form: Format, *, is_table: bool
+) -> None:
+    """Write columns to a file, to stdout as lines of text, or, those of a single block, as a table."""
     every = notes.watch(blocks)
     if call.target is not None:
         from ..batch.run import write_file
 
         write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
-        return False
-    is_table = call.kind == "table"
-    if is_table:
-        first = [*islice(every, 2)]
-        if len(first) == 1 and len(first[0]) <= MAX_TABLE:
-            from ..output.table import sweep_table
+    elif is_table:
+        from ..output.table import sweep_table
 
-            sweep_table(first[0], sys.stdout, form._replace(typed=call.typed), notes.assumed)
-            return True
-        every = chain(first, every)
-    from ..output.writers import WRITERS, written
+        for columns in every:
+            sweep_table(columns, sys.stdout, form._replace(typed=call.typed), notes.assumed)
+    else:
+        from ..output.writers import WRITERS, written
 
-    writer = WRITERS["plain" if is_table else call.kind]
-    for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
-        sys.stdout.write(fitting(text.decode(), sys.stdout))
-    sys.stdout.flush()
-    return False
+        writer = WRITERS["plain" if call.kind == "table" else call.kind]
+        for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
+            sys.stdout.write(fitting(text.decode(), sys.stdout))
+        sys.stdout.flush()
 
 
 def _ended(call: Call, notes: OfRows, lines: Iterable[str]) -> int:
@@ -252,7 +248,8 @@ def _write_curve(call: Call) -> int:
         return _write_answers(call, (AtState(state, question) for state in every), len(every), form)
     bare = OfCurve(shown, named=shown, doubts=False)
     wanted = bare if call.kind == "bare" else OfCurve.of(samples, shown)
-    size = MAX_TABLE if call.kind == "table" else CURVE_BLOCK
+    is_table = call.kind == "table" and call.target is None
+    size = None if is_table else CURVE_BLOCK
 
     def columns() -> Iterator[Columns]:
         while block := [*islice(states, size)]:
@@ -260,7 +257,7 @@ def _write_curve(call: Call) -> int:
 
     curves = [*dict.fromkeys(sample.curve for sample in samples)]
     notes = OfRows((curve.scene, curve.shown) for curve in curves)
-    is_table = deliver(call, wanted, notes, columns(), form)
+    deliver(call, wanted, notes, columns(), form, is_table=is_table)
     if len(sweep) == 1 and not call.quiet:
         return _ended(call, notes, lines_of(curves[0], has_head=is_table))
     return _ended(call, notes, notes.lines(has_table=is_table, quiet=call.quiet))
