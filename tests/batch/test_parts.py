@@ -154,7 +154,7 @@ def test_a_file_whose_name_has_brackets_is_a_file(run: Run) -> None:
 @pytest.mark.slow
 def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
     assert run("batch", "grains/*.csv", "-o", "whole/", "--jobs", "1").code == 1
-    monkeypatch.setattr(command, "FEW", 1)
+    monkeypatch.setattr(command, "LITTLE", 1)
     assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2").code == 1
     assert len(grains) == PARTS
     assert whole("forces") == whole("whole")

@@ -25,7 +25,7 @@ from .run import Job, convert_one
 MAX_CODES = 4  # of doubts that are named at the end
 MAX_GAPS = 4  # kinds of rows with empty cells that are explained at the end
 MAX_LINES = 6  # about many tables, that are said at the end
-FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
+LITTLE = 1 << 19  # bytes of files that a process converts in the time in which another one starts
 DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
 
 
@@ -125,17 +125,17 @@ def _pairs(directory: str, path: str) -> list[Pair]:
     targets = [os.path.join(directory, os.path.basename(table)) for table in paths]
     if len({*targets}) < len(paths):
         raise BadTable(f"{quoted(path)}: two tables have the same name")
-    folders = {os.path.dirname(table) or "." for table in paths}
-    if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
+    pairs = [*zip(paths, targets, strict=True)]
+    if any(os.path.exists(target) and os.path.samefile(table, target) for table, target in pairs):
         raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
     os.makedirs(directory, exist_ok=True)
-    return [*zip(paths, targets, strict=True)]
+    return pairs
 
 
 def _is_newer(pair: Pair) -> bool:
     """Return whether the output of a table is newer than the table."""
-    path, target = pair
-    return all(map(os.path.exists, pair)) and os.stat(target).st_mtime_ns >= os.stat(path).st_mtime_ns
+    table, output = pair
+    return os.path.exists(output) and os.stat(output).st_mtime_ns >= os.stat(table).st_mtime_ns
 
 
 def _converted(job: Job, pair: Pair) -> Outcome:
@@ -151,15 +151,15 @@ def _converted(job: Job, pair: Pair) -> Outcome:
 
 def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[tuple[Pair, Outcome]]:
     """Convert tables by some processes, the largest first, so that all end at about the same time."""
-    sizes = {pair: os.path.getsize(pair[0]) if os.path.exists(pair[0]) else 0 for pair in pairs}
-    is_little = len(pairs) <= FEW and sum(sizes.values()) <= LITTLE  # less work than to start a process
-    if min(count, len(pairs)) < 2 or is_little:
+    sizes = {pair: os.path.getsize(pair[0]) for pair in pairs}
+    count = min(count, len(pairs), 1 + sum(sizes.values()) // LITTLE)
+    if count < 2:
         yield from ((pair, task(pair)) for pair in pairs)
         return
     from .workers import answers
 
     pairs = sorted(pairs, key=sizes.__getitem__, reverse=True)
-    yield from zip(pairs, (outcome for outcome, _ in answers(min(count, len(pairs)), task, pairs)), strict=True)
+    yield from zip(pairs, (outcome for outcome, _ in answers(count, task, pairs)), strict=True)
 
 
 def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[tuple[Pair, Outcome]]:

@@ -114,7 +114,8 @@ def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]
             rest = piece
             while rest:
                 frame = begin() if frame.eof else frame
-                yield frame.decompress(rest)
+                if text := frame.decompress(rest):  # an empty one would be the end
+                    yield text
                 rest = frame.unused_data
     except damaged:
         raise problem from None
@@ -139,13 +140,12 @@ class Input:
 
     def __init__(self, path: str) -> None:
         """Open it; `-` is stdin. Raises BadTable."""
-        self.path = path
+        self.path, self.rows = path, 0  # as many as a format says that there are
         try:
-            descriptor = os.dup(0) if path == "-" else os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
-            self.file = BufferedReader(FileIO(descriptor), CHUNK)
+            self.file = BufferedReader(FileIO(0 if path == "-" else path, closefd=path != "-"), CHUNK)
         except OSError as error:
             raise BadTable(f"{quoted(path)}: {error.strerror}") from None
-        self.begun = os.fstat(descriptor)
+        self.begun = os.fstat(self.file.fileno())
         self.is_file = stat.S_ISREG(self.begun.st_mode)
 
     def pieces(self, compression: str) -> Iterator[bytes]:
@@ -160,8 +160,10 @@ class Input:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
         self.check_unchanged()
 
-    def share_read(self) -> float:
-        """Return which part of a file is read; 0 of a pipe."""
+    def share_read(self, rows: int) -> float:
+        """Return which part is read when so many rows are converted; 0 if it is unknown, as of a pipe."""
+        if self.rows:
+            return rows / self.rows
         return self.file.tell() / max(self.begun.st_size, 1) if self.is_file else 0.0
 
     def check_unchanged(self) -> None:
@@ -181,16 +183,13 @@ class Input:
         self.file.close()
 
 
-class Source(NamedTuple):
-    """A table that is read in blocks."""
+def lines_of(
+    given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool
+) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
+    """Return a table whose records are lines, with its header read, and its blocks of rows. Raises BadTable.
 
-    form: Any  # its format, which has read the header, and takes blocks apart
-    blocks: Iterator[Any]
-    share: Callable[[int], float]  # which part of it was read, when so many rows are written; 0 if it is unknown
-
-
-def lines_of(given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool) -> Source:
-    """Return a table whose records are lines. `is_read`, `excel_safe`: as Delimited has them. Raises BadTable."""
+    `is_read`, `excel_safe`: as Delimited has them.
+    """
     is_of_blanks = form.separator == " "
     separator = "\t" if is_of_blanks else form.separator
     lines = Ndjson() if form.kind == "ndjson" else Delimited(separator, excel_safe=excel_safe)
@@ -206,7 +205,7 @@ def lines_of(given: Input, form: FileFormat, is_read: Callable[[str], bool], *, 
     first = next(every)
     rows = first[lines.begin(first, is_read) :]
     lines.header = mark + lines.header
-    return Source(lines, filter(None, chain([rows], every)), lambda _: given.share_read())
+    return lines, filter(None, chain([rows], every))
 
 
 def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:

@@ -1,6 +1,6 @@
 """Parquet: batches of rows of a file, taken apart; rows as batches, of which many are written together."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, BinaryIO
 
@@ -13,10 +13,9 @@ from ..output.writers import divided, length
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.cells import Column, Numbers
 from ..rows.columns import BLOCK, DOUBT, STATUS
-from ..rows.header import Reading, is_input
 from ..rows.table import Records, Table
 from ..text import quoted, shown
-from .files import Input, Source
+from .files import Input
 from .lines import SAMPLE
 
 BUFFER = 1 << 18  # bytes read at a time of each column
@@ -73,20 +72,21 @@ class Batches:
 # --- A file as blocks -------------------------------------------------------------------------------------------------
 
 
-def batches_of(given: Input, target: str, meanings: Callable[[Sequence[str]], Mapping[str, Reading]]) -> Source:
-    """Return the table in a Parquet file. `meanings`: returns those that options give to headers."""
+def batches_of(given: Input, target: str, is_read: Callable[[str], bool]) -> tuple["Arrow", Iterator[Any]]:
+    """Return the table in a Parquet file, and its batches. `is_read`: tells of a header whether its column is read."""
     if "-" in (given.path, target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
     with _readable(given.path):
         file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-        table = Arrow(file, meanings(file.schema_arrow.names))
+        table = Arrow(file, is_read)
+    given.rows = file.metadata.num_rows
 
     def batches() -> Iterator[Any]:
         with _readable(given.path):
             yield from file.iter_batches(BLOCK)
         given.check_unchanged()
 
-    return Source(table, batches(), lambda rows: rows / max(file.metadata.num_rows, 1))
+    return table, batches()
 
 
 @contextmanager
@@ -104,13 +104,13 @@ class Arrow:
 
     preamble = lines = 0  # its names stand in no line
 
-    def __init__(self, file: Any, meanings: Mapping[str, Reading]) -> None:
-        """`meanings`: that options give to headers. Raises BadTable for an input that is neither numbers nor texts."""
+    def __init__(self, file: Any, is_read: Callable[[str], bool]) -> None:
+        """Read the header. Raises BadTable for an input that is neither numbers nor texts."""
         self.header, self.writer = file.schema_arrow, Batches()
         self.names = tuple(self.header.names)
         if not self.names:
             raise BadTable("the table has no columns")
-        inputs = [field for field in self.header if is_input(field.name, meanings)]
+        inputs = [field for field in self.header if is_read(field.name)]
         for field in inputs:
             if pyarrow.types.is_nested(field.type) or pyarrow.types.is_temporal(field.type):
                 raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")
@@ -144,10 +144,9 @@ class Cells(Sequence[bytes]):
 
     def texts(self) -> list[bytes]:
         """Return all cells. A text that stands in several rows is read once."""
-        encoded = self.array if pyarrow.types.is_dictionary(self.array.type) else self.array.dictionary_encode()
-        texts = [*Cells(encoded.dictionary, self.name), b""]
-        places = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
-        return [texts[place] for place in places.to_pylist()]
+        encoded = self.array.dictionary_encode()
+        texts: dict[int | None, bytes] = {None: b"", **dict(enumerate(Cells(encoded.dictionary, self.name)))}
+        return [*map(texts.__getitem__, encoded.indices.to_pylist())]
 
 
 def _text(value: object, name: str) -> str:

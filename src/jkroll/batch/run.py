@@ -25,7 +25,7 @@ from ..rows.rows import evaluated
 from ..rows.table import Table, TableBlock
 from ..scene.failures import MissingInput
 from ..text import quoted, say, say_wrapped
-from .files import Input, Source, compressed, input_format, lines_of, output_format
+from .files import Input, compressed, input_format, lines_of, output_format
 from .lines import Delimited, Ndjson
 
 if TYPE_CHECKING:
@@ -190,37 +190,38 @@ def convert_one(path: str, job: Job) -> Tally:
             from .parquet import batches_of
     with closing(Input(path)) as file:
         file.check_output(job.target)
+        form: Any
         if given.kind == "parquet":
-            source = batches_of(file, job.target, job.meanings)
+            form, blocks = batches_of(file, job.target, job.is_read)
         else:
-            source = lines_of(file, given, job.is_read, excel_safe=job.excel_safe)
-        table = job.table(source.form.names, source.form.sample, source.form.preamble)
+            form, blocks = lines_of(file, given, job.is_read, excel_safe=job.excel_safe)
+        table = job.table(form.names, form.sample, form.preamble)
         said = job.about(table)
         for line in () if job.quiet else said:
             say_wrapped(line, sys.stderr)
         with whole_file(job.target) as output:
             is_file = isinstance(output.name, str) and os.path.isfile(output.name)
             place = output.name if is_file else ""
-            convert = Converter(source.form, table, wanted.compression, strict=job.strict, path=place)
-            return _convert(source, convert, output, job)._replace(said=said)
+            convert = Converter(form, table, wanted.compression, strict=job.strict, path=place)
+            return _convert(file, blocks, convert, output, job)._replace(said=said)
 
 
-def _convert(source: Source, convert: Converter, output: BinaryIO, job: Job) -> Tally:
+def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:
     """Write a table; return the counts of all of it."""
-    form, tally = source.form, Tally()
+    form, tally = convert.form, Tally()
     header = compressed(form.writer.header(convert.table.added, [form.header]), convert.compression)
     size, line = len(header), form.lines
     progress = Progress(is_shown=sys.stderr.isatty() and not job.quiet)
     try:
         with form.writer.sink(output, header) as write:
-            for block, worker in _converted(source, convert, job.processes):
+            for block, worker in _converted(blocks, convert, job.processes):
                 if worker:
                     worker.ask(size)
                 write(worker.answer() if worker else block.output)
                 size += block.size
                 line += block.lines
                 tally = tally.plus(block.tally)
-                progress.show(source.share(tally.rows), tally.rows)
+                progress.show(file.share_read(tally.rows), tally.rows)
     except BadRow as error:
         raise BadRow(line + 1 + error.line, error.status) from None
     except KeyboardInterrupt:
@@ -231,20 +232,22 @@ def _convert(source: Source, convert: Converter, output: BinaryIO, job: Job) -> 
     return tally
 
 
-def _converted(source: Source, convert: Converter, processes: int) -> "Iterator[tuple[Converted, Worker | None]]":
+def _converted(
+    blocks: Iterator[Any], convert: Converter, processes: int
+) -> "Iterator[tuple[Converted, Worker | None]]":
     """Iterate over converted blocks in their order, each with the process that holds its output, if another one does.
 
     A library that reads a table by itself has threads for it.
     """
-    is_alone = processes < 2 or not isinstance(source.form, Delimited | Ndjson)
-    for block in source.blocks if is_alone else islice(source.blocks, ALONE):
+    is_alone = processes < 2 or not isinstance(convert.form, Delimited | Ndjson)
+    for block in blocks if is_alone else islice(blocks, ALONE):
         yield convert.converted(block), None
-    if (block := next(source.blocks, None)) is None:
+    if (block := next(blocks, None)) is None:
         return
     # They come with multiprocessing, which a small table does not pay for.
     from .workers import answers
 
-    yield from answers(processes, convert, chain([block], source.blocks))
+    yield from answers(processes, convert, chain([block], blocks))
 
 
 class Progress:

@@ -221,14 +221,9 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
 
 def _codes(columns: Columns) -> list[str | None]:
     """Return the codes of the doubts of rows."""
-    if isinstance(columns.doubts, list):
-        return [codes(bits) or None for bits in columns.doubts]
-    import numpy
-
-    distinct, places = numpy.unique(columns.doubts, return_inverse=True)
-    texts = numpy.array([codes(bits) or None for bits in distinct.tolist()], dtype=object)
-    every: list[str | None] = texts[places].tolist()
-    return every
+    doubts = as_list(columns.doubts)
+    texts = {bits: codes(bits) or None for bits in {*doubts}}
+    return [*map(texts.__getitem__, doubts)]
 
 
 # --- Records ----------------------------------------------------------------------------------------------------------
