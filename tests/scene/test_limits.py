@@ -12,7 +12,7 @@ from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.errors import NoResult
 from jkroll.materials.library import known_materials
-from jkroll.scene.alternatives import factor_of_law
+from jkroll.scene.alternatives import by_law, factor_of_law
 from jkroll.scene.failures import TWO_RIGID_BODIES, Failure
 from jkroll.scene.limits import BITS, CODES, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts
 from jkroll.scene.scene import Scene
@@ -383,3 +383,10 @@ def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too
         one, both = (bits(scene, [name]) for scene in scenes)
         assert codes(one) == codes(int(both[0])) == first
         assert codes(int(both[1])) == "law-off-2x few-atoms"
+
+
+def test_the_other_law_has_the_spacing_that_follows_from_a_cutoff() -> None:
+    """The scene computes it, in whose place stands one that is given it."""
+    given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
+    other = by_law(Scene(given, known_materials()["quartz"]))
+    assert other["pull_off_force"] == solve("pull_off_force", material="quartz", model="maugis", **given)

@@ -223,7 +223,7 @@ class Scene:
         `changed`: the quantities that have other values, or other formulas.
         """
         scene = self.replace(**values)
-        scene._original, scene._changed = self, frozenset(changed)
+        scene._original, scene._changed = self, frozenset(changed) | (values.keys() - self.known)
         return scene
 
     @property
