@@ -292,6 +292,14 @@ def test_a_material_takes_over_the_other_names_of_the_one_whose_name_it_takes(tm
     assert jkroll.Materials([path])["PS"].name == jkroll.Materials([path])["polystyrene"].name == "POLYSTYRENE"
 
 
+def test_an_alias_of_several_has_the_material_that_took_the_name_of_one_of_them(tmp_path: Path) -> None:
+    path = write(tmp_path / "mine.toml", "title = 'mine'\n[materials.Silica-humid]\nsurface_energy = '30 mJ/m2'\n")
+    materials = Materials([path])
+    assert materials.clashes == []
+    with pytest.raises(JkrollError, match=r"one of several; write quartz .* or Silica-humid \(30 mJ/m², mine\)"):
+        materials["SiO2"]
+
+
 def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> None:
     """A mistake in a material is reported by a call that uses it."""
     path = write(tmp_path / "mine.toml", ICE + "[materials.wood]\naliases = ['oak']\ndensity = '-5 g/cm3'\n")

@@ -45,9 +45,6 @@ class UnknownMaterial(BadRequest):
 class UnclearMaterial(BadRequest):
     """Error raised for a name that stands for several materials."""
 
-    def __init__(self, name: str, meanings: str) -> None:
-        super().__init__(f"material {quoted(name)} is {meanings}", "unclear material")
-
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
@@ -354,7 +351,7 @@ class Materials:
                 raise MaterialsFileError(material.path, material.problem)
             return material
         if len(several := meanings or states) > 1:
-            raise UnclearMaterial(word, _choice(several))
+            raise _unclear(word, several)
         if guess := states[0].name if states else closest(key, [*self.names, *self.aliases]):
             remedy = f"; did you mean {guess}? jkroll materials lists all"
         else:
@@ -377,8 +374,8 @@ class Materials:
     @property
     def clashes(self) -> list[UnclearMaterial]:
         """The errors of the names that are shipped and also in a file that must not take them."""
-        shared = ((key, several) for key, several in self._meanings.items() if several[-1].path != several[0].path)
-        return [UnclearMaterial(several[-1].words[key], _choice(several)) for key, several in shared]
+        shared = ((key, several) for key, several in self._meanings.items() if _is_shared(key, several))
+        return [_unclear(several[-1].words[key], several) for key, several in shared]
 
     @property
     def names(self) -> list[str]:
@@ -391,12 +388,19 @@ class Materials:
         return [*dict.fromkeys(alias for material in self._materials.values() for alias in material.aliases)]
 
 
-def _choice(materials: Sequence[Material]) -> str:
-    """Return the materials that a name stands for, with surface energies and states, or sets where these differ."""
+def _is_shared(key: str, materials: Sequence[Material]) -> bool:
+    """Return whether a name is that of a shipped material and also of one in a file that must not take it."""
+    return materials[0].path == SHIPPED != materials[-1].path and key in materials[-1].words
+
+
+def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
+    """Return the error about a name of several materials, with their surface energies and states or sets."""
     from ..quantities.formatting import amount
 
-    if (file := materials[-1].path) != materials[0].path:
-        return f"shipped ({materials[0].title}) and also in {shown(file)}; rename it, or pass --materials {shown(file)}"
+    if _is_shared(word.strip().casefold(), materials):
+        title, file = materials[0].title, shown(materials[-1].path)
+        meanings = f"shipped ({title}) and also in {file}; rename it, or pass --materials {file}"
+        return UnclearMaterial(f"material {quoted(word)} is {meanings}", "unclear material")
     has_sets = len({material.title for material in materials}) > 1
     choices = []
     for material in materials:
@@ -404,7 +408,8 @@ def _choice(materials: Sequence[Material]) -> str:
         known = [amount("surface_energy", energy)] if energy is not None else []
         about = ", ".join(filter(None, [*known, material.state or (material.title if has_sets else "")]))
         choices.append(f"{material.name} ({about})" if about else material.name)
-    return f"one of several; write {', '.join(choices[:-1])} or {choices[-1]}"
+    choice = f"{', '.join(choices[:-1])} or {choices[-1]}"
+    return UnclearMaterial(f"material {quoted(word)} is one of several; write {choice}", "unclear material")
 
 
 def _decoded(path: Path) -> str:
