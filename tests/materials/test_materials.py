@@ -395,7 +395,7 @@ def test_a_material_made_by_hand_has_properties_as_solve_takes_them() -> None:
         ({"surface_energy": "25±5 mJ/m2"}, "surface_energy: .* is not a single number"),
         ({"surface_energy": None}, "surface_energy: 'None' is not a number"),
         ({"hardness": 1.0}, "'hardness' is not a quantity"),
-        (3, "material2: '3' is not a mapping of properties"),
+        (3, "material2: .* is not the name of one material"),
     ):
         other: Any = mine._replace(properties=properties)  # type: ignore[arg-type]
         with pytest.raises(JkrollError, match=words):
