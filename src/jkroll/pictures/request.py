@@ -218,8 +218,8 @@ def _farthest_off(x: Axis, fields: "Sequence[Field]") -> Iterator[str]:
     if told := advised(here, quantity):
         place = f"{symbol(x.name)} = {amount(x.name, float(f'{value:.2g}'))}"
         place += f" ({field.text})" if field.text and len(fields) > 1 else ""
-        own = amount(quantity, here[quantity], Format(digits=3))
-        yield f"{here.law.title} is farthest off at {place}: {symbol(quantity)} {told} by Maugis' law, {own} here."
+        shown = amount(quantity, here[quantity], Format(digits=3))
+        yield f"{here.law.title} is farthest off at {place}: {symbol(quantity)} {told} by Maugis' law, {shown} here."
 
 
 class Field:

@@ -99,11 +99,11 @@ def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
     It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose
     name begins with the word, or else the one whose name or option resembles it most.
     """
-    meanings = {one: meant for one, meant in {**OPTION_WORDS, **QUANTITY_SYNONYMS}.items() if meant in names}
+    meanings = {term: meant for term, meant in {**OPTION_WORDS, **QUANTITY_SYNONYMS}.items() if meant in names}
     meanings |= {name: name for name in names}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
     letters = name.replace("_", "")
-    begun = (one for one in names if letters and one.replace("_", "").startswith(letters))
+    begun = (each for each in names if letters and each.replace("_", "").startswith(letters))
     meant = next(iter(with_symbol(word, names)), None) or meanings.get(name) or next(begun, None)
     return meant or meanings.get(closest(name, meanings, ALIKE) or "")
 

@@ -485,13 +485,13 @@ class Spread:
         """Return the value at a place, with 15 digits: between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
         if place in (0, self.size - 1):
             return self.high if place else self.low
-        part = place / (self.size - 1)
+        share = place / (self.size - 1)
         if not self.is_log:
-            value = self.low * (1 - part) + self.high * part
+            value = self.low * (1 - share) + self.high * share
         elif 0 < (ratio := self.high / self.low) < INFINITY:
-            value = self.low * ratio**part
+            value = self.low * ratio**share
         else:
-            value = self.low ** (1 - part) * self.high**part
+            value = self.low ** (1 - share) * self.high**share
         is_nothing = abs(value) < 1e-15 * max(abs(self.low), abs(self.high)) and not self.is_log
         return 0.0 if is_nothing else float(f"{value:.15g}")
 
