@@ -15,6 +15,7 @@ from ..scene.limits import ENDING_MEANING, IMPACT, MEANINGS, OF_LAW, Doubt, code
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import listed
+from .advice import about_displacement_of_rows, about_unmeasured
 from .results import Kind, Note, Result
 
 if TYPE_CHECKING:
@@ -33,7 +34,6 @@ _RULES = {  # by which quantities follow that could have been given
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
 _CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
-_OF_HAMAKER = ("work_of_adhesion", "atomic_spacing")
 _UNLIKE = 3.0  # ratio of two surface energies from which on a note has their harmonic mean
 _LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 _STICKING = (
@@ -45,9 +45,8 @@ _OF_TURNING = {"yield_force", "sliding_force", "sliding_or_peeling_force", "twis
 
 _MAX_NOTES = 2  # below results, with the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
-_MORE = "more: --explain"
 _BEHIND = ("model", "data")  # kinds that change nothing that a reader does: in explanations
-_APART = ("material", "assumed", "warning")  # said when a file of materials was read, and above all others
+_APART = ("assumed", "warning")  # kinds that stand above all others
 _KINDS = get_args(Kind)
 
 
@@ -102,6 +101,9 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
         work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
         text = f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike"
         yield Note("result", f"{text}: --work-of-adhesion")
+    if "speed" in scene.stated and (spinning := [symbol_of(name) for name in _OF_SPINNING if name in names]):
+        text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
+        yield Note("caveat", f"{text}, {listed(spinning)}")
     yield from _about_data(scene, inputs)
 
 
@@ -122,7 +124,7 @@ def about_idle(names: Sequence[str]) -> list[Note]:
 def _about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
     """Return notes on the material data that were used, those on shadowed materials first."""
     used = scene.data_used(inputs)
-    notes = [Note("material", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
+    notes = [Note("data", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
     for material, name in used:
         if name in material.notes:
             # A property whose origin is stated says what is against it.
@@ -146,12 +148,12 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 
 def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values: what happens in a collision, what a contact is, what gives way first in it."""
-    yield from about_spinning(scene, names)
     if "hamaker" in scene.inputs_of(*names):
         cutoff = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
-        here = ", ".join(f"{symbol_of(name)} = {amount(name, scene[name])}" for name in _OF_HAMAKER)
-        there = amount("work_of_adhesion", scene.replace(cutoff=cutoff)["work_of_adhesion"])
-        yield Note("result", f"{here}; at D0 = {amount('cutoff', cutoff)}, w = {there}")
+        works = (amount("work_of_adhesion", each["work_of_adhesion"]) for each in (scene, scene.replace(cutoff=cutoff)))
+        here, there = (f"w = {work}" for work in works)
+        spacing = amount("atomic_spacing", scene["atomic_spacing"])
+        yield Note("result", f"{here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)}, {there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("result", _STICKING)
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
@@ -168,8 +170,6 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
         yield Note("result", "a: the spheres are bound without touching")
     if rolling(names, scene.law.name):
-        from .advice import about_unmeasured
-
         if text := about_unmeasured(scene):
             yield Note("displacement", text)
         values = scene.numbers(XI, "hysteresis_ratio")
@@ -177,14 +177,6 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
             lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
             text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"
             yield Note("model", text)
-
-
-def about_spinning(scene: Scene, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over the note where turns from an arrival stand beside those of a sphere that rolls from the start."""
-    spinning = [symbol_of(name) for name in _OF_SPINNING if name in names]
-    if spinning and "speed" in scene.stated:
-        text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
-        yield Note("caveat", f"{text}, {listed(spinning)}")
 
 
 def _first_to_yield(scene: Scene) -> Note:
@@ -248,7 +240,7 @@ def about_lost_contacts(scene: Scene, sources: "Sources") -> list[Note]:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-def notes_on_rows(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
+def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
     """Iterate over the notes that follow from what is given, not from numbers: the same for all rows of a kind."""
     if not (possible := scene.possible(names)):
         return
@@ -258,28 +250,24 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
         with suppress(JkrollError):  # each row says which kinds do not go together
             yield from about_uncertainties({}, sources_of_results(scene, possible))
     if rolling(possible, scene.law.name) and assumes_displacement(scene):
-        from .advice import about_displacement_of_rows
-
         yield Note("displacement", about_displacement_of_rows(scene))
     inputs, _ = entering(scene, names)
     yield from about_given(scene, possible, inputs)
-    yield from about_spinning(scene, possible)
     yield from about_limits(doubts(scene, possible))
 
 
-def assumed_of_kinds(kinds: Iterable[Rows], *, judges: bool = True) -> dict[str, str]:
-    """Return what was assumed for rows of some kinds, each with the option that sets it, by name."""
+def given_of_kinds(kinds: Iterable[Rows], *, judges: bool = True) -> tuple[dict[str, str], list[str]]:
+    """Return what was assumed for rows of some kinds, by name, and the inputs on which nothing depends in any of them.
+
+    An assumption has the option that sets it.
+    """
     texts: dict[str, str] = {}
+    idle: list[list[str]] = []
     for scene, names in kinds:
-        inputs, _ = entering(scene, names, judges=judges)
+        inputs, needed = entering(scene, names, judges=judges)
         texts |= assumed(scene, inputs, scene.possible(names), has_values=False)
-    return texts
-
-
-def idle_of_kinds(kinds: Iterable[Rows], *, judges: bool = True) -> list[str]:
-    """Return the inputs on which nothing depends in rows of any kind."""
-    first, *others = (idle_of(scene, entering(scene, names, judges=judges)[1]) for scene, names in kinds)
-    return [name for name in first if all(name in idle for idle in others)]
+        idle.append(idle_of(scene, needed))
+    return texts, [name for name in idle[0] if all(name in of_kind for of_kind in idle)]
 
 
 class OfRows:
@@ -301,9 +289,13 @@ class OfRows:
             yield columns
 
     @cached_property
+    def _given(self) -> tuple[dict[str, str], list[str]]:
+        return given_of_kinds(self._kinds)
+
+    @property
     def assumed(self) -> dict[str, str]:
         """The assumptions about rows, each with the option that sets it, by name."""
-        return assumed_of_kinds(self._kinds)
+        return self._given[0]
 
     def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:
         """Return the lines to print; `has_table`: whether they are below a table.
@@ -318,8 +310,8 @@ class OfRows:
             notes += self._counted("lesser doubt", "doubts", [code for code in codes if code not in ENDING_MEANING])
             of_gaps = (gaps.sentence() if self.tally.rows > 1 else gaps.words for gaps in self.tally.gaps.values())
             notes += [Note("missing", text) for text in of_gaps]
-            notes += dict.fromkeys(note for kind in self._kinds for note in notes_on_rows(*kind))
-            notes += [*about_idle(idle_of_kinds(self._kinds)), *about_assumed(self.assumed)]
+            notes += dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
+            notes += [*about_idle(self._given[1]), *about_assumed(self.assumed)]
         return _lines(notes, has_head=has_table)
 
     def _counted(self, kind: Kind, lead: str, codes: Sequence[str]) -> list[Note]:
@@ -344,20 +336,20 @@ def lines_of(answer: "Answer", *, has_head: bool = False, quiet: bool = False) -
 
 def every_line(answer: "Answer") -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    notes = [note for note in _by_importance([*answer.notes, *answer.doubts()]) if note.kind != "material"]
+    notes = _by_importance([*answer.notes, *answer.doubts()])
     return [f"{'warning' if note.kind == 'warning' else 'note'}: {note.text}" for note in notes]
 
 
 def _lines(notes: Iterable[Note], *, has_head: bool) -> list[str]:
     """Return a line of what was assumed, one of warnings, and the first notes; the last says whether there are more."""
     every = _by_importance(notes)
-    head = [note.text for note in every if note.kind == "assumed" and not has_head]
-    warnings = "; ".join(note.text for note in every if note.kind == "warning")
+    lines = [note.text for note in every if note.kind == "assumed" and not has_head]
+    if warnings := "; ".join(note.text for note in every if note.kind == "warning"):
+        lines.append(f"warning: {warnings}")
     others = [note for note in every if note.kind not in _APART]
     texts = [f"note: {note.text}" for note in others if note.kind not in _BEHIND]
     shown = [*map(_first_clauses, texts[: _MAX_NOTES - bool(warnings)])]
-    more = [] if shown == texts and len(texts) == len(others) else [_MORE]
-    return [*head, *([f"warning: {warnings}"] if warnings else []), *shown, *more]
+    return [*lines, *shown, *([] if shown == texts and len(texts) == len(others) else ["more: --explain"])]
 
 
 def _first_clauses(text: str) -> str:

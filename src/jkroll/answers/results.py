@@ -74,7 +74,6 @@ class Result(NamedTuple):
 
 # Of notes, the most important first. A lesser doubt is within the error bars, or about some rows of many.
 Kind = Literal[
-    "material",
     "warning",
     "missing",
     "error bars",
