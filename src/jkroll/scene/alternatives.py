@@ -56,10 +56,11 @@ def at_other_reading(scene: Scene) -> Scene | None:
     own, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
     if len(own) < 2 or not theirs:
         return None
-    displacement = own[XI]
+    displacement, without_contact = own[XI], DEFAULTS[XI]
     if is_at_displacement(scene):
         displacement = displacement * (own["hysteresis_ratio"] / theirs["hysteresis_ratio"])
-    displacement = where(takes(XI, displacement), displacement, DEFAULTS[XI])  # not where there is no contact
+        without_contact = own[XI]
+    displacement = where(takes(XI, displacement), displacement, without_contact)
     return other.instead(IN_ITS_PLACE, **{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
 
