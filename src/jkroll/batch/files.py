@@ -214,7 +214,7 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
     `cut`: returns the number of bytes of whole records at the beginning of a text.
 
     A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
-    says what is wrong with them.
+    says what is wrong with them. Raises BadTable for a line that is longer.
     """
     text = _filled(b"", pieces, CHUNK // 2)
     usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
@@ -223,7 +223,9 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
         if not end and size <= len(text) and size < MAX_RECORD:
             size *= 2
             continue
-        end = end or _end_of_lines(text)
+        end = end or text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
+        if not end:
+            raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")
         yield text[:end]
         text, size = text[end:], usual
 
@@ -235,14 +237,3 @@ def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
             return text + b"\n" if text and not text.endswith(b"\n") else text
         text += piece
     return text
-
-
-def _end_of_lines(text: bytes) -> int:
-    """Return where the last line within CHUNK bytes ends, or the first line if that is longer.
-
-    Raises BadTable for a line of more than MAX_RECORD bytes.
-    """
-    end = text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
-    if not end:
-        raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")
-    return end

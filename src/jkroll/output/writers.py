@@ -22,7 +22,7 @@ from ..rows.columns import DOUBT, Columns, Wanted, as_list, remarks_of
 from ..scene.limits import codes
 from ..text import fitting, json_text, quoted, say, spelled
 
-STRIP = 128  # rows written at once: their text stays in the cache, and is no large piece of memory
+STRIP = 256  # rows written at once: their text stays in the cache, and is no large piece of memory
 
 
 class Lines:
@@ -57,15 +57,14 @@ class Lines:
         size = len(before) or max(map(length, columns), default=0)
         columns = self._divided(columns)
         leads = self._leads(heads, is_begun=bool(before))
-        cells = [self._texts(column, lead, size) for column, lead in zip(columns, leads, strict=False)]
         strips = []
         for start in range(0, size, STRIP):
-            place = slice(start, start + STRIP)
-            strip = [before[place]] if before else []
-            strip += [self._cells(column, lead, place) for column, lead in zip(cells, leads, strict=False)]
-            pieces = [self.end] * ((len(strip) + 1) * len(strip[0]))
-            for each, column in enumerate(strip):
-                pieces[each :: len(strip) + 1] = column
+            stop = min(start + STRIP, size)
+            cells = [before[start:stop]] if before else []
+            cells += [self._cells(*column, start, stop) for column in zip(columns, leads, strict=False)]
+            pieces = [self.end] * ((len(cells) + 1) * (stop - start))
+            for place, column in enumerate(cells):
+                pieces[place :: len(cells) + 1] = column
             strips.append(b"".join(pieces))
         return b"".join(strips)
 
@@ -84,20 +83,15 @@ class Lines:
         """Return what stands before the cells of each column. `is_begun`: whether rows have a beginning."""
         return [self.separator if is_begun or place else b"" for place in range(len(heads))]
 
-    def _texts(self, column: Any, lead: bytes, size: int) -> Any:
-        """Return the cells of a column of texts, each behind its lead; an array as it is."""
+    def _cells(self, column: Any, lead: bytes, start: int, stop: int) -> list[bytes]:
+        """Return some cells of a column, or of several in one array together, behind the lead."""
         if column is None or isinstance(column, str):
-            return [lead + self._cell(column)] * size
+            return [lead + self._cell(column)] * (stop - start)
         if isinstance(column, list):
-            cells = {value: lead + self._cell(value) for value in {*column}}
-            return [*map(cells.__getitem__, column)]
-        return column
-
-    def _cells(self, column: Any, lead: bytes, place: slice) -> Sequence[bytes]:
-        """Return some cells of a column, or those of several in one array together, behind the lead."""
-        if isinstance(column, list):
-            return column[place]
-        rows = numbers_in_lines(column[..., place], self.separator, self.gap)
+            values = column[start:stop]
+            cells = {value: lead + self._cell(value) for value in {*values}}
+            return [*map(cells.__getitem__, values)]
+        rows = numbers_in_lines(column[..., start:stop], self.separator, self.gap)
         if self.has_commas:
             rows = [row.replace(b".", b",") for row in rows]
         return rows if lead == self.separator else [lead + row[1:] for row in rows]
