@@ -68,8 +68,7 @@ def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
     """Return those of some quantities that the other law has by formulas of its own, or alone."""
     other = by_law(scene)
     between = scene if scene.law.name == BETWEEN else other
-    own_lacks, other_lacks = scene.missing(names), other.missing(names)
-    return [name for name in names if name not in other_lacks and (name in own_lacks or uses_law(between, name))]
+    return [name for name in other.possible(names) if scene.missing([name]) or uses_law(between, name)]
 
 
 # --- Measured forces --------------------------------------------------------------------------------------------------

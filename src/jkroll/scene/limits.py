@@ -277,9 +277,8 @@ def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> lis
 def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
     """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
     used = {*names}.union(*(plan.taken for plan in scene.plans(*names)))
-    return [
-        limit for limit in limits if limit.touches & used and (limit.applies is None or limit.applies(scene, names))
-    ]
+    concerned = (limit for limit in limits if not limit.touches.isdisjoint(used))
+    return [limit for limit in concerned if limit.applies is None or limit.applies(scene, names)]
 
 
 def bits_of(found: Iterable[Doubt]) -> Any:

@@ -59,6 +59,8 @@ def check_range(name: str, value: Any) -> None:
 def takes(name: str, value: Any) -> Any:
     """Return whether a scene takes a number, or each element of an array, as the value of a quantity."""
     limits, size = NOMENCLATURE[name].range, abs(value)
+    if isinstance(value, NUMBER) and LEAST <= size <= MOST:  # as nearly always
+        return limits.admits(value)
     is_large_enough = (size >= LEAST) | limits.admits(0.0)
     is_small_enough = (size <= MOST) | (value == INFINITY)
     return limits.admits(value) & is_large_enough & is_small_enough
