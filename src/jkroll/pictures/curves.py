@@ -71,8 +71,8 @@ def _path(scene: Scene, most: float) -> tuple[list[str], Any, Any]:
 
 def _branches(names: Sequence[str], x: Any, y: Any) -> tuple[list[Curve], list[Mark]]:
     """Return the branches of a force curve, the stable one first, and its named states."""
-    named = [place for place, name in enumerate(names) if name in NAMED.values()]
-    between = [place for place, name in enumerate(names) if name not in NAMED.values()]
+    named = [place for place, name in enumerate(names) if name in NAMED]
+    between = [place for place, name in enumerate(names) if name not in NAMED]
     firsts = [(name, next(places)) for name, places in groupby(between, key=names.__getitem__)]
     ends = pairwise([0, *(first - 1 for _, first in firsts[1:]), len(names) - 1])
     curves = [
@@ -80,7 +80,7 @@ def _branches(names: Sequence[str], x: Any, y: Any) -> tuple[list[Curve], list[M
         for (name, _), (start, end) in zip(firsts, ends, strict=True)
     ]
     points = [
-        Mark(_NO_LOAD if names[place] == NAMED[EQUILIBRIUM] else names[place], float(x[place]), float(y[place]))
+        Mark(_NO_LOAD if names[place] == EQUILIBRIUM else names[place], float(x[place]), float(y[place]))
         for place in named
     ]
     return curves[::-1], points
@@ -90,8 +90,8 @@ def _pressure(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     """Return the pressure across the contact, which JKR alone has, without load and at pull-off."""
     (scene,) = scenes
     curves = []
-    for text, factor, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), ("pull-off", PULL_OFF, "fixed grips")):
-        state = values_of(scene.replace(load_factor=factor), AREA_AND_PRESSURES)
+    for text, name, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), (PULL_OFF, PULL_OFF, "fixed grips")):
+        state = values_of(scene.replace(load_factor=NAMED[name]), AREA_AND_PRESSURES)
         x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))
     law = f", {scene.law.title}" if scene.stated_model is not None else ""

@@ -429,6 +429,10 @@ class Scene:
         rests = self["transition_parameter"] < 1
         return Failure(RESTS_ON_SPACING, name) if rests is True else where(rests, nan, value)
 
+    def lose(self, failure: Failure) -> None:
+        """Take away a value that this scene does not have, but for the rounding error of a formula."""
+        self._failures[self.plan(failure.name).name] = failure
+
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
         return name in self.law.by_spacing and self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
