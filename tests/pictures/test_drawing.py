@@ -648,7 +648,7 @@ def test_rows_of_a_curve_fill_its_loads(run: Run, model: str, first: str, last: 
         ("figure 9 --plain", "takes no --plain"),
         ("figure laws --as-printed", "takes no --as-printed"),
         ("figure 3a --as-printed", "for 6b"),
-        ("contact quartz 100nm --curve --panel tides -o contact.svg", "there are force, pressure, moment"),
+        ("contact quartz 100nm --curve --panel tides -o contact.svg", "there are force, pressure and moment"),
     ],
 )
 def test_what_cannot_be_drawn(run: Run, tmp_path: Path, line: str, message: str) -> None:

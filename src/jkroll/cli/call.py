@@ -168,19 +168,14 @@ class Call:
         """The rows: a scene for each combination of materials and values."""
         return Sweep(self.pairs, self.spreads, self.models)
 
-    @cached_property
-    def _every_material(self) -> list[Material | None]:
-        """The materials that have no mistake; those that have one are told."""
-        for mistake in self.materials.mistakes:
-            say_wrapped(f"note: left out: {mistake}", sys.stderr)
-        return [*self.materials.materials.values()]
-
     def _named(self, text: str | None) -> list[Material | None]:
-        """Return the materials of a list; None where none was given."""
+        """Return the materials of a list; None where none was given. Of all, those with a mistake are left out."""
         if text is None:
             return [None]
         if text.casefold() == "all":
-            return self._every_material
+            for mistake in self.materials.mistakes:
+                say_wrapped(f"note: left out: {mistake}", sys.stderr)
+            return [*self.materials.materials.values()]
         if (word := next(filter(is_table, text.split(",")), None)) is not None:
             raise BadRequest(f"{quoted(word)} is a table; jkroll batch {word} reads it")
         return [self.materials[word] for word in text.split(",")]

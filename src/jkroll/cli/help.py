@@ -22,16 +22,7 @@ MIN_WIDTH = 48
 MIN_TEXT = 20
 GUTTER = 10  # of the names of groups
 
-_OF_THE_PAIR = {
-    *OF_THE_PAIR,
-    "material",
-    "material2",
-    "work_of_adhesion",
-    "monomers",
-    "contacts",
-    "filling_factor",
-    "asperity_radius",
-}
+_WITH_THE_PAIR = "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius"
 
 Row = tuple[str, str]  # what is typed, and its meaning
 
@@ -75,7 +66,7 @@ def _group(option: Option) -> str:
     quantity = NOMENCLATURE.get(option.name)
     if quantity is None:
         return option.group
-    return "Pair" if quantity.sphere or option.name in _OF_THE_PAIR else "Assumed"
+    return "Pair" if quantity.sphere or option.name in (*OF_THE_PAIR, *_WITH_THE_PAIR.split()) else "Assumed"
 
 
 def _rows(options: Iterable[Option]) -> list[Row]:

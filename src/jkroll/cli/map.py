@@ -32,11 +32,10 @@ def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str =
     `path`: of the file that `flag` names, if there is one; `numbers`: the option that writes the numbers instead of a
     picture.
     """
-    if call.style not in (None, *STYLES):
-        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {listed(STYLES)}")
     inches_of(call.width)
-    if call.panel not in (None, *PANELS):
-        raise BadRequest(f"--panel: {quoted(call.panel or '')} is not a panel; there are {', '.join(PANELS)}")
+    for kind, word, known in (("style", call.style, STYLES), ("panel", call.panel, PANELS)):
+        if word is not None and word not in known:
+            raise BadRequest(f"--{kind}: {quoted(word)} is not a {kind}; there are {listed(known)}")
     if path is None:
         looks = {"--width": call.width, "--style": call.style, "--no-caption": call.uncaptioned}
         if given := [option for option, value in looks.items() if value]:
@@ -86,9 +85,8 @@ def run_figure(call: Call) -> int:
             "--plain": call.plain,
             "--mark": name in WITHOUT_MARKS and call.mark,
         }
-        for flag, is_given in refused.items():
-            if is_given:
-                raise BadRequest(f"figure {name} takes no {flag}")
+        if idle := [flag for flag, value in refused.items() if value]:
+            raise BadRequest(f"figure {name} takes no {idle[0]}")
         return _deliver(PROFILES[name](materials, marks), (), call)
     drawn = paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain)
     if call.as_printed and not drawn.printed:
@@ -104,15 +102,9 @@ def draw_contact(call: Call) -> int:
         raise BadRequest(f"{flag} draws the curve: add --curve")
     if call.kind not in ("table", "plain"):
         raise BadRequest(f"{flag} and --{call.kind} exclude each other")
-    of_numbers = {
-        "--quantities": call.quantities,
-        "--to": call.to,
-        "--digits": call.digits,
-        "--no-doubt": call.no_doubt,
-    }
-    for option, value in of_numbers.items():
-        if value:
-            raise BadRequest(f"{flag} and {option} exclude each other")
+    for name in ("quantities", "to", "digits", "no_doubt"):  # of numbers
+        if getattr(call, name):
+            raise BadRequest(f"{flag} and --{name.replace('_', '-')} exclude each other")
     loads = call.loads
     if (count := len(call.sweep) // len(call.models)) > 1:
         raise BadRequest(f"a picture shows one contact; {count} were given")

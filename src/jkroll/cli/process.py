@@ -53,13 +53,13 @@ HINTS: Mapping[str, str] = {
     "batch --digits": "the results of a table have all their digits",
     **dict.fromkeys(("-R", "--radius"), "a radius stands alone: jkroll pull-off quartz 100nm"),
     **dict.fromkeys(("--roughness", "--rms", "--humidity", "--temperature"), _NOT_MODELLED),
-    **{f"export {flag}": "it writes to standard output: add > FILE" for flag in ("-o", "--output", "--out")},
-    **{
-        f"{command} {flag}": "--data FILE writes the numbers as CSV"
-        for command in ("map", "figure")
-        for flag in ("--csv", "--json")
-    },
-    **{f"batch {flag}": "--format and the name of the file say the format" for flag in ("--json", "--csv", "--bare")},
+    **dict.fromkeys(("export -o", "export --output", "export --out"), "it writes to standard output: add > FILE"),
+    **dict.fromkeys(
+        ("map --csv", "map --json", "figure --csv", "figure --json"), "--data FILE writes the numbers as CSV"
+    ),
+    **dict.fromkeys(
+        ("batch --json", "batch --csv", "batch --bare"), "--format and the name of the file say the format"
+    ),
 }
 # Words of a scene that may be given by name, too.
 NAMED = {
