@@ -1,7 +1,7 @@
 """Curves of one contact: force, pressure and moment, in JKR or by several laws of attraction."""
 
 from collections.abc import Callable, Mapping, Sequence
-from itertools import groupby, pairwise
+from itertools import groupby
 from math import inf
 from typing import Any
 
@@ -71,17 +71,18 @@ def _path(scene: Scene, most: float) -> tuple[list[str], Any, Any]:
 
 def _branches(names: Sequence[str], x: Any, y: Any) -> tuple[list[Curve], list[Mark]]:
     """Return the branches of a force curve, the stable one first, and its named states."""
-    named = [place for place, name in enumerate(names) if name in NAMED]
-    between = [place for place, name in enumerate(names) if name not in NAMED]
-    firsts = [(name, next(places)) for name, places in groupby(between, key=names.__getitem__)]
-    ends = pairwise([0, *(first - 1 for _, first in firsts[1:]), len(names) - 1])
+    starts: dict[str, int] = {}  # of the branches, at a state that is the end of the one before
+    points: list[Mark] = []
+    for place, name in enumerate(names):
+        if name in NAMED:
+            text = _NO_LOAD if name == EQUILIBRIUM else name
+            points.append(Mark(text, float(x[place]), float(y[place])))
+        else:
+            starts.setdefault(name, place - 1 if starts else 0)
+    ends = [*[*starts.values()][1:], len(names) - 1]
     curves = [
         Curve(name, x[start : end + 1], y[start : end + 1], _BRANCHES.index(name))
-        for (name, _), (start, end) in zip(firsts, ends, strict=True)
-    ]
-    points = [
-        Mark(_NO_LOAD if names[place] == EQUILIBRIUM else names[place], float(x[place]), float(y[place]))
-        for place in named
+        for (name, start), end in zip(starts.items(), ends, strict=True)
     ]
     return curves[::-1], points
 
