@@ -207,10 +207,10 @@ def _farthest_off(x: Axis, fields: "Sequence[Field]") -> Iterator[str]:
     places = []
     for field in fields:
         for doubt in (doubt for doubt in field.doubts if doubt.limit.bits & OF_LAW):
-            is_off = numpy.isfinite(field.values) & (doubt.excess > 0)
-            excess = numpy.where(is_off, doubt.excess, 0.0)
+            excess = numpy.where(numpy.isfinite(field.values) & (doubt.excess > 0), doubt.excess, 0.0)
             most = int(excess.argmax())
-            places += [(float(excess[most]), float(x.values()[most]), field)] if is_off.any() else []
+            if excess[most] > 0:
+                places.append((float(excess[most]), float(x.values()[most]), field))
     if not places or len({field.given.law.name for field in fields}) > 1:  # several laws can be compared
         return
     _, value, field = max(places, key=itemgetter(0))
