@@ -2,8 +2,8 @@
 
 import pytest
 
-from harness import Run
-from jkroll.text import MAX_QUOTED, MAX_SIZE, quoted, terminal_width
+from harness import Run, Stream
+from jkroll.text import MAX_QUOTED, MAX_SIZE, quoted, say, terminal_width
 
 
 @pytest.mark.parametrize(
@@ -36,3 +36,19 @@ def test_a_quoted_text_is_short_and_printable() -> None:
     text = quoted("\x1b[2J\u202e\n" * 1000)
     assert text.isprintable()
     assert len(text) <= MAX_QUOTED + len("'...'")
+
+
+@pytest.mark.parametrize(
+    ("encoding", "written"),
+    [
+        ("utf-8", "P_c = 3πγR, 50 µm"),
+        ("cp1252", "P_c = 3 pi gamma R, 50 µm"),
+        ("ascii", "P_c = 3 pi gamma R, 50 um"),
+        ("koi8-r", "P_c = 3 pi gamma R, 50 um"),
+    ],
+)
+def test_a_stream_gets_in_ascii_what_it_cannot_encode(encoding: str, written: str) -> None:
+    out = Stream(encoding=encoding)
+    out.reconfigure(errors="jkroll-ascii")
+    say("P_c = 3πγR, 50 µm", out)
+    assert out.text() == f"{written}\n"

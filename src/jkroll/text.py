@@ -58,19 +58,13 @@ def composed(text: str) -> str:
 def _replace(error: UnicodeError) -> tuple[str, int]:
     """Return the replacement of characters that a stream cannot encode: an error handler of `codecs`."""
     assert isinstance(error, UnicodeEncodeError)
-    return ascii_text(error.object[error.start : error.end]), error.end
+    text, start, end = error.object, error.start, error.end
+    before, after = (letter if letter.isascii() else "" for letter in (text[start - 1 : start], text[end : end + 1]))
+    replaced = ascii_text(before + text[start:end] + after)  # spaces stand between a Greek letter and others
+    return replaced[len(before) : len(replaced) - len(after)], end
 
 
 codecs.register_error("jkroll-ascii", _replace)
-
-
-def fitting(text: str, out: TextIO) -> str:
-    """Return a text unchanged if the stream can encode it, else in ASCII."""
-    try:
-        text.encode(out.encoding or "utf-8")
-    except (UnicodeEncodeError, LookupError):
-        return ascii_text(text)
-    return text
 
 
 def json_text(value: Any, out: TextIO) -> str:
@@ -127,7 +121,7 @@ def spelled(number: float) -> str:
 
 def say(text: str, out: TextIO) -> None:
     """Print a line in one piece, so that output that is cut off ends with a whole line."""
-    out.write(fitting(text, out) + "\n")
+    out.write(text + "\n")
 
 
 def say_wrapped(text: str, out: TextIO, indent: int = 2) -> None:
@@ -135,10 +129,8 @@ def say_wrapped(text: str, out: TextIO, indent: int = 2) -> None:
 
     A number stays with its unit.
     """
-    fitted = fitting(text, out)
-    if out.isatty() and len(fitted) > terminal_width():
-        fitted = "\n".join(wrapped(fitted, terminal_width(), indent))
-    out.write(fitted + "\n")
+    is_long = out.isatty() and len(text) > terminal_width()
+    say("\n".join(wrapped(text, terminal_width(), indent)) if is_long else text, out)
 
 
 NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"

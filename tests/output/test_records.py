@@ -15,8 +15,9 @@ RECORDS: Sequence[Sequence[Cell]] = (("iron, γ = 3", 1.2345678901234567e-08), (
 
 
 def written(kind: str, encoding: str = "utf-8") -> str:
-    """Return the records in a format."""
+    """Return the records in a format, as a program writes them."""
     out = Stream(encoding=encoding)
+    out.reconfigure(errors="jkroll-ascii")
     write_records(HEADS, RECORDS, kind, out)
     return out.text()
 

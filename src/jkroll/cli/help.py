@@ -1,12 +1,11 @@
 """The help: of the program by what is to be done, and of a command in groups of options, each on a screen."""
 
 import re
-import sys
 from collections.abc import Iterable, Sequence
 
 from ..answers.questions import QUESTIONS
 from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR
-from ..text import fitting, terminal_width, wrapped
+from ..text import terminal_width, wrapped
 from .commands import COMMANDS, HELP, JOBS, OTHERS, PROGRAM, Option
 
 TITLE = "Two elastic spheres touch and stick: forces, rolling, vibrations, doubts."
@@ -28,9 +27,9 @@ Row = tuple[str, str]  # what is typed, and its meaning
 
 
 def help_of(name: str | None) -> str:
-    """Return the help of a command, or of the program, as stdout can encode it."""
+    """Return the help of a command, or of the program."""
     width = max(MIN_WIDTH, min(MAX_WIDTH, terminal_width() - 2))
-    return fitting("\n".join(_of_command(name, width) if name else _of_program(width)), sys.stdout)
+    return "\n".join(_of_command(name, width) if name else _of_program(width))
 
 
 def _of_program(width: int) -> list[str]:

@@ -15,7 +15,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.sweep import Sweep
 from ..scene.scene import Scene
 from ..scene.wiring import formula_of
-from ..text import ending, fitting, quoted, say_wrapped
+from ..text import ending, quoted, say_wrapped
 from .call import Call, worded
 
 if TYPE_CHECKING:
@@ -136,7 +136,7 @@ def deliver(
 
         writer = WRITERS["plain" if call.kind == "table" else call.kind]
         for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
-            sys.stdout.write(fitting(text.decode(), sys.stdout))
+            sys.stdout.write(text.decode())
         sys.stdout.flush()
 
 

@@ -9,7 +9,7 @@ from ..errors import BadRequest
 from ..materials.library import Material
 from ..quantities.errors import QUANTITY_SYNONYMS
 from ..quantities.nomenclature import NOMENCLATURE, named, with_symbol
-from ..text import LETTERS, closest, first_of, fitting, quoted, say, terminal_width
+from ..text import LETTERS, closest, first_of, quoted, say, terminal_width
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
@@ -72,7 +72,7 @@ def sections() -> list[Section]:
 def write_text(text: str, out: TextIO) -> None:
     """Write Markdown: in a pipe as it is, on a terminal in lines that are comfortable to read."""
     if not out.isatty():
-        out.write(fitting(text, out))
+        out.write(text)
         return
     from rich.console import Console
     from rich.markdown import CodeBlock, Markdown
@@ -89,7 +89,7 @@ def write_text(text: str, out: TextIO) -> None:
 
     width = min(terminal_width(), MAX_TEXT)
     console = Console(file=out, width=width, highlight=False, markup=False, emoji=False)
-    console.print(Page(fitting(text, out), hyperlinks=False), crop=False, soft_wrap=False)
+    console.print(Page(text, hyperlinks=False), crop=False, soft_wrap=False)
 
 
 def write_topics(out: TextIO) -> None:

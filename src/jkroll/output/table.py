@@ -23,7 +23,7 @@ from ..quantities.values import Interval, of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA, SIO2, rolled_solid
 from ..scene.limits import OF_LAW, codes_of
-from ..text import fitting, say, say_wrapped, terminal_width, width_of
+from ..text import say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -65,11 +65,11 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         unit = _unit(name, numbers, form)
         texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), pretty(unit[0]) if numbers else ""]
         rows.append([*texts, *(_cell(value, unit, form) for value in values)])
-    words, symbols, units, *columns = _columns(rows, texts=3)
+    words, symbols, units, *columns = columns_of(rows, texts=3)
     write_table([words, symbols], columns, out, trailing=[units])
 
 
-def _columns(rows: Iterable[Sequence[str]], *, texts: int) -> list[Column]:
+def columns_of(rows: Iterable[Sequence[str]], *, texts: int) -> list[Column]:
     """Return the columns of rows, the first of which has the heads; `texts`: the number of those with words."""
     return [Column(head, cells, place >= texts) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
 
@@ -140,8 +140,8 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     ]
     doubts = [_worst(bits & ~OF_LAW) for bits in as_list(columns.doubts)]
     results += [Column(DOUBT, doubts, is_right=False)] if any(doubts) else []
-    across = _columns([(column.head, *column.cells) for column in (*leading, *results)], texts=1)
-    if _fits(across, out) and not _fits([*leading, *results], out):
+    across = columns_of([(column.head, *column.cells) for column in (*leading, *results)], texts=1)
+    if _fits(across) and not _fits([*leading, *results]):
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
 
@@ -237,9 +237,9 @@ def write_table(
     Those below the first leave out rows in which they say nothing.
     """
     while columns:
-        ends = accumulate((_size([column], out) for column in columns), initial=_size([*leading, *trailing], out))
+        ends = accumulate((_size([column]) for column in columns), initial=_size([*leading, *trailing]))
         count = max(sum(end <= terminal_width() + _GAP for end in ends) - 1, 1)
-        say("\n".join(_lines([*leading, *columns[:count], *trailing], out)), out)
+        say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
         columns = columns[count:]
         is_said = [any(map(_is_own, cells)) for cells in zip(*(column.cells for column in columns), strict=True)]
         leading, columns, trailing = (_of_rows(each, is_said) for each in (leading, columns, trailing))
@@ -258,34 +258,34 @@ def _of_rows(columns: Iterable[Column], are_shown: Sequence[bool]) -> list[Colum
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
     """Write rows of texts; what is wider than the terminal goes on below the last column."""
-    columns = _columns([heads, *rows], texts=len(heads))
-    left = _size(columns[:-1], out)
+    columns = columns_of([heads, *rows], texts=len(heads))
+    left = _size(columns[:-1])
     width = max(terminal_width(), left + _LEAST_TEXT)
-    for line in _lines(columns, out):
+    for line in _lines(columns):
         say("\n".join(wrap(line, width, subsequent_indent=" " * left)), out)
 
 
-def _lines(columns: Iterable[Column], out: TextIO) -> list[str]:
+def _lines(columns: Iterable[Column]) -> list[str]:
     """Return the heads of columns, a line below them, and the rows."""
-    lines = [(" " * _GAP).join(cells) for cells in zip(*(_padded(column, out) for column in columns), strict=True)]
+    lines = [(" " * _GAP).join(cells) for cells in zip(*(padded(column) for column in columns), strict=True)]
     rule = "─" * min(width_of(lines[0]), terminal_width())
     head, *rows = (line.rstrip() for line in lines)
     return [head, rule, *rows]
 
 
-def _padded(column: Column, out: TextIO) -> list[str]:
+def padded(column: Column) -> list[str]:
     """Return the head and the cells of a column, all as wide as the widest of them."""
-    texts = [fitting(text, out) for text in (column.head, *column.cells)]
+    texts = [column.head, *column.cells]
     width = max(map(width_of, texts))
     blanks = [" " * (width - width_of(text)) for text in texts]
     return [blank + text if column.is_right else text + blank for blank, text in zip(blanks, texts, strict=True)]
 
 
-def _size(columns: Iterable[Column], out: TextIO) -> int:
+def _size(columns: Iterable[Column]) -> int:
     """Return the width of columns on a terminal, with the blanks behind each."""
-    return sum(width_of(_padded(column, out)[0]) + _GAP for column in columns)
+    return sum(width_of(padded(column)[0]) + _GAP for column in columns)
 
 
-def _fits(columns: Iterable[Column], out: TextIO) -> bool:
+def _fits(columns: Iterable[Column]) -> bool:
     """Return whether columns fit the terminal beside each other."""
-    return _size(columns, out) <= terminal_width() + _GAP
+    return _size(columns) <= terminal_width() + _GAP

@@ -20,7 +20,7 @@ from ..quantities.nomenclature import INFINITY, header
 from ..quantities.values import middle
 from ..rows.columns import DOUBT, Columns, Wanted, as_list, remarks_of
 from ..scene.limits import codes
-from ..text import fitting, json_text, quoted, say, spelled
+from ..text import json_text, quoted, say, spelled
 
 STRIP = 256  # rows written at once: their text stays in the cache, and is no large piece of memory
 
@@ -257,7 +257,7 @@ def write_columns(heads: Sequence[str], columns: Sequence[Any], kind: str, out: 
     """Write columns as text in a format whose rows are lines."""
     writer = WRITERS[kind]
     text = writer.header(heads) + (writer.rows(heads, columns) if columns else b"")
-    out.write(fitting(text.decode(), out))
+    out.write(text.decode())
 
 
 def _text(cell: Cell) -> str:

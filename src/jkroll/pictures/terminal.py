@@ -1,16 +1,16 @@
 """Maps and curves in a terminal: a map as a table of numbers, curves as rows."""
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from math import isfinite, nan
 from typing import Any, TextIO
 
 import numpy
 
-from ..output.table import Column, write_table
+from ..output.table import Column, columns_of, padded, write_table
 from ..quantities.formatting import amount, in_units
 from ..quantities.markup import plain, symbol
-from ..text import fitting, say, terminal_width, width_of, wrapped
+from ..text import say, terminal_width, width_of, wrapped
 from .picture import LOOKS, PAPER, Axis, Map, Panel, Picture, bracketed, described, evaluate, extent, over, quantity_of
 
 ROWS, COLUMNS = 13, 9  # of a map
@@ -33,7 +33,8 @@ def write_map(drawn: Map, out: TextIO) -> None:
         values = evaluate(drawn.scene, drawn.quantity, x, y)
         cells, unit, seen = _cells(drawn, x, y, values)
         rows = [(head, *of_row) for head, of_row in zip(of_y, cells, strict=True)]
-        heads, *aligned = _aligned([(quantity_of(y.name).symbol, *of_x), *rows[::-1]], out)
+        columns = columns_of([(quantity_of(y.name).symbol, *of_x), *rows[::-1]], texts=1)
+        heads, *aligned = zip(*map(padded, columns), strict=True)
         if width_of(_GAP.join(heads)) <= terminal_width():
             break
     _say([drawn.titled(unit), f"Down: {described(y.name, unit_of_y)}. Across: {described(x.name, unit_of_x)}."], out)
@@ -124,17 +125,6 @@ def _columns(panel: Panel) -> list[Column]:
         texts, unit = in_units(quantity_of(axis.name).unit, values, DIGITS + 1, is_log=axis.is_log)
         columns.append(Column(quantity_of(axis.name).symbol + bracketed(unit), texts))
     return columns
-
-
-def _aligned(rows: Iterable[Sequence[str]], out: TextIO) -> list[list[str]]:
-    """Return rows of cells as wide as their columns: names in the first are set to the left, numbers to the right."""
-    texts = [[fitting(cell, out) for cell in row] for row in rows]
-    sizes = [max(map(width_of, column)) for column in zip(*texts, strict=True)]
-    aligned = []
-    for head, *cells in texts:
-        blanks = [" " * (size - width_of(cell)) for cell, size in zip((head, *cells), sizes, strict=True)]
-        aligned.append([head + blanks[0], *(blank + cell for blank, cell in zip(blanks[1:], cells, strict=True))])
-    return aligned
 
 
 def _say(texts: Iterable[str], out: TextIO) -> None:
