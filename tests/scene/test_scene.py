@@ -1,6 +1,8 @@
 """Scenes: one plan for all that is asked, failures that leave other quantities alone, and changed inputs."""
 
+import gc
 from typing import Any
+from weakref import ref
 
 import numpy
 import pytest
@@ -10,6 +12,7 @@ from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.scene.alternatives import at_half_spacing, by_law
 from jkroll.scene.failures import (
     BEYOND_PULL_OFF,
     NO_CHAIN,
@@ -115,3 +118,17 @@ def test_spheres_that_are_bound_without_touching_have_no_contact_that_is_stiff(n
     apart: dict[str, Any] = {"model": "maugis", "atomic_spacing": 4e-10, "approach_at_load": -3.89e-10}
     assert solve("contact_radius_at_load", **QUARTZ, **apart) == 0
     assert solve(name, **QUARTZ, **apart) == 0
+
+
+def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
+    """A search for cycles comes after 50 000 new objects, of which a block of a long table leaves a handful."""
+    gc.disable()
+    try:
+        scene = Scene({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})
+        by_law(scene).evaluate(LIMIT_NAMES)
+        at_half_spacing(by_law(scene)).evaluate(LIMIT_NAMES)
+        last_seen = ref(scene)
+        del scene
+        assert last_seen() is None
+    finally:
+        gc.enable()

@@ -225,7 +225,10 @@ class Scene:
         `changed`: the quantities that have other values, or other formulas.
         """
         scene = self.replace(**values)
-        scene._original, scene._changed = self, frozenset(changed) | (values.keys() - self.known)
+        # With the same values, but without alternatives: a circle would keep arrays until a search for cycles.
+        scene._original = Scene.__new__(Scene)
+        scene._original.__dict__.update(self.__dict__, alternatives={})
+        scene._changed = frozenset(changed) | (values.keys() - self.known)
         return scene
 
     @property
