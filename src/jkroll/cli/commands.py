@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
@@ -17,27 +17,21 @@ if TYPE_CHECKING:
 MAX_DIGITS = 9  # of a number
 
 
-class Option(NamedTuple):
+class Option:
     """An option, by the name of its value in `Call`, in the Job of `batch`, or in the nomenclature.
 
-    The help of an input is its sentence in the nomenclature, unless the option has a text of its own.
+    Its help stands in a `group`, for an input as the sentence of the nomenclature; a `hidden` one has no text.
+    Without a `metavar` for its value it is a switch. The value is a whole number from `low` to `high`, or a text where
+    `high` is 0. Where the option `repeats`, it is a tuple.
     """
 
-    name: str
-    flag: str
-    help: str = ""
-    metavar: str = ""  # of its value; without one it is a switch
-    low: int = 0
-    high: int = 0  # of a whole number; 0 where the value is a text
-    hidden: bool = False
-    short: str = ""
-    repeats: bool = False  # the values are a tuple
-    group: str = "Output"  # of the help; inputs have groups of their own
-
-    @property
-    def flags(self) -> tuple[str, ...]:
-        """The spellings of the option."""
-        return (self.flag, self.short) if self.short else (self.flag,)
+    def __init__(
+        self, name: str, flag: str, help: str = "", metavar: str = "", low: int = 0, high: int = 0, *,
+        short: str = "", hidden: bool = False, repeats: bool = False, group: str = "Output",
+    ) -> None:  # fmt: skip
+        self.name, self.flag, self.help, self.metavar, self.low, self.high = name, flag, help, metavar, low, high
+        self.short, self.hidden, self.repeats, self.group = short, hidden, repeats, group
+        self.flags = (flag, short) if short else (flag,)  # its spellings
 
     def read(self, text: str) -> str | int:
         """Return the value that a text stands for, or raise BadRequest."""
@@ -61,6 +55,11 @@ class Option(NamedTuple):
         meaning = NOMENCLATURE[self.name].sentence
         default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
         return f"{capitalized(meaning)}{default}{_WITH.get(self.name, '')}."
+
+
+def _unseen(option: Option) -> Option:
+    """Return an option of which the help has the name alone."""
+    return Option(option.name, option.flag, option.help, option.metavar, hidden=True)
 
 
 # What goes with an input, or in its place.
@@ -90,8 +89,8 @@ _OUTPUT = (
     Option("csv", "--csv", _FORMAT),
     Option("bare", "--bare", _FORMAT),
     Option("target", "-o", "Write a file", "OUT"),
-    NO_DOUBT._replace(hidden=True),
-    ALTERNATIVES._replace(hidden=True),
+    _unseen(NO_DOUBT),
+    _unseen(ALTERNATIVES),
     Option("explain", "--explain", _INSTEAD),
     Option("cite", "--cite", _INSTEAD),
     Option("tex", "--tex", "Instead of BibTeX, a paragraph for a Methods section"),
@@ -123,7 +122,7 @@ PICTURE = (
     Option("data", "--data", "Write the numbers as CSV; - is standard output", "FILE"),
     Option("target", "-o", "Draw a .svg, .pdf or .png file (plot extra)", "FILE"),
     *STYLE,
-    UNCAPTIONED._replace(help=_OMITTED),
+    Option("uncaptioned", "--no-caption", _OMITTED),
     Option("plain", "--plain", _OMITTED),
     MATERIALS,
     QUIET,
@@ -209,34 +208,22 @@ Action = Callable[[], int]  # what a command line asks for; it returns the exit 
 JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
 
 
-class Command(NamedTuple):
-    """A command. Its runner, `module:function`, answers a call and returns the exit code.
+class Command:
+    """A command, with the `words` that it takes besides its options, as the help shows them.
 
-    The module is imported when the command is called, so that each call pays for its own command only.
+    Its runner, `module:function`, answers a call and returns the exit code. The module is imported when the command is
+    called, so that each call pays for its own command only.
     """
 
-    name: str
-    sentence: str
-    words: str  # that it takes besides its options, as the help shows them
-    options: Callable[[], tuple[Option, ...]]
-    runner: str
-    example: str
-    job: str = OTHERS
-
-    @property
-    def kinds(self) -> tuple[str, ...]:
-        """The kinds of words, by rising place: MATERIAL, RADIUS and so on."""
-        return tuple(word.strip("[].") for word in self.words.split())
-
-    @property
-    def most_words(self) -> float:
-        """The largest number of words: any where some can be left out."""
-        return INFINITY if "[" in self.words else len(self.kinds)
-
-    @property
-    def has_subject(self) -> bool:
-        """True if the first word is needed: it says what the command is about."""
-        return self.words != "" and not self.words.startswith("[")
+    def __init__(
+        self, name: str, sentence: str, words: str, options: Callable[[], tuple[Option, ...]], runner: str,
+        example: str, job: str = OTHERS,
+    ) -> None:  # fmt: skip
+        self.name, self.sentence, self.words, self.options = name, sentence, words, options
+        self.runner, self.example, self.job = runner, example, job
+        self.kinds = tuple(word.strip("[].") for word in words.split())  # MATERIAL, RADIUS and so on, by rising place
+        self.most_words = INFINITY if "[" in words else len(self.kinds)  # any where some can be left out
+        self.has_subject = words != "" and not words.startswith("[")  # the first word says what the command is about
 
     def flags(self) -> dict[str, Option]:
         """Return the options by their spellings."""
@@ -294,7 +281,7 @@ _COMMANDS = (
     _question("frequencies", CONTACT, "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane"),
     _question("n-roll", DUST, "Turns of a sphere over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
     _question("contact", CONTACT, "Contact radius, indentation, stiffness and pressure.", "quartz 100nm --load -5nN",
-        CURVE, MARKED, *(option._replace(hidden=True) for option in (*STYLE, UNCAPTIONED, PANEL)),
+        CURVE, MARKED, *map(_unseen, (*STYLE, UNCAPTIONED, PANEL)),
         runner="question:run_contact"),
     _question("moment", ROLLING, "Moment that starts rolling, by model.", "quartz 100nm --xi 1angstrom"),
     _question("energies", DUST, "Energies and speeds to break, stick and roll, by author.",
