@@ -121,7 +121,7 @@ def hits_of(words: Sequence[str], materials: Iterable[Material]) -> Hits:
     holding = [section for section in sections() if has_words(f"{section.title} {section.prose}", begun)]
     return Hits(
         titled or [section for section in holding if section.page != HISTORY] or holding,
-        _quantities_with(words, only_by_name=bool(titled)),
+        _quantities_with(words),
         [material.name for material in materials_with(words, materials)],
     )
 
@@ -147,21 +147,16 @@ def quantities_named(words: Sequence[str]) -> list[str]:
     return [named(text)] if named(text) in NOMENCLATURE else with_symbol(text)
 
 
-def _quantities_with(words: Sequence[str], *, only_by_name: bool) -> list[str]:
+def _quantities_with(words: Sequence[str]) -> list[str]:
     """Return the quantity that others call so, those with the words in their names, and those with them in meaning.
 
-    The last are left out with `only_by_name` if there are no others. Variants stand last, and only where their quantity
-    is not found.
+    Variants stand last, and only where their quantity is not found.
     """
     begun = words_of(words)
-    by_name = {name for name in NOMENCLATURE if has_words(_called(name), begun)}
     names = [name for name in NOMENCLATURE if has_words(f"{_called(name)} {NOMENCLATURE[name].sentence}", begun)]
-    names.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), name not in by_name))
-    if meant := QUANTITY_SYNONYMS.get("_".join(" ".join(words).split()).casefold()):
-        names.insert(0, meant)
-    elif only_by_name and not by_name:
-        return []
-    return without_variants([*dict.fromkeys(names)])
+    names.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), not has_words(_called(name), begun)))
+    meant = QUANTITY_SYNONYMS.get("_".join(" ".join(words).split()).casefold())
+    return without_variants([*dict.fromkeys([meant, *names] if meant else names)])
 
 
 def without_variants(names: Sequence[str]) -> list[str]:
