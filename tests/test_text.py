@@ -6,15 +6,13 @@ from harness import Run, Stream
 from jkroll.text import MAX_QUOTED, MAX_SIZE, quoted, say, terminal_width
 
 
-@pytest.mark.parametrize(
-    ("stated", "size"), [("100", 100), ("1", 1), ("9999999", MAX_SIZE), ("9" * 5000, MAX_SIZE), ("0100", 100)]
-)
+@pytest.mark.parametrize(("stated", "size"), [("100", 100), ("1", 1), ("9999999", MAX_SIZE), ("0100", 100)])
 def test_a_stated_width_of_the_terminal_is_bounded(monkeypatch: pytest.MonkeyPatch, stated: str, size: int) -> None:
     monkeypatch.setenv("COLUMNS", stated)
     assert terminal_width() == size
 
 
-@pytest.mark.parametrize("stated", ["", "0", "-5", "1e3", "x", "٣"])
+@pytest.mark.parametrize("stated", ["", "0", "-5", "1e3", "x", "9" * 5000])
 def test_a_width_that_is_no_number_is_ignored(monkeypatch: pytest.MonkeyPatch, stated: str) -> None:
     monkeypatch.delenv("COLUMNS")
     own = terminal_width()
