@@ -132,7 +132,7 @@ def _found(result: Result, form: Format) -> list[str]:
 
 def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     """Return a line with the symbol and value of an input or a step, and a remark beside it."""
-    measure = scene.uncertainty_of(name) or scene.values[name]
+    measure = scene.uncertainties.get(name) or scene.values[name]
     value = f"{NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
     return f"    {value:22} {remark}"
 

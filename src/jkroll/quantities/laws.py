@@ -257,14 +257,9 @@ def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[
 
 
 @cache
-def _formulas_of(model: str) -> frozenset[str | None]:
-    """Return all formulas by which a law has quantities, whatever is given."""
-    return frozenset(formula for _, table in tables_of(LAWS[model]) for formula in table.values())
-
-
 def law_of(formula: str) -> str | None:
     """Return the only law that has some quantity by a formula; None if there is none, or several."""
-    laws = [model for model in LAWS if formula in _formulas_of(model)]
+    laws = [model for model in LAWS if any(formula in routes for routes in routes_anywhere((model,)).values())]
     return laws[0] if len(laws) == 1 else None
 
 

@@ -102,13 +102,6 @@ DEFAULTS = {
     "atomic_spacing": 4e-10,
     "cutoff": 1.65e-10,
 }
-# What says the same as a default.
-_SAYS = {
-    "load": STATE,
-    XI: IN_ITS_PLACE,
-    "atomic_spacing": ("hamaker",),
-}
-
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "radius2": (INFINITY, {"radius_ratio": 0.0, **dict.fromkeys(_OF_A_PLANE, INFINITY)}),
@@ -147,7 +140,7 @@ class Scene:
 
     The inputs that were given by name are `stated`; with the properties of the materials they are `given`; with what is
     assumed and what follows from the value of an input they are `known`. `values` are those of the known names and of
-    all results so far.
+    all results so far, where an error stands for a result that does not exist.
 
     >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{scene['pull_off_force']:.4e}"
@@ -195,9 +188,8 @@ class Scene:
             self.values = {**values, **self.values}
         self.known = interned(frozenset(self.values))
         self.is_rigid = _is_rigid(self.given, own_material2=material2 is not None)
-        self._failures: dict[str, JkrollError] = {}
         if self.is_rigid is True:
-            self._failures |= {name: Failure(TWO_RIGID_BODIES) for name in _ON_AREA if name not in self.values}
+            self.values = {**dict.fromkeys(_ON_AREA, Failure(TWO_RIGID_BODIES)), **self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
         self._original: Scene | None = None  # the scene in whose place this one may stand
         self._changed: frozenset[str] = frozenset()  # the quantities that differ from those of the original
@@ -251,7 +243,9 @@ class Scene:
 
     def _assumed(self) -> dict[str, float]:
         """Return the defaults of what nothing else says. A solid says where rolling begins, if it was measured."""
-        said = {name for name, same in _SAYS.items() if not self.given.keys().isdisjoint(same)}
+        said = {name for names in EXCLUSIVE if not self.given.keys().isdisjoint(names) for name in names}
+        if "hamaker" in self.given:  # from which both follow
+            said.add("atomic_spacing")
         if any(solid.displacement is not None for solid, _ in self.materials):
             said.add(XI)
         return {name: value for name, value in DEFAULTS.items() if name not in said}
@@ -271,19 +265,11 @@ class Scene:
         """Return the materials and those of their properties that are inputs and were not stated otherwise."""
         return [used for name, used in self.data.items() if name in inputs]
 
-    @property
-    def is_uncertain(self) -> bool:
-        """True if an input, or a property of a material, has an uncertainty."""
-        return bool(self.uncertain) or any(self.uncertainty_of(name) is not None for name in self.data)
-
-    def uncertainty_of(self, name: str) -> Uncertain | None:
-        """Return the uncertainty of an input, whether it was stated or is that of a material; None if it has none."""
-        if name == XI and self.displacement is not None:
-            return self.displacement
-        if name in self.data:
-            material, of_material = self.data[name]
-            return material.uncertainties.get(of_material)
-        return self.uncertain.get(name)
+    @cached_property
+    def uncertainties(self) -> Mapping[str, Uncertain]:
+        """The uncertainties of inputs, whether they were stated or are those of materials."""
+        bars = {name: solid.uncertainties.get(of_solid) for name, (solid, of_solid) in self.data.items()}
+        return {name: bar for name, bar in {**bars, XI: self.displacement, **self.uncertain}.items() if bar is not None}
 
     @property
     def is_identical(self) -> Any:
@@ -442,18 +428,15 @@ class Scene:
 
     def _value(self, plan: Plan) -> Any:
         """Return the value at the end of a plan, or the error of the first formula that has no result."""
-        name, values, failures = plan.name, self.values, self._failures
+        name, values = plan.name, self.values
         if name in values:
             return values[name]
-        if name in failures:
-            return failures[name]
         if self._original is not None and self._changed.isdisjoint(plan.reached):
-            value = self._original._value(plan)
+            values[name] = self._original._value(plan)
             self._gaps |= self._original._gaps & {name}
         else:
-            value = self._computed(plan)
-        (failures if isinstance(value, JkrollError) else values)[name] = value
-        return value
+            values[name] = self._computed(plan)
+        return values[name]
 
     def _computed(self, plan: Plan) -> Any:
         """Return what a formula makes of its arguments, or the error of one of them, or of a number that is no answer.
@@ -462,9 +445,9 @@ class Scene:
         """
         name, values, given = plan.name, self.values, {}
         for parameter, argument in plan.arguments:
-            if argument.name not in values and isinstance(error := self._value(argument), JkrollError):
-                return error
-            given[parameter] = values[argument.name]
+            given[parameter] = value = values[argument.name] if argument.name in values else self._value(argument)
+            if isinstance(value, JkrollError):
+                return value
         try:
             value = plan.formula(**given)
         except (ArithmeticError, ValueError):

@@ -90,7 +90,7 @@ def _stated(scene: Scene) -> Iterator[Source]:
 def _of_materials(scene: Scene) -> Iterable[Source]:
     sources: dict[tuple[tuple[str, str], str], Source] = {}
     for name, (material, of_material) in scene.data.items():
-        if (given := scene.uncertainty_of(name)) is not None:
+        if (given := scene.uncertainties.get(name)) is not None:
             key = (material.key, of_material)
             names = (*sources[key].names, name) if key in sources else (name,)
             sources[key] = Source(names, given)
