@@ -114,7 +114,7 @@ class Answer:
 
     @cached_property
     def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        if not self.scene.uncertainties:
+        if not self.scene.is_uncertain:
             return {}, None
         from ..scene.uncertainty import uncertainties
 

@@ -244,7 +244,7 @@ def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
     """Iterate over the notes that follow from what is given, not from numbers: the same for all rows of a kind."""
     if not (possible := scene.possible(names)):
         return
-    if scene.uncertainties:
+    if scene.is_uncertain:
         from ..scene.uncertainty import sources_of_results
 
         with suppress(JkrollError):  # each row says which kinds do not go together

@@ -86,7 +86,7 @@ class Wanted(_Request):
         names_of = names_beside(scenes, [name for name in self.names if name in names])
         sides = {**(self.sides or {})}
         for scene in scenes if self.sides is not None else ():
-            if scene.uncertainties:
+            if scene.is_uncertain:
                 from ..scene.uncertainty import sides_of_results
 
                 other = by_law(scene)
@@ -111,7 +111,7 @@ class Wanted(_Request):
 
         `names`: of the quantities, by default of all. Raises a JkrollError for sources that do not go together.
         """
-        if self.sides is None or not scene.uncertainties:
+        if self.sides is None or not scene.is_uncertain:
             return None
         from ..scene.uncertainty import sources_of_results
 

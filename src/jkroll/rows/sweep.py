@@ -152,7 +152,7 @@ def entering(
     for scene in scenes:
         names = shown(scene)
         inputs.update(scene.echo(scene.inputs_used(quantities, names)))
-        if scene.uncertainties:
+        if scene.is_uncertain:
             from ..scene.uncertainty import sides_of_results
 
             for name, of_name in sides_of_results(scene, names).items():

@@ -217,7 +217,7 @@ def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene]
     """
     outcomes = {name: written_outcome(name, value) for name, value in alternative(scene).evaluate(names).items()}
     values = {name: None if isinstance(value, JkrollError) else value for name, value in outcomes.items()}
-    if not scene.uncertainties:
+    if not scene.is_uncertain:
         return values
     from .uncertainty import Propagated, uncertainties
 

@@ -169,7 +169,7 @@ class Problem(NamedTuple):
     @property
     def is_uncertain(self) -> bool:
         """True if a measured value, or something in the scene, has an uncertainty."""
-        return any(map(is_uncertain, self.measured.values())) or bool(self.scene.uncertainties)
+        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
 
     def names_of(self, unknown: str) -> tuple[str, ...]:
         """Return the names of an unknown in the scene: those of both spheres if one material was named for both."""

@@ -272,6 +272,11 @@ class Scene:
         return {name: bar for name, bar in {**bars, XI: self.displacement, **self.uncertain}.items() if bar is not None}
 
     @property
+    def is_uncertain(self) -> bool:
+        """True if an input, or a property of a material, has an uncertainty."""
+        return bool(self.uncertainties)
+
+    @property
     def is_identical(self) -> Any:
         """True if nothing was said that makes sphere 2 differ from sphere 1, element by element for arrays."""
         of_2 = {of_sphere(1, name): value for name, value in self.given.items() if NOMENCLATURE[name].sphere == 2}
