@@ -113,10 +113,8 @@ def _material(argument: str, material: str | Material | None, materials: Materia
         return (materials or known_materials())[material]
     if material is None:
         return None
-    if not isinstance(material, Material):
+    if not (isinstance(material, Material) and isinstance(material.properties, Mapping)):
         raise QuantityError(argument, str(material), "is not the name of one material", 'write "quartz"')
-    if not isinstance(material.properties, Mapping):
-        raise QuantityError(argument, str(material.properties), "is not a mapping of properties", "write {name: value}")
     properties, _ = in_si(material.properties)
     for name, value in properties.items():
         if not NOMENCLATURE[name].twin:
