@@ -425,7 +425,7 @@ class Scene:
 
     def lose(self, failure: Failure) -> None:
         """Take away a value that this scene does not have, but for the rounding error of a formula."""
-        self._failures[self.plan(failure.name).name] = failure
+        self.values[self.plan(failure.name).name] = failure
 
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
