@@ -235,8 +235,8 @@ def _read(material: Material, table: Mapping[str, Any], references: Mapping[str,
             if lacking := [each for each in needed if each not in given]:
                 raise Malformed(f"{shown(where)} has no {lacking[0]}")
             values[key] = _value(key, given["value"], name, where)
-            if origin := {each: given[each] for each in ORIGIN if given.get(each, "") != ""}:
-                origins[key] = texts(origin, dict, where)
+            if given is table[key]:
+                origins[key] = texts({each: given[each] for each in ORIGIN if given.get(each, "") != ""}, dict, where)
         displacement = None
         if (measured := values.pop(XI, None)) is not None:
             radius = _value("radius", table[XI]["radius"], name, f"{name}.{XI}.radius")
