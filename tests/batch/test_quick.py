@@ -12,7 +12,7 @@ from jkroll.batch.files import SEPARATORS
 from jkroll.batch.lines import Delimited, as_lines
 from jkroll.batch.run import Converted, Converter, Job
 from jkroll.materials.library import known_materials
-from jkroll.rows.cells import Column
+from jkroll.rows import cells
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
 PLAIN = st.sampled_from(
@@ -71,7 +71,7 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
     quick = converted(dialect, end, text, excel_safe=excel_safe)
     with (
         patch.object(Delimited, "_cut", return_value=None),
-        patch.object(Column, "_together", return_value=None),
+        patch.object(cells, "plain_numbers", return_value=None),
     ):
         careful = converted(dialect, end, text, excel_safe=excel_safe)
     assert quick == careful
@@ -82,7 +82,7 @@ def test_the_quick_way_is_taken() -> None:
     convert = converter("csv", "\n", excel_safe=False)
     with (
         patch.object(Delimited, "_read", side_effect=AssertionError),
-        patch.object(Column, "_of_many_kinds") as one_by_one,
+        patch.object(cells, "_meaning") as one_by_one,
     ):
         found = convert.converted(text)
     assert (found.tally.rows, found.tally.failed, found.tally.doubtful) == (301, 1, 300)

@@ -93,8 +93,7 @@ class Column(NamedTuple):
     def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
         """Return the numbers of a block of cells, by the names of the columns."""
         cells = columns[self.name] if not self.sides else self._with_sides(columns)
-        match = _CELL.fullmatch(next(filter(None, cells), b""))
-        values = self._together(cells, (match and match[2]) or b"")
+        values = None if self.exponent is None else plain_numbers(cells, self.exponent)
         return Numbers(values) if values is not None else self._of_many_kinds(cells)
 
     def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
@@ -102,35 +101,23 @@ class Column(NamedTuple):
         rows = zip(*(columns[name] for name in self.places), strict=True)
         return [self.joined(*(cell.decode(errors="replace") for cell in row)).encode() for row in rows]
 
-    def _together(self, cells: Sequence[bytes], unit: bytes) -> Floats | None:
-        """Return the numbers of cells that are plain numbers with the same unit behind them, or empty; else None."""
-        exponent = self.exponent if not unit else _exponent(unit, self.name)
-        if exponent is None or (unit and unit in cells):  # a unit without a number is no empty cell
-            return None
-        text = b",".join(cells) + b","
-        if unit:
-            unit += b","
-            if text.count(unit) + cells.count(b"") != len(cells):
-                return None
-            text = text.replace(unit, b",")
-        return plain_numbers(text, exponent, len(cells))
-
     def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
-        """Return the numbers of cells of which some are no numbers, or have other units than others."""
+        """Return the numbers of cells of which some are no numbers, or have units of their own."""
         values = numpy.full(len(cells), numpy.nan)
-        by_unit: dict[bytes, list[int]] = {}
+        by_exponent: dict[int, dict[int, bytes]] = {}
         others: list[int] = []
         for place, cell in enumerate(cells):
-            if match := _CELL.fullmatch(cell):
-                by_unit.setdefault(match[2] or b"", []).append(place)
+            match = _CELL.fullmatch(cell)
+            exponent = (_exponent(match[2], self.name) if match[2] else self.exponent) if match else None
+            if match and exponent is not None:
+                by_exponent.setdefault(exponent, {})[place] = match[1]
             elif cell and not cell.isspace():
                 others.append(place)
-        for unit, places in by_unit.items():
-            numbers = self._together([cells[place] for place in places], unit)
-            if numbers is None:
-                others += places
+        for exponent, texts in by_exponent.items():
+            if (numbers := plain_numbers([*texts.values()], exponent)) is not None:
+                values[[*texts]] = numbers
             else:
-                values[places] = numbers
+                others += texts
         meanings = {place: _meaning(self, cells[place]) for place in others}
         odd = [place for place, meaning in meanings.items() if isinstance(meaning, JkrollError)]
         uncertain = {place: meaning for place, meaning in meanings.items() if is_uncertain(meaning)}
@@ -206,17 +193,17 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
     return exponent_of(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
 
 
-def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
-    """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text.
+def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
+    """Return the numbers of cells, times a power of ten; nan for an empty cell.
 
-    Returns None for any other text, for another count of numbers, and for a 0 that may be a number below the doubles.
+    Returns None if some cell has any other text, or a 0 that may be a number below the doubles.
 
-    >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5)
+    >>> plain_numbers([b"1", b"2.5", b"+1E2", b"5.0e-1", b""], -9)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
     """
+    text = b",".join([b"", *cells, b""]).replace(b"E", b"e")
     if text.translate(None, PLAIN):
         return None
-    text = b"," + text.replace(b"E", b"e")
     if b"+" in text and b"+-" not in text:
         text = text.replace(b",+", b",")
     suffix = b"e%d" % exponent if exponent else b""
@@ -231,7 +218,7 @@ def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
         values = orjson.loads(b"[" + text[1:-1] + b"]")
     except orjson.JSONDecodeError:
         return None
-    if len(values) != count:
+    if len(values) != len(cells):
         return None
     numbers = numpy.array(values, dtype=float)
     return None if not numbers.all() and _TINY.search(text) else numbers
