@@ -13,12 +13,12 @@ import numpy
 from ..errors import BadRequest, BadTable, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.laws import law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
 from ..scene.failures import MissingInput, NotInLaw
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
-from .cells import LABEL, Column, Indices, Lookup, Numbers
+from .cells import LABEL, Indices, Lookup, Numbers
 from .columns import DOUBT, SIDES, STATUS, Wanted, remarks_of
 from .header import Header, check_inputs
 from .rows import BAD, Block, groups
@@ -87,10 +87,6 @@ class Table:
                 remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
                 raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
 
-    def __getstate__(self) -> dict[str, Any]:
-        """Return what another process needs: the rows are its own, and what is said of all of them is not."""
-        return {**self.__dict__, "kinds": []}
-
     @property
     def added(self) -> list[str]:
         """The headers of all columns that are added."""
@@ -116,15 +112,14 @@ class Table:
     def _kinds(self, rows: Cells) -> list[Any]:
         """Return scenes of no rows that together have all inputs, and whether their materials are labels.
 
-        Of columns that exclude each other, a scene has one. What an input is matters, and not its values, but for one
-        that is infinite in all of the first rows: from it follows more.
+        Of columns that exclude each other, a scene has one. What an input is matters, and not its values.
 
         A column of names that are no material's has labels, unless they were meant as materials: without them, there is
         no work of adhesion, or it is not known whether there is.
         """
         columns = self.columns
-        values = {column.name: INFINITY if _is_infinite(column, rows) else _NO_ROWS for column in columns.inputs}
-        cases = [_without_exclusive(first, [*values], self.measured) for first in values or [""]]
+        names = [column.name for column in columns.inputs]
+        cases = dict.fromkeys(_without_exclusive(first, names, self.measured) for first in names or [""])
         some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
         solids, of_labels = dict[str, Material | None](), dict[str, Material | None]()
         if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
@@ -135,7 +130,7 @@ class Table:
             solids[column.name] = some
 
         def kinds(solids: Mapping[str, Material | None]) -> list[Any]:
-            return [self.scene({name: values[name] for name in case}, solids) for case in dict.fromkeys(cases)]
+            return [self.scene(dict.fromkeys(case, _NO_ROWS), solids) for case in cases]
 
         scenes = kinds(solids | of_labels)
         if of_labels and (self.unknown or scenes[0].missing(["work_of_adhesion"])):
@@ -221,14 +216,6 @@ def _lack_of(name: str, scene: Any) -> MissingInput | None:
     except MissingInput as error:
         return None if isinstance(error, NotInLaw) else error
     return None
-
-
-def _is_infinite(column: Column, rows: Cells) -> bool:
-    """Return whether an input is infinite in each of some rows, so that more follows than from a number."""
-    texts = {column.joined(*(row[place] for place in column.places.values())) for row in rows} - {""}
-    with suppress(JkrollError):  # a bad cell, which its row will explain
-        return bool(texts) and all(column.read(text) == INFINITY for text in texts)
-    return False
 
 
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
