@@ -130,10 +130,6 @@ class Column(NamedTuple):
 
         A cell without a unit has that of the column.
         """
-        if self.is_range and _NO_END in text.split():
-            raise QuantityError(self.name, text, "is a range without an end")
-        if text.lstrip().startswith("±"):
-            raise QuantityError(self.name, text, "is an error bar without a value")
         if has_no_value(text):
             raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
         return value_of(text, self.name, self.unit)

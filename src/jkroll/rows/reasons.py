@@ -70,11 +70,10 @@ def _is_side(name: str) -> bool:
     return name not in NOMENCLATURE and name not in (ROW, UNCERTAINTY)
 
 
-def worded(reasons: Reasons, named: Callable[[list[str]], str] | None = None) -> str:
+def worded(reasons: Reasons, named: Callable[[list[str]], str] = _first_names) -> str:
     """Return reasons in full; `named` returns quantities in words, by default their names."""
     if (error := lack(reasons)) is not None:
         return str(error)
-    named = named or _first_names
     of_values = {name: error for name, error in reasons.items() if name in NOMENCLATURE}
     of_sides = {name.rpartition("_")[0]: error for name, error in reasons.items() if _is_side(name)}
     clauses = [f"{named(names)}: {reason}" for names, reason in grouped(of_values)]
@@ -94,7 +93,7 @@ class Tally(NamedTuple):
     said: tuple[str, ...] = ()  # of each table as a whole
 
     @classmethod
-    def of(cls, columns: "Columns", named: Callable[[list[str]], str] | None = None) -> "Tally":
+    def of(cls, columns: "Columns", named: Callable[[list[str]], str] = _first_names) -> "Tally":
         """Return the counts of some rows; `named` as `reasons.worded` has it."""
         rows: dict[str, list[int]] = {}
         for row, status in sorted(columns.status.items()):

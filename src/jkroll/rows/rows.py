@@ -91,16 +91,12 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
             else:
                 columns.put(places, of_group)
         for row in numpy.flatnonzero(by_floats).tolist():
-            columns.put([row], Columns.of_rows(wanted, [_row(wanted, block, row)]))
+            try:
+                of_row = wanted.row(block.scene_of(row))
+            except JkrollError as error:  # its scene cannot be made
+                of_row = Row({}, [nan] * len(wanted.keys), 0, {ROW: error})
+            columns.put([row], Columns.of_rows(wanted, [of_row]))
     return columns
-
-
-def _row(wanted: Wanted, block: Block, row: int) -> Row:
-    """Compute a row by floats; if its scene cannot be made, that is why the row is empty."""
-    try:
-        return wanted.row(block.scene_of(row))
-    except JkrollError as error:
-        return Row({}, [nan] * len(wanted.keys), 0, {ROW: error})
 
 
 def groups(block: Block) -> Iterator[tuple[Indices, dict[str, Any]]]:
