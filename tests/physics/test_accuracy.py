@@ -16,7 +16,7 @@ import law_reference
 from accuracy import check_accuracy
 from jkroll import NOMENCLATURE, physics, solve
 from jkroll.answers.questions import QUESTIONS
-from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, maugis_energies, shifted
+from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, shifted
 from jkroll.physics.jkr import load_factor_at_approach
 from jkroll.physics.motion import LARGEST
 from jkroll.scene.wiring import formula_of, parameters_of
@@ -106,7 +106,7 @@ def worst(errors: Iterable[Error]) -> Error:
     return max(errors, key=lambda error: error.ulp)
 
 
-LAWS = {module.__name__ for module in (any_law, dmt, maugis, maugis_energies)}
+LAWS = {module.__name__ for module in (any_law, dmt, maugis)}
 LAW_FORMULAS = {
     *(name for name, formula in physics.FORMULAS.items() if formula.__module__ in LAWS),
     "viscosity_number",

@@ -10,7 +10,7 @@ import pytest
 import jkroll
 import maugis_reference as reference
 import maugis_rivals as rivals
-from jkroll.physics import any_law, dugdale, maugis, maugis_energies
+from jkroll.physics import any_law, dugdale, maugis
 from jkroll.scene.wiring import parameters_of
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
@@ -246,7 +246,7 @@ def gap_energy(transition: float, zone: float) -> float:
 @pytest.mark.parametrize("transition", [0.01, 0.3, 0.6])
 def test_sticking_energy_where_neither_jump_touches(transition: float) -> None:
     b = 8 * transition / (3 * math.pi)
-    value = alone(maugis_energies.sticking_energy_maugis, transition)
+    value = alone(maugis.sticking_energy_maugis, transition)
     assert math.isclose(value, 17 / 24 * math.pi * transition * b**4, rel_tol=1e-14)
     difference = gap_energy(transition, b) - gap_energy(transition, 2 * b)
     assert math.isclose(value, difference, rel_tol=1e-9, abs_tol=1e-14)
@@ -255,7 +255,7 @@ def test_sticking_energy_where_neither_jump_touches(transition: float) -> None:
 @pytest.mark.parametrize("edge", [dugdale.FOLD_WITHOUT_CONTACT, dugdale.JUMP_WITHOUT_CONTACT])
 @pytest.mark.parametrize(
     "energy",
-    [maugis_energies.sticking_energy_maugis, maugis_energies.pull_off_work_maugis, maugis_energies.well_energy_maugis],
+    [maugis.sticking_energy_maugis, maugis.pull_off_work_maugis, maugis.well_energy_maugis],
 )
 def test_energies_are_continuous(energy: Any, edge: float) -> None:
     below, above = (alone(energy, edge * (1 + side)) for side in (-1e-9, 1e-9))
@@ -334,18 +334,18 @@ def test_limit_of_jkr() -> None:
     assert math.isclose(values["moment"], 6.0, rel_tol=1e-7)  # 4P_c
     unit = 1.5 * 6 ** (2 / 3) / 3  # P_cδ0
     for energy, factor in (
-        (maugis_energies.well_energy_maugis, 6 / 5),
-        (maugis_energies.pull_off_work_maugis, 6 / 5 + 2 / 15 * 6 ** (-1 / 3)),
-        (maugis_energies.pull_off_work_at_dead_load_maugis, 6 / 5 - 2 / 5 * 2 ** (-1 / 3)),
+        (maugis.well_energy_maugis, 6 / 5),
+        (maugis.pull_off_work_maugis, 6 / 5 + 2 / 15 * 6 ** (-1 / 3)),
+        (maugis.pull_off_work_at_dead_load_maugis, 6 / 5 - 2 / 5 * 2 ** (-1 / 3)),
     ):
         assert math.isclose(alone(energy, transition), factor * unit, rel_tol=1e-7)
     stick = (2 / 15 * 6 ** (-1 / 3) + 4 / 5 * (2 / 3) ** (1 / 3)) * unit
-    value = alone(maugis_energies.sticking_energy_maugis, transition)
+    value = alone(maugis.sticking_energy_maugis, transition)
     assert math.isclose(value, stick * (1 - 0.666 / transition), rel_tol=1e-6)
 
 
 def test_limit_of_dmt() -> None:
-    work = alone(maugis_energies.pull_off_work_at_dead_load_maugis, 1e-20)
+    work = alone(maugis.pull_off_work_at_dead_load_maugis, 1e-20)
     assert math.isclose(work, 1.2 * 2 ** (2 / 3), rel_tol=1e-14)
     transition = 1e-4
     assert math.isclose(-state(transition, dugdale.pull_off_ratio(transition))["load"], 2.0, rel_tol=1e-6)
@@ -398,10 +398,10 @@ def test_arrays_give_the_numbers_of_floats() -> None:
     transitions = numpy.geomspace(1e-3, 1e3, 50)
     scenes = {name: numpy.full(50, value) for name, value in UNIT.items()}
     for formula in (
-        maugis_energies.well_energy_maugis,
-        maugis_energies.pull_off_work_maugis,
-        maugis_energies.pull_off_work_at_dead_load_maugis,
-        maugis_energies.sticking_energy_maugis,
+        maugis.well_energy_maugis,
+        maugis.pull_off_work_maugis,
+        maugis.pull_off_work_at_dead_load_maugis,
+        maugis.sticking_energy_maugis,
     ):
         values = alone(formula, transitions, scenes)
         singles = [alone(formula, each) for each in transitions.tolist()]

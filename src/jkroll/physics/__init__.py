@@ -24,7 +24,6 @@ from . import (
     dmt,
     jkr,
     maugis,
-    maugis_energies,
     motion,
     pair,
     rolling,
@@ -32,28 +31,10 @@ from . import (
     validity,
 )
 
-
-def _formulas(*modules: Any) -> dict[str, Callable[..., Any]]:
-    """Return the public functions of modules by name."""
-    return {
-        name: function
-        for module in modules
-        for name, function in vars(module).items()
-        if getattr(function, "__module__", None) == module.__name__ and not name.startswith("_")
-    }
-
-
-FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
-    pair,
-    contact,
-    jkr,
-    rolling,
-    motion,
-    conventions,
-    validity,
-    tangential,
-    any_law,
-    dmt,
-    maugis,
-    maugis_energies,
-)
+_MODULES = (pair, contact, jkr, rolling, motion, conventions, validity, tangential, any_law, dmt, maugis)
+FORMULAS: Mapping[str, Callable[..., Any]] = {  # the public functions of the modules, by name
+    name: function
+    for module in _MODULES
+    for name, function in vars(module).items()
+    if getattr(function, "__module__", None) == module.__name__ and not name.startswith("_")
+}

@@ -54,7 +54,6 @@ OTHERS = {
     "approach_at_pull_off_maugis": "8 ulp of the larger term",
     "edge_ratio_at_fold": "4 ulp, times 1 plus its condition in λ",
     "fold_approach_maugis": "8 ulp",
-    # maugis_energies
     "state_energy_maugis": "10 ulp of its largest term",
     "well_energy_maugis": "18 ulp",
     "pull_off_work_maugis": "15 ulp",
