@@ -111,12 +111,12 @@ def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]
     frame = begin()
     try:
         for piece in iter(partial(file.read, FEED), b""):
-            rest = piece
+            rest = piece.lstrip(b"\0") if frame.eof else piece  # zeros may fill the end of a file
             while rest:
                 frame = begin() if frame.eof else frame
                 if text := frame.decompress(rest):  # an empty one would be the end
                     yield text
-                rest = frame.unused_data
+                rest = frame.unused_data.lstrip(b"\0")
     except damaged:
         raise problem from None
     if not frame.eof:

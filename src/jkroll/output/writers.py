@@ -61,7 +61,7 @@ class Lines:
         for start in range(0, size, STRIP):
             stop = min(start + STRIP, size)
             cells = [before[start:stop]] if before else []
-            cells += [self._cells(*column, start, stop) for column in zip(columns, leads, strict=False)]
+            cells += [self._cells(column, lead, start, stop) for column, lead in zip(columns, leads, strict=False)]
             pieces = [self.end] * ((len(cells) + 1) * (stop - start))
             for place, column in enumerate(cells):
                 pieces[place :: len(cells) + 1] = column
