@@ -98,23 +98,18 @@ def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, An
         entry["model"] = result.law
         jkr = answer.of_jkr.get(result.name)
         entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
-    for key in ("note",) if result.law else ("note", "definition", "reference"):
-        if text := getattr(quantity, key):
-            entry[key] = text
-    if result.propagated is not None:
-        entry["uncertainty"] = bar_object(result.name, result.propagated.uncertainty, form)
-        entry["shares"] = dict(result.propagated.shares)
-    if result.condition is not None:
-        entry["condition"] = result.condition
-    if result.growth is not None:
-        entry["growth"] = result.growth
-    if result.by_law:
-        entry["by_law"] = {law: form.number(result.name, value) for law, value in result.by_law.items()}
-    if result.value is None:
-        entry["reason"] = result.reason
-    if result.error is not None:
-        entry["relative_error"] = result.error
-    return entry
+    propagated = result.propagated
+    further = {
+        **{key: getattr(quantity, key) for key in (("note",) if result.law else ("note", "definition", "reference"))},
+        "uncertainty": propagated and bar_object(result.name, propagated.uncertainty, form),
+        "shares": propagated and dict(propagated.shares),
+        "condition": result.condition,
+        "growth": result.growth,
+        "by_law": {law: form.number(result.name, value) for law, value in result.by_law.items()},
+        "reason": result.reason,
+        "relative_error": result.error,
+    }
+    return entry | {key: value for key, value in further.items() if value not in (None, "", {})}
 
 
 def bar_object(name: str, bar: Uncertain, form: Format = AS_USUAL) -> dict[str, Any]:
@@ -124,19 +119,18 @@ def bar_object(name: str, bar: Uncertain, form: Format = AS_USUAL) -> dict[str, 
 
 def _law_object(name: str, numbers: Mapping[str, Any], form: Format) -> dict[str, Any]:
     """Return what stands in place of a quantity under another law, with its error bar, in its unit."""
-    value, bar = numbers["value"], numbers.get("uncertainty")
-    shown = {**numbers, "value": None if value is None else form.number(name, value)}
-    return shown if bar is None else {**shown, "uncertainty": bar_object(name, bar, form)}
+    shown = {**numbers}
+    if numbers["value"] is not None:
+        shown["value"] = form.number(name, numbers["value"])
+    if "uncertainty" in numbers:
+        shown["uncertainty"] = bar_object(name, numbers["uncertainty"], form)
+    return shown
 
 
 def _displacement_object(worth: Mapping[str, Any], form: Format) -> dict[str, Any]:
     """Return what the assumed displacement is worth, its values in their units."""
-    if "values" not in worth:
-        return dict(worth)
-    return {
-        **worth,
-        "values": {name: [form.number(name, end) for end in ends] for name, ends in worth["values"].items()},
-    }
+    values = {name: [form.number(name, end) for end in ends] for name, ends in worth.get("values", {}).items()}
+    return {**worth, "values": values} if values else {**worth}
 
 
 def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
