@@ -25,7 +25,6 @@ from ..scene.alternatives import (
     farthest,
     is_at_displacement,
     moved_by_law,
-    ratio,
     rolled_solid,
     rolling,
     solid_of_kind,
@@ -125,31 +124,23 @@ def _about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
     return f"{', '.join(told[:MAX_TOLD])} by Maugis' law, better here than {scene.law.title} {scale}: --model {BETWEEN}"
 
 
-def _rests_on_well(name: str) -> bool:
-    """Return whether a quantity is an energy to separate spheres, or follows from one.
-
-    Below the Tabor parameter of a jump, Maugis' law is no correction to these: a well of Lennard-Jones' law is deeper
-    still, and its contacts form and open without a jump.
-    """
-    has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
-    return has_energy and not rolling([name], BETWEEN)
-
-
 def advised(scene: Scene, name: str) -> str:
     """Return what a quantity is by Maugis' law, from half the atomic spacing on: "= 14–15 nN"; empty if it is the same.
 
-    A pull-off force by Lennard-Jones' law is above Maugis' in every scene that was tried.
+    A pull-off force by Lennard-Jones' law is above Maugis' in every scene that was tried. Below the Tabor parameter of
+    a jump, Maugis' law is no correction to the energies that separate spheres, and what follows from them: a well of
+    Lennard-Jones' law is deeper still, and its contacts form and open without a jump.
     """
-    other = by_law(scene)
-    own = scene.numbers(name).get(name)
-    is_no_correction = _rests_on_well(name) and scene["tabor_parameter"] < JUMP
+    other, own = by_law(scene), scene.numbers(name).get(name)
+    has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
+    is_no_correction = has_energy and not rolling([name], BETWEEN) and scene["tabor_parameter"] < JUMP
     if own is None or is_no_correction or not moved_by_law(scene, [name]):
         return ""
     fit = ["pull_off_force_lennard_jones"] if name == "pull_off_force" else []
     found = [*other.numbers(name, *fit).values(), *at_half_spacing(other).numbers(name).values()]
     if not found:
         return "has no value"
-    is_moved = not farthest(ratio(value, own) for value in found) <= LAW_MATTERS
+    is_moved = not farthest((value, own) for value in found) <= LAW_MATTERS
     return f"= {span(name, min(found), max(found))}" if is_moved else ""
 
 

@@ -1,7 +1,7 @@
 """Scenes that may stand in place of one: under another law, or with the displacement of measured forces."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from functools import reduce
+from functools import cache, reduce
 from math import nan
 from typing import Any
 
@@ -13,7 +13,9 @@ from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, ends_of, middle
 from .failures import written_outcome
 from .scene import DEFAULTS, IN_ITS_PLACE, Scene, takes
-from .wiring import depends_on
+from .wiring import depends_on, plan_for
+
+_Kind = tuple[frozenset[str], bool, str]  # of scenes with the same plans
 
 
 def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
@@ -66,9 +68,19 @@ def at_other_reading(scene: Scene) -> Scene | None:
 
 def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
     """Return those of some quantities that the other law has by formulas of its own, or alone."""
-    other = by_law(scene)
-    between = scene if scene.law.name == BETWEEN else other
-    return [name for name in other.possible(names) if scene.missing([name]) or uses_law(between, name)]
+    return _moved(tuple(names), scene.kind, by_law(scene).kind)
+
+
+@cache  # many rows are of a kind
+def _moved(names: tuple[str, ...], kind: _Kind, other: _Kind) -> list[str]:
+    apart = routed_apart(kind[-1], other[-1], kind[0])
+    moved = []
+    for name in names:
+        own, theirs = plan_for(name, *kind), plan_for(name, *other)
+        is_same = own.is_possible and apart.isdisjoint(own.reached | theirs.reached)
+        if theirs.is_possible and not is_same:
+            moved.append(name)
+    return moved
 
 
 # --- Measured forces --------------------------------------------------------------------------------------------------
@@ -155,7 +167,7 @@ def at_most_measured(scene: Scene) -> Scene:
 def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
     """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
     measured, solid = _measured(scene), solid_of_kind(scene)
-    factor = farthest(end / scene[XI] for end in (measured.low, measured.high))
+    factor = farthest((end, scene[XI]) for end in (measured.low, measured.high))
     return where(_is_near(scene, solid), factor, 1.0)
 
 
@@ -267,17 +279,15 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     if "pull_off_force" in own:
         fit = scene.evaluate(["pull_off_force_lennard_jones"])
         compared += (("pull_off_force", value) for value in fit.values())
-    return farthest(ratio(theirs, own[name]) for name, theirs in compared)
+    return farthest((theirs, own[name]) for name, theirs in compared)
 
 
-def ratio(theirs: Any, own: Any) -> Any:
-    """Return the ratio of two answers: 0, in an array nan, where only the second exists, 1 where it is none or 0."""
-    return quotient(0.0 if isinstance(theirs, JkrollError) else theirs, own, 1.0)
+def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
+    """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
 
-
-def farthest(ratios: Iterable[Any]) -> Any:
-    """Return the ratio farthest from 1, or its inverse if larger; infinite where signs differ, 1 without any."""
-    every = [*ratios] or [1.0]
-    least, most = reduce(at_most, every), reduce(at_least, every)
+    It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
+    """
+    ratios = [quotient(0.0 if isinstance(theirs, JkrollError) else theirs, own, 1.0) for theirs, own in answers]
+    least, most = reduce(at_most, ratios, 1.0), reduce(at_least, ratios, 1.0)
     is_positive = least > 0
     return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)

@@ -13,6 +13,7 @@ from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from .alternatives import factor_of_data, factor_of_law, solid_of_kind
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
+from .wiring import taken_by
 
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
@@ -275,8 +276,8 @@ def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> lis
 
 
 def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
-    """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
-    used = {*names}.union(*(plan.taken for plan in scene.plans(*names)))
+    """Return the limits that concern the answers to these names."""
+    used = taken_by(tuple(names), *scene.kind)
     concerned = (limit for limit in limits if not limit.touches.isdisjoint(used))
     return [limit for limit in concerned if limit.applies is None or limit.applies(scene, names)]
 

@@ -187,6 +187,7 @@ class Scene:
         for values in self._implied.values():
             self.values = {**values, **self.values}
         self.known = interned(frozenset(self.values))
+        self.kind = (self.known, material2 is not None, self.law.name)  # on which plans depend
         self.is_rigid = _is_rigid(self.given, own_material2=material2 is not None)
         if self.is_rigid is True:
             self.values = {**dict.fromkeys(_ON_AREA, Failure(TWO_RIGID_BODIES)), **self.values}
@@ -310,7 +311,7 @@ class Scene:
 
     def plan(self, name: str) -> Plan:
         """Return the plan of a quantity; one without a formula if the scene's inputs do not lead to it."""
-        return plan_for(name, self.known, self.material2 is not None, self.law.name)
+        return plan_for(name, *self.kind)
 
     def plans(self, *names: str) -> list[Plan]:
         """Return the plans of quantities; raise MissingInput for the first to which the inputs do not lead."""
@@ -473,7 +474,7 @@ class Scene:
 def check_exclusive(given: Collection[str]) -> None:
     """Raise BadRequest for inputs of which one follows from the other."""
     for names in EXCLUSIVE:
-        if len(both := [*filter(given.__contains__, names)]) > 1:
+        if len(both := [name for name in names if name in given]) > 1:
             raise BadRequest(f"{listed(both)} exclude each other: one follows from the other")
 
 

@@ -80,6 +80,12 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
     return Plan(name, formula_of(name), tuple(plans.items()), **joined)
 
 
+@cache
+def taken_by(names: tuple[str, ...], *kind: Any) -> frozenset[str]:
+    """Return some quantities, and the parameters of all formulas that lead to them; `kind`: as for their plans."""
+    return frozenset(names).union(*(plan_for(name, *kind).taken for name in names))
+
+
 _JOINED = ("missing", "instead", "lacking", "reached", "taken")
 
 
