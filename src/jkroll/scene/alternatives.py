@@ -287,7 +287,8 @@ def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
 
     It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
     """
-    ratios = [quotient(0.0 if isinstance(theirs, JkrollError) else theirs, own, 1.0) for theirs, own in answers]
-    least, most = reduce(at_most, ratios, 1.0), reduce(at_least, ratios, 1.0)
+    ratios: list[Any] = [1.0]
+    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, own, 1.0) for theirs, own in answers)
+    least, most = reduce(at_most, ratios), reduce(at_least, ratios)
     is_positive = least > 0
     return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
