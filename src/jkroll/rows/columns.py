@@ -84,8 +84,10 @@ class Wanted(_Request):
         `scenes`: of each kind of rows.
         """
         names_of = names_beside(scenes, [name for name in self.names if name in names])
-        sides = {**(self.sides or {})}
-        for scene in scenes if self.sides is not None else ():
+        if self.sides is None:
+            return self._replace(alternatives=names_of)
+        sides = {**self.sides}
+        for scene in scenes:
             if scene.is_uncertain:
                 from ..scene.uncertainty import sides_of_results
 
@@ -94,7 +96,7 @@ class Wanted(_Request):
                     for name, of_name in sides_of_results(other, names_of.get(other.law.name, [])).items():
                         key = f"{name}{_BY}{other.law.name}"
                         sides[key] = {*sides.get(key, ()), *of_name}
-        return self._replace(alternatives=names_of, sides=None if self.sides is None else sides)
+        return self._replace(alternatives=names_of, sides=sides)
 
     def numbers_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
         """Return what may stand in place of the quantities shown, with their uncertainties, by their keys."""
