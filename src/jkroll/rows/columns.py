@@ -24,7 +24,7 @@ from .reasons import ROW, UNCERTAINTY, Reasons, lack, status_of
 if TYPE_CHECKING:
     from ..scene.uncertainty import Sources
 
-BLOCK = 5 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
+BLOCK = 6 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 _BESIDE = 15  # cost of the rest of a row, in formulas
 _JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
