@@ -156,6 +156,9 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         yield Note("result", f"{here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)}, {there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("result", _STICKING)
+    if "restitution" in names and scene["restitution"] == 0:
+        speed = amount("sticking_speed", scene["sticking_speed"])
+        yield Note("result", f"e = 0: they stick, as v_stick = {speed} is not below v")
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
         for ratio in scene.numbers("energy_over_sticking").values():  # none in a law without U_stick
             yield Note("result", f"W0 = P_cδ0 of JKR is {ratio:.3g} U_stick, the largest energy that sticks")
