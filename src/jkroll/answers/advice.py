@@ -50,23 +50,23 @@ def over_this_law(scene: Scene, values: Mapping[str, Any]) -> dict[str, dict[str
     displacement, and at equal hysteresis.
     """
     law, other = scene.law.name, by_law(scene)
-    own = {name: number for name, number in scene.numbers(*values).items() if number}
-    numbers = {name: None if values[name] is None else middle(values[name]) for name in own}
+    ours = {name: number for name, number in scene.numbers(*values).items() if number}
+    numbers = {name: None if values[name] is None else middle(values[name]) for name in ours}
     columns = {f"over_{law}": numbers}
     if law != BETWEEN:
-        columns[f"over_{law}_at_half_spacing"] = {**dict.fromkeys(own), **at_half_spacing(other).numbers(*own)}
-    rolled = rolling(own, BETWEEN)
+        columns[f"over_{law}_at_half_spacing"] = {**dict.fromkeys(ours), **at_half_spacing(other).numbers(*ours)}
+    rolled = rolling(ours, BETWEEN)
     if rolled and (reading := at_other_reading(scene)) is not None:
         readings = reading.numbers(*rolled)
         both = [{name: numbers[name] for name in readings}, readings]
         columns |= zip(readings_of(law), both if is_at_displacement(scene) else reversed(both), strict=True)
-    found: dict[str, dict[str, Any]] = {name: {"value": number} for name, number in numbers.items()}
+    entries: dict[str, dict[str, Any]] = {name: {"value": number} for name, number in numbers.items()}
     for key, column in columns.items():
         for name, number in column.items():
-            found[name][key] = None if number is None else number / own[name]
-    for name in filter(lambda name: is_uncertain(values[name]), found):
-        found[name]["uncertainty"] = values[name]
-    return found
+            entries[name][key] = None if number is None else number / ours[name]
+    for name in filter(lambda name: is_uncertain(values[name]), entries):
+        entries[name]["uncertainty"] = values[name]
+    return entries
 
 
 def readings_of(law: str) -> tuple[str, str]:
@@ -82,15 +82,15 @@ def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] |
     rolled = rolling(names, scene.law.name)
     if not rolled or not assumes_displacement(scene) or _radius(scene) < _SMALLEST:
         return None
-    found: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
+    worth: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
     if rolled_solid(scene):
         ends = at_least_measured(scene), at_most_measured(scene)
-        own, low, high = (each.numbers(*rolled) for each in (scene, *ends))
-        both = [name for name in rolled if own.get(name) and name in low and name in high]
-        found["here"] = [end[XI] for end in ends]
-        found["over_assumed"] = {name: [low[name] / own[name], high[name] / own[name]] for name in both}
-        found["values"] = {name: [*ends_of(value)] for name, value in beside(scene, {DATA: both})[DATA].items()}
-    return found
+        ours, low, high = (each.numbers(*rolled) for each in (scene, *ends))
+        both = [name for name in rolled if ours.get(name) and name in low and name in high]
+        worth["here"] = [end[XI] for end in ends]
+        worth["over_assumed"] = {name: [low[name] / ours[name], high[name] / ours[name]] for name in both}
+        worth["values"] = {name: [*ends_of(value)] for name, value in beside(scene, {DATA: both})[DATA].items()}
+    return worth
 
 
 def _radius(scene: Scene) -> float:
@@ -131,17 +131,17 @@ def advised(scene: Scene, name: str) -> str:
     a jump, Maugis' law is no correction to the energies that separate spheres, and what follows from them: a well of
     Lennard-Jones' law is deeper still, and its contacts form and open without a jump.
     """
-    other, own = by_law(scene), scene.numbers(name).get(name)
+    other, ours = by_law(scene), scene.numbers(name).get(name)
     has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
     is_no_correction = has_energy and not rolling([name], BETWEEN) and scene["tabor_parameter"] < JUMP
-    if own is None or is_no_correction or not moved_by_law(scene, [name]):
+    if ours is None or is_no_correction or not moved_by_law(scene, [name]):
         return ""
     fit = ["pull_off_force_lennard_jones"] if name == "pull_off_force" else []
-    found = [*other.numbers(name, *fit).values(), *at_half_spacing(other).numbers(name).values()]
-    if not found:
+    others = [*other.numbers(name, *fit).values(), *at_half_spacing(other).numbers(name).values()]
+    if not others:
         return "has no value"
-    is_moved = not farthest((value, own) for value in found) <= LAW_MATTERS
-    return f"= {span(name, min(found), max(found))}" if is_moved else ""
+    is_moved = not farthest((value, ours) for value in others) <= LAW_MATTERS
+    return f"= {span(name, min(others), max(others))}" if is_moved else ""
 
 
 def _about_displacement(scene: Scene, names: Sequence[str]) -> str:
@@ -150,7 +150,7 @@ def _about_displacement(scene: Scene, names: Sequence[str]) -> str:
     The moment is proportional to what adhesion hysteresis supplies, which has an end.
     """
     values = beside(scene, {DATA: names[:MAX_TOLD]})[DATA]
-    told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(one))}" for name, one in values.items() if one)
+    told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(value))}" for name, value in values.items() if value)
     text = f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi)"
     most = at_most_measured(scene).numbers("hysteresis_ratio", "yield_force")
     if len(most) < 2 or most["hysteresis_ratio"] <= 1:

@@ -174,8 +174,8 @@ class OfCurve(Wanted):
     @classmethod
     def of(cls, samples: Sequence[At], names: Sequence[str]) -> "OfCurve":
         """Return the columns of quantities at states."""
-        inputs, sides = entering((one.scene for one in samples), lambda _: names, names)
-        shown = in_order({*inputs, *(one.state.given for one in samples), "state"}.difference(names))
+        inputs, sides = entering((sample.scene for sample in samples), lambda _: names, names)
+        shown = in_order({*inputs, *(sample.state.given for sample in samples), "state"}.difference(names))
         return cls(names, named=names, inputs=shown, sides=sides)
 
     @cached_property

@@ -55,13 +55,13 @@ def is_at_displacement(scene: Scene) -> bool:
 def at_other_reading(scene: Scene) -> Scene | None:
     """Return the scene under the other law with the other of equal displacement and hysteresis, or None."""
     other = by_law(scene)
-    own, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
-    if len(own) < 2 or not theirs:
+    ours, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
+    if len(ours) < 2 or not theirs:
         return None
-    displacement, without_contact = own[XI], DEFAULTS[XI]
+    displacement, without_contact = ours[XI], DEFAULTS[XI]
     if is_at_displacement(scene):
-        displacement = displacement * (own["hysteresis_ratio"] / theirs["hysteresis_ratio"])
-        without_contact = own[XI]
+        displacement = displacement * (ours["hysteresis_ratio"] / theirs["hysteresis_ratio"])
+        without_contact = ours[XI]
     displacement = where(takes(XI, displacement), displacement, without_contact)
     return other.instead(IN_ITS_PLACE, **{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
@@ -73,11 +73,12 @@ def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
 
 @cache  # many rows are of a kind
 def _moved(names: tuple[str, ...], kind: _Kind, other: _Kind) -> list[str]:
+    """Return those of some quantities that scenes of another kind have by other formulas, or alone."""
     apart = routed_apart(kind[-1], other[-1], kind[0])
     moved = []
     for name in names:
-        own, theirs = plan_for(name, *kind), plan_for(name, *other)
-        is_same = own.is_possible and apart.isdisjoint(own.reached | theirs.reached)
+        ours, theirs = plan_for(name, *kind), plan_for(name, *other)
+        is_same = ours.is_possible and apart.isdisjoint(ours.reached | theirs.reached)
         if theirs.is_possible and not is_same:
             moved.append(name)
     return moved
@@ -135,8 +136,8 @@ def _is_near(scene: Scene, solid: str) -> Any:
 
 def displacements_where_measured(scene: Scene) -> tuple[float, float]:
     """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
-    own = scene.numbers("work_of_adhesion", "contact_modulus") if solid_of_kind(scene) == SIO2 else {}
-    given = {"radius": ROLLED["radius"], **own} if len(own) == 2 else ROLLED
+    ours = scene.numbers("work_of_adhesion", "contact_modulus") if solid_of_kind(scene) == SIO2 else {}
+    given = {"radius": ROLLED["radius"], **ours} if len(ours) == 2 else ROLLED
     spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
     pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
     low, high = (DEFAULTS[XI] * (force / pair["yield_force"]) for force in FORCES)
@@ -242,16 +243,16 @@ def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene]
     return values | {name: bar.uncertainty for name, bar in bars.items() if isinstance(bar, Propagated)}
 
 
-def _between(one: Any, other: Any, is_near: Any) -> Any:
+def _between(first: Any, second: Any, is_near: Any) -> Any:
     """Return the range of two values with their error bars, where it is that of spheres like those that were rolled.
 
     Two values that are the same are one.
     """
-    if one is None or other is None:
+    if first is None or second is None:
         return None
-    ends = (*ends_of(one), *ends_of(other))
+    ends = (*ends_of(first), *ends_of(second))
     low, high = reduce(at_most, ends), reduce(at_least, ends)
-    value = where(is_near, (middle(one) + middle(other)) / 2, nan)
+    value = where(is_near, (middle(first) + middle(second)) / 2, nan)
     return value if isinstance(low, NUMBER) and low == high else Interval._make((value, low, high, "range"))
 
 
@@ -271,15 +272,15 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     """
     if scene.law.name == BETWEEN:
         return 1.0
-    own = scene.numbers(*moved_by_law(scene, [*names]))
-    compared = [*by_law(scene).evaluate([*own]).items()]
-    rolled = rolling(own, BETWEEN)
+    ours = scene.numbers(*moved_by_law(scene, [*names]))
+    compared = [*by_law(scene).evaluate([*ours]).items()]
+    rolled = rolling(ours, BETWEEN)
     if rolled and (reading := at_other_reading(scene)) is not None:
         compared += reading.evaluate(rolled).items()
-    if "pull_off_force" in own:
+    if "pull_off_force" in ours:
         fit = scene.evaluate(["pull_off_force_lennard_jones"])
         compared += (("pull_off_force", value) for value in fit.values())
-    return farthest((theirs, own[name]) for name, theirs in compared)
+    return farthest((theirs, ours[name]) for name, theirs in compared)
 
 
 def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
@@ -288,7 +289,7 @@ def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
     It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
     """
     ratios: list[Any] = [1.0]
-    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, own, 1.0) for theirs, own in answers)
+    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, ours, 1.0) for theirs, ours in answers)
     least, most = reduce(at_most, ratios), reduce(at_least, ratios)
     is_positive = least > 0
     return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)

@@ -263,16 +263,16 @@ def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> lis
     """Return limits of the answers to these names as doubts, but for numbers that law or contact do not have."""
     limits = [*limits]
     values = scene.evaluate([limit.name for limit in limits])
-    found = []
+    every = []
     for limit in limits:
         value = values[limit.name]
         if isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
-            found.append(Doubt(limit, nan, nan, value))
+            every.append(Doubt(limit, nan, nan, value))
         elif not isinstance(value, JkrollError):
             is_known = value == value  # noqa: PLR0124
             factor = value if limit.factor is None else where(is_known, limit.factor(scene, names), nan)
-            found.append(Doubt(limit, value, factor))
-    return found
+            every.append(Doubt(limit, value, factor))
+    return every
 
 
 def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
