@@ -220,6 +220,16 @@ def test_a_column_is_read_as_a_one_liner_reads_it(unit: str, number: str) -> Non
     assert Column(0, "radius", "", None).numbers({"radius": [own, own]}).values.tolist() == [expected] * 2
 
 
+@settings(deadline=None)
+@given(cells=st.lists(st.sampled_from([b"50 nm", b"7 nm", b" nm", b"nm", b"60", b"", b" ", b"2 um", b"1 nm nm"])))
+def test_cells_with_units_of_their_own_are_read_one_by_one(cells: list[bytes]) -> None:
+    """A cell of a unit alone is no number, and one without a unit none where the column has none."""
+    radii = {b"50 nm": 50e-9, b"7 nm": 7e-9, b"2 um": 2e-6}
+    found = Column(0, "radius", "", None).numbers({"radius": cells})
+    assert [None if math.isnan(value) else value for value in found.values] == [*map(radii.get, cells)]
+    assert sorted(found.odd) == [place for place, cell in enumerate(cells) if cell.strip() and cell not in radii]
+
+
 @pytest.mark.parametrize(
     "text",
     ["true", "1 2", "[1]", "1e", "nan", "inf", "--1", "1e+-3", "null", '"1"', "0x1", "1_0", "1 nm2", "1 nm nm", "1 m"],

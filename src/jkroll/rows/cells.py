@@ -94,12 +94,27 @@ class Column(NamedTuple):
         """Return the numbers of a block of cells, by the names of the columns."""
         cells = columns[self.name] if not self.sides else self._with_sides(columns)
         values = None if self.exponent is None else plain_numbers(cells, self.exponent)
+        if values is None:
+            values = self._of_one_unit(cells)
         return Numbers(values) if values is not None else self._of_many_kinds(cells)
 
     def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
         """Return the cells of the values, each with its uncertainty."""
         rows = zip(*(columns[name] for name in self.places), strict=True)
         return [self.joined(*(cell.decode(errors="replace") for cell in row)).encode() for row in rows]
+
+    def _of_one_unit(self, cells: Sequence[bytes]) -> Floats | None:
+        """Return the numbers of cells that are empty or have the same unit behind them; None if there are others."""
+        match = _CELL.fullmatch(next(filter(None, cells), b""))
+        unit = match[2] if match else None
+        exponent = _exponent(unit, self.name) if unit else None
+        if not unit or exponent is None:
+            return None
+        texts = [cell.removesuffix(unit) for cell in cells]
+        if unit in cells:  # without a number, which is no empty cell
+            return None
+        removed = sum(map(len, cells)) - sum(map(len, texts))
+        return plain_numbers(texts, exponent) if removed == len(unit) * (len(cells) - cells.count(b"")) else None
 
     def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
         """Return the numbers of cells of which some are no numbers, or have units of their own."""
