@@ -165,11 +165,12 @@ class Converter:
             converted = self.converted(question)
             self.output = converted.output
             return converted._replace(output=b"")
+        output, self.output = self.output, b""
         if not self.path:
-            return self.output
+            return output
         with open(self.path, "r+b") as file:
             file.seek(question)
-            file.write(self.output)
+            file.write(output)
         return b""
 
 

@@ -71,13 +71,16 @@ def _serve(questions: "connection.Connection[Any, Any]", answer: Answer) -> None
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
     with suppress(EOFError, ConnectionError, SystemExit):
         while True:
-            question = questions.recv()
-            try:
-                outcome = answer(question)
-            except Exception as error:
-                outcome = error
-            questions.send(outcome)
+            questions.send(_outcome(answer, questions.recv()))  # nothing of a block is kept beside the next one
     os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables
+
+
+def _outcome(answer: Answer, question: Any) -> Any:
+    """Return the answer to a question, or its error."""
+    try:
+        return answer(question)
+    except Exception as error:
+        return error
 
 
 def _end_with_parent() -> None:

@@ -55,16 +55,16 @@ class Lines:
     def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Sequence[bytes] = ()) -> bytes:
         """Return rows. `before`: the beginning of each, in the format."""
         size = len(before) or max(map(length, columns), default=0)
-        columns = self._divided(columns)
         leads = self._leads(heads, is_begun=bool(before))
+        columns = [self._texts(column, lead, size) for column, lead in zip(self._divided(columns), leads, strict=False)]
         strips = []
         for start in range(0, size, STRIP):
-            stop = min(start + STRIP, size)
-            cells = [before[start:stop]] if before else []
-            cells += [self._cells(column, lead, start, stop) for column, lead in zip(columns, leads, strict=False)]
-            pieces = [self.end] * ((len(cells) + 1) * (stop - start))
-            for place, column in enumerate(cells):
-                pieces[place :: len(cells) + 1] = column
+            place = slice(start, start + STRIP)
+            cells = [before[place]] if before else []
+            cells += [self._cells(column, lead, place) for column, lead in zip(columns, leads, strict=False)]
+            pieces = [self.end] * ((len(cells) + 1) * len(cells[0]))
+            for each, column in enumerate(cells):
+                pieces[each :: len(cells) + 1] = column
             strips.append(b"".join(pieces))
         return b"".join(strips)
 
@@ -83,15 +83,20 @@ class Lines:
         """Return what stands before the cells of each column. `is_begun`: whether rows have a beginning."""
         return [self.separator if is_begun or place else b"" for place in range(len(heads))]
 
-    def _cells(self, column: Any, lead: bytes, start: int, stop: int) -> list[bytes]:
-        """Return some cells of a column, or of several in one array together, behind the lead."""
+    def _texts(self, column: Any, lead: bytes, size: int) -> Any:
+        """Return the cells of a column of texts, each behind its lead; an array as it is."""
         if column is None or isinstance(column, str):
-            return [lead + self._cell(column)] * (stop - start)
+            return [lead + self._cell(column)] * size
         if isinstance(column, list):
-            values = column[start:stop]
-            cells = {value: lead + self._cell(value) for value in {*values}}
-            return [*map(cells.__getitem__, values)]
-        rows = numbers_in_lines(column[..., start:stop], self.separator, self.gap)
+            cells = {value: lead + self._cell(value) for value in {*column}}
+            return [*map(cells.__getitem__, column)]
+        return column
+
+    def _cells(self, column: Any, lead: bytes, place: slice) -> list[bytes]:
+        """Return some cells of a column, or of several in one array together, behind the lead."""
+        if isinstance(column, list):
+            return column[place]
+        rows = numbers_in_lines(column[..., place], self.separator, self.gap)
         if self.has_commas:
             rows = [row.replace(b".", b",") for row in rows]
         return rows if lead == self.separator else [lead + row[1:] for row in rows]
@@ -228,9 +233,14 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
 
 def _codes(columns: Columns) -> list[str | None]:
     """Return the codes of the doubts of rows."""
-    doubts = as_list(columns.doubts)
-    texts = {bits: codes(bits) or None for bits in {*doubts}}
-    return [*map(texts.__getitem__, doubts)]
+    if isinstance(columns.doubts, list):
+        return [codes(bits) or None for bits in columns.doubts]
+    import numpy
+
+    distinct, places = numpy.unique(columns.doubts, return_inverse=True)
+    texts = numpy.array([codes(bits) or None for bits in distinct.tolist()], dtype=object)
+    every: list[str | None] = texts[places].tolist()
+    return every
 
 
 # --- Records ----------------------------------------------------------------------------------------------------------

@@ -301,7 +301,12 @@ class Columns:
     @property
     def counted_doubts(self) -> Counter[int]:
         """The numbers of rows, by the bits of their doubts."""
-        return Counter(as_list(self.doubts))
+        if isinstance(self.doubts, list):
+            return Counter(self.doubts)
+        import numpy
+
+        distinct, counts = numpy.unique(self.doubts, return_counts=True)
+        return Counter(dict(zip(distinct.tolist(), counts.tolist(), strict=True)))
 
     @cached_property
     def failed(self) -> list[int]:
