@@ -187,6 +187,15 @@ def test_file_names_may_begin_with_a_hyphen_and_a_digit(run: Run) -> None:
     assert sorted(path.name for path in Path().iterdir()) == ["-1.csv", "-2.csv", "-3.csv"]
 
 
+@pytest.mark.parametrize(
+    ("word", "problem"), [("a\0.csv", "contains a NUL character"), ("a\ud83d.csv", "contains half a character")]
+)
+def test_what_is_in_no_word_is_refused(run: Run, word: str, problem: str) -> None:
+    ran = run("pull-off", "quartz", "1um", "-o", word)
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err.startswith(f"jkroll: 'a?.csv' {problem}")
+
+
 def test_a_law_is_known_in_any_case(run: Run) -> None:
     assert (
         run("pull-off quartz 100nm --model DMT,Jkr --csv").out == run("pull-off quartz 100nm --model dmt,jkr --csv").out

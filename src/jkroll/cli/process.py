@@ -84,6 +84,7 @@ def main(arguments: Sequence[str] | None = None, reader: Callable[[Sequence[str]
         for stream in (sys.stdout, sys.stderr):
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
+        _check(words)
         code = (reader or read)(words)()
         sys.stdout.flush()
         return code
@@ -96,6 +97,17 @@ def main(arguments: Sequence[str] | None = None, reader: Callable[[Sequence[str]
 
             traceback.print_exc()
         return _report(error, words)
+
+
+def _check(words: Iterable[str]) -> None:
+    """Refuse words that no shell can pass on, since no file can have them as its name."""
+    for word in words:
+        if "\0" in word:
+            raise BadRequest(f"{quoted(word)} contains a NUL character")
+        try:
+            word.encode("utf-8", "surrogateescape")
+        except UnicodeEncodeError:
+            raise BadRequest(f"{quoted(word)} contains half a character (a lone surrogate)") from None
 
 
 def _report(error: Exception, words: Sequence[str]) -> int:
