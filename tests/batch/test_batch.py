@@ -636,6 +636,18 @@ def test_empty_cells_are_no_formulas(run: Run) -> None:
     assert safe == Path("out.tsv").read_bytes().replace(b'"=1+1"', b"'=1+1")
 
 
+def test_both_solids_may_differ_from_row_to_row(run: Run) -> None:
+    pairs = [("iron", "graphite"), ("graphite", "iron"), ("gold", "iron"), ("silica-dry", "gold")]
+    lines = ["material,material2,radius", *(f"{first},{second},1um" for first, second in pairs)]
+    Path("pairs.csv").write_text("\n".join(lines), encoding="utf-8")
+    assert run("batch pairs.csv -o out.csv").code == 0
+    with open("out.csv", encoding="utf-8", newline="") as file:
+        forces = [float(row["pull_off_force [N]"]) for row in csv.DictReader(file)]
+    for (first, second), force in zip(pairs, forces, strict=True):
+        alone = run(f"pull-off {first} 1um --material2 {second} --bare").out.split()[0]
+        assert force == approx(float(alone), rel=1e-12)
+
+
 @pytest.mark.parametrize("end", ENDS)
 def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
     rows: list[dict[str, Any]] = [

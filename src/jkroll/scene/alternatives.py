@@ -116,8 +116,8 @@ def assumes_displacement(scene: Scene) -> bool:
 def solid_of_kind(scene: Scene) -> str:
     """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
     solid = scene.material
-    is_one = solid is not None and scene.material2 in (None, solid)
-    return measured_solid(solid) if solid is not None and is_one and assumes_displacement(scene) else ""
+    rolled = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
+    return rolled if rolled and scene.material2 in (None, solid) and assumes_displacement(scene) else ""
 
 
 def rolled_solid(scene: Scene) -> str:
