@@ -1,4 +1,42 @@
-"""Tables of random rows."""
+"""Tables of the tests: as they are written into files and read from them, and random rows."""
+
+import csv
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+ENDS = ("csv", "tsv", "ndjson", "parquet")
+_MARKS = {"csv": ",", "tsv": "\t"}
+
+
+def write_rows(rows: Sequence[Mapping[str, Any]], name: str) -> str:
+    """Write rows as a table, in the format that its name ends with; return the name."""
+    end = name.rpartition(".")[2]
+    if end == "parquet":
+        import pyarrow.parquet
+
+        pyarrow.parquet.write_table(pyarrow.Table.from_pylist([*rows]), name)
+    elif end == "ndjson":
+        Path(name).write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
+    else:
+        with Path(name).open("w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, [*rows[0]], delimiter=_MARKS[end], lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+    return name
+
+
+def read_rows(name: str) -> list[dict[str, Any]]:
+    """Return the rows of a table: CSV and TSV have texts."""
+    end = name.rpartition(".")[2]
+    if end == "parquet":
+        import pyarrow.parquet
+
+        found: list[dict[str, Any]] = pyarrow.parquet.read_table(name).to_pylist()
+        return found
+    lines = Path(name).read_text(encoding="utf-8").splitlines(keepends=True)
+    return [json.loads(line) for line in lines] if end == "ndjson" else [*csv.DictReader(lines, delimiter=_MARKS[end])]
 
 
 def random_table(size: int, seed: int) -> str:

@@ -7,13 +7,12 @@ from random import Random
 from typing import Any
 
 import numpy as np
-import orjson
-import pyarrow.parquet
 import pytest
 
 from harness import Run
 from jkroll import infer
 from relative import approx
+from tables import read_rows, write_rows
 
 HEAD = ["probe", "R1 (um)", "P_c (nN)", "P_c_err (nN)"]
 WORDS = "--infer gamma --measured pull_off_force --radius2 plane --material quartz"
@@ -21,28 +20,12 @@ WORDS = "--infer gamma --measured pull_off_force --radius2 plane --material quar
 
 def table(rows: list[list[str]], ending: str = "csv") -> str:
     """Write a table, and return its name."""
-    name = f"forces.{ending}"
-    if ending == "csv":
-        Path(name).write_text("".join(",".join(row) + "\n" for row in [HEAD, *rows]), encoding="utf-8")
-    elif ending == "ndjson":
-        Path(name).write_bytes(b"".join(orjson.dumps(dict(zip(HEAD, row, strict=True))) + b"\n" for row in rows))
-    else:
-        pyarrow.parquet.write_table(
-            pyarrow.Table.from_pylist([dict(zip(HEAD, row, strict=True)) for row in rows]), name
-        )
-    return name
+    return write_rows([dict(zip(HEAD, row, strict=True)) for row in rows], f"forces.{ending}")
 
 
 def results(name: str) -> list[dict[str, str]]:
     """Return the rows of a file as texts; an empty one for null."""
-    path = Path(name)
-    if name.endswith("csv"):
-        return [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
-    if name.endswith("ndjson"):
-        found = [orjson.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
-    else:
-        found = pyarrow.parquet.read_table(path).to_pylist()
-    return [{key: "" if value is None else str(value) for key, value in row.items()} for row in found]
+    return [{key: "" if cell is None else str(cell) for key, cell in row.items()} for row in read_rows(name)]
 
 
 @pytest.mark.parametrize(
