@@ -6,7 +6,6 @@ import re
 from fractions import Fraction
 
 import pytest
-from scipy.integrate import quad  # type: ignore[import-untyped]
 
 from harness import Run
 from jkroll import JkrollError, solve
@@ -198,6 +197,8 @@ def test_coefficient_of_rolling_for_codes_that_multiply_the_load(model: str) -> 
 
 def test_loss_of_a_collision_in_lammps() -> None:
     """On the JKR curve from touching to the largest tension, in P_cδ0; z³ = 6â^1.5 goes from 4 to 3."""
+    from scipy.integrate import quad  # type: ignore[import-untyped]
+
     lost = -quad(lambda z: z**3 * (z**3 - 6) / 9 * 2 * 6 ** (-1 / 3) * (z**3 - 1), 3 ** (1 / 3), 4 ** (1 / 3))[0]
     at_the_fold = solve("sticking_energy", **QUARTZ) / solve("adhesion_energy", **QUARTZ)
     for number in (lost, at_the_fold, math.sqrt(lost / at_the_fold)):

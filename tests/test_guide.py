@@ -13,7 +13,7 @@ from jkroll import solve
 from jkroll.cli.commands import COMMANDS
 from jkroll.output.manual import FIELD_TERMS, page, sections, topics
 from relative import approx
-from transcripts import copied, exit_code, printed, rounded, transcripts
+from transcripts import copied_once, exit_code, printed, rounded, transcripts
 
 FORCE_CURVE = Path(__file__).parent / "data" / "force_curve.csv"
 PAGES = {topic: page(topic) for topic in topics()}
@@ -28,16 +28,7 @@ def test_transcript(topic: str, block: str) -> None:
     assert rounded(block) == rounded(printed(block)), topic
 
 
-COPIED = [*dict.fromkeys(command for text in PAGES.values() for command in copied(text))]
-
-
-@pytest.mark.parametrize(
-    "command",
-    [
-        pytest.param(command, marks=pytest.mark.slow if re.search(r" -o \S+\.(svg|pdf|png)", command) else ())
-        for command in COPIED
-    ],
-)
+@pytest.mark.parametrize("command", copied_once(*PAGES.values()))
 def test_a_command_in_the_text_works(command: str) -> None:
     assert exit_code(command) == 0
 

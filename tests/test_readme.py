@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from jkroll.output.manual import page
-from transcripts import commands, copied, exit_code, printed, rounded, transcripts
+from transcripts import commands, copied_once, exit_code, printed, rounded, transcripts
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 MOST = 9_000  # bytes
@@ -20,7 +20,7 @@ def test_transcript(block: str) -> None:
     assert rounded(block) == rounded(printed(block))
 
 
-@pytest.mark.parametrize("command", [*dict.fromkeys(copied(README))])
+@pytest.mark.parametrize("command", copied_once(README))
 def test_a_command_in_the_text_works(command: str) -> None:
     assert exit_code(command) == 0
 

@@ -13,6 +13,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import chdir, redirect_stderr, redirect_stdout
 from pathlib import Path
+from typing import Any
 from unittest import mock
 
 if __package__ in (None, ""):
@@ -83,6 +84,15 @@ def copied(text: str) -> Iterator[str]:
     for line in lines:
         if not line.startswith(_NOT_RUN) and "…" not in line:
             yield re.split(r" [|>] ", line)[0]
+
+
+def copied_once(*texts: str) -> list[Any]:
+    """Return the commands of texts without a transcript, as parameters of a test; those that draw a file are slow."""
+    import pytest
+
+    every = dict.fromkeys(command for text in texts for command in copied(text))
+    draws = re.compile(r" -o \S+\.(svg|pdf|png)")
+    return [pytest.param(each, marks=pytest.mark.slow if draws.search(each) else ()) for each in every]
 
 
 def exit_code(command: str) -> int:

@@ -33,7 +33,7 @@ def results(name: str) -> list[dict[str, str]]:
 )
 def test_each_row_has_what_infer_finds(run: Run, ending: str) -> None:
     random = Random(5)
-    sizes = [(f"{random.uniform(0.5, 5):.3g}", f"{random.uniform(50, 900):.3g}") for _ in range(20)]
+    sizes = [(f"{random.uniform(0.5, 5):.3g}", f"{random.uniform(50, 900):.3g}") for _ in range(8)]
     rows = [["x", radius, force, "10" if place % 2 else ""] for place, (radius, force) in enumerate(sizes)]
     assert run(f"batch {table(rows, ending)} -o out.{ending} {WORDS}").code == 0
     for place, ((radius, force), row) in enumerate(zip(sizes, results(f"out.{ending}"), strict=True)):
@@ -102,7 +102,7 @@ def test_what_is_inferred_is_of_both_spheres_where_they_are_of_one_material(
     run: Run, name: str, materials: list[str]
 ) -> None:
     random = Random(7)
-    rows = [(random.choice(materials), random.uniform(12, 20)) for _ in range(12)]
+    rows = [(random.choice(materials), random.uniform(12, 20)) for _ in range(6)]
     lines = [f"{material},100,0,{size}\n" for material, size in rows]
     Path("pairs.csv").write_text("".join(["material,R1 [nm],load [nN],a [nm]\n", *lines]), encoding="utf-8")
     words = f"--infer {name} --measured contact_radius_at_load"

@@ -25,7 +25,7 @@ def write(columns: dict[str, list[object]], name: str = "grains.parquet") -> str
 
 
 def test_the_same_as_in_csv(run: Run) -> None:
-    text = random_table(120, 8)
+    text = random_table(60, 8)
     Path("grains.csv").write_text(text, encoding="utf-8")
     assert run("batch grains.csv -o out.csv --jobs 1").code == 1
     given = list(csv.DictReader(text.splitlines()))

@@ -36,10 +36,11 @@ def whole(directory: str) -> dict[str, bytes]:
 
 
 def test_a_file_for_each_table(run: Run, grains: list[str]) -> None:
-    assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1").code == 1
+    words = ("--quantities", "r_min,pull_off_force", "--jobs", "1")
+    assert run("batch", "grains/*.csv", "-o", "forces/", *words).code == 1
     written = whole("forces")
     for name in grains:
-        assert run("batch", name, "-o", "one.csv", "--jobs", "1").code == 1
+        assert run("batch", name, "-o", "one.csv", *words).code == 1
         assert written.pop(Path(name).name) == Path("one.csv").read_bytes()
     assert not written
 
@@ -108,7 +109,7 @@ def test_resume_makes_anew_what_is_older_than_its_table(run: Run, grains: list[s
 
 
 def test_a_run_that_was_ended_goes_on(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
-    words = ("batch", "grains/*.csv", "--jobs", "1")
+    words = ("batch", "grains/*.csv", "--quantities", "r_min,pull_off_force", "--jobs", "1")
     done: list[str] = []
 
     def until(path: str, job: Job) -> Tally:
@@ -141,7 +142,7 @@ def test_a_single_table_is_not_resumed_and_needs_no_cluster(run: Run, grains: li
 def test_nothing_of_the_users_is_touched(run: Run) -> None:
     Path("forces").mkdir()
     Path("forces/.mine.part-0.csv").write_text("mine")
-    assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1").code == 1
+    assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1", "--quantities", "r_min").code == 1
     assert Path("forces/.mine.part-0.csv").read_text() == "mine"
 
 

@@ -5,8 +5,6 @@ import re
 from typing import Any
 
 import pytest
-from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
-from scipy.optimize import brentq  # type: ignore[import-untyped]
 
 from harness import Run
 from jkroll import solve
@@ -335,6 +333,8 @@ def test_two_time_steps(run: Run, program: str) -> None:
 
     The speed of a Rayleigh wave is a root of its equation.
     """
+    from scipy.optimize import brentq  # type: ignore[import-untyped]
+
     short, long = (run(f"export {program} {grain}").out for grain in ("quartz 100nm", "iron 300nm"))
     both = run(f"export {program} quartz 100nm --radius2 300nm --material2 iron").out
     assert rayleigh_of(both) == min(rayleigh_of(short), rayleigh_of(long)) == rayleigh_of(short)
@@ -361,6 +361,8 @@ def bounces(viscosity: float, speed: float) -> bool:
     In units of δ0 and √(P_cδ0/m), with dt = 2·6^(-1/3)(z³ - 1)dσ: the motion is polynomial in z and u; they part at z =
     1.
     """
+    from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
+
     c = 6 ** (-1 / 3)
 
     def motion(_: float, state: Any) -> list[float]:

@@ -54,7 +54,7 @@ FORMULAS = {
         if getattr(function, "__module__", None) == module.__name__
     },
 }
-COUNT, COUNT_OF_ROOTS, MANY = 150, 25, 20_000
+COUNT, COUNT_OF_ROOTS, MANY = 100, 25, 20_000
 
 
 # --- Results ----------------------------------------------------------------------------------------------------------

@@ -184,7 +184,7 @@ def test_the_leading_edge_is_pressed_where_the_shift_is_too_large(values: Values
 
 # --- Dimensions -------------------------------------------------------------------------------------------------------
 
-UREG: Any = pint.UnitRegistry()
+UREG: Any = pint.application_registry
 
 
 @pytest.mark.parametrize("name", FORMULAS)

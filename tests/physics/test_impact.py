@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import dblquad, solve_ivp  # type: ignore[import-untyped]
 
 from harness import Run
 from jkroll import infer, solve
@@ -26,6 +25,8 @@ def acceleration(z: float, u: float, viscosity: float) -> float:
 
 def slowest_that_parts(viscosity: float) -> float:
     """Return the speed at which grains meet that come to rest at the fold: the motion backwards in time from there."""
+    from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
+
     growth, start = math.sqrt(10 * C / 3), 1e-5
 
     def backwards(_: float, state: Any) -> list[float]:
@@ -73,6 +74,8 @@ def test_restitution_bounds_that_of_the_equation_of_motion(viscosity: float, tim
         return float(state[0] - 1)
 
     parts.terminal, parts.direction = True, -1  # type: ignore[attr-defined]
+    from scipy.integrate import solve_ivp
+
     motion = solve_ivp(
         forwards, (0, 1e3), [4 ** (1 / 3), times * least], "DOP853", events=parts, rtol=1e-12, atol=1e-14
     )
@@ -150,6 +153,8 @@ def test_rough_pull_off_by_the_pairwise_sum(asperity: float) -> None:
         distance = math.hypot(across, up)
         field = 8 * radius**3 * distance / (distance**2 - radius**2) ** 4  # of the sphere, of 4π/3 R³/(d² − R²)³
         return field * up / distance * 2 * math.pi * across
+
+    from scipy.integrate import dblquad
 
     hemisphere, _ = dblquad(on_point, 0, asperity, 0, lambda height: math.sqrt(asperity**2 - height**2), epsrel=1e-6)
     half_space = radius**3 * 2 / 3 / ((asperity + gap) ** 2 * (asperity + gap + 2 * radius) ** 2)

@@ -207,7 +207,7 @@ def test_a_rigid_body_is_the_limit_of_a_stiff_one() -> None:
 
 # --- Dimensions -----------------------------------------------------------------------------------------------------
 
-UREG: Any = pint.UnitRegistry()
+UREG: Any = pint.application_registry
 
 
 @pytest.mark.parametrize("name", FORMULAS)

@@ -4,6 +4,7 @@ import csv
 import io
 import math
 import re
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -22,9 +23,14 @@ from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 from relative import approx
 
-MAPS = {name: paper_map(name, known_materials(), as_printed=True) for name in PAPER_MAPS}
 FILES = {"3a", "3b", "3c", "3d", "6a", "6b", "8"}
 SOFT: dict[str, Any] = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
+
+
+@cache
+def paper(name: str) -> Map:
+    """Return a map of the paper."""
+    return paper_map(name, known_materials(), as_printed=True)
 
 
 def at(drawn: Map, x: float, y: float) -> float:
@@ -57,14 +63,14 @@ def test_the_papers_maps_are_there() -> None:
     ],
 )
 def test_a_figure_is_its_equation(name: str, formula: object) -> None:
-    drawn = MAPS[name]
+    drawn = paper(name)
     assert callable(formula)
     wanted = formula(drawn.x.values()[None, :], drawn.y.values()[:, None])
     np.testing.assert_allclose(drawn.values, np.broadcast_to(wanted, drawn.values.shape), rtol=1e-4)
 
 
 def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
-    drawn = MAPS["6b"]
+    drawn = paper("6b")
     np.testing.assert_allclose(drawn.values / evaluate(drawn.scene, drawn.printed, drawn.x, drawn.y), 2.5, rtol=1e-12)
 
 
@@ -74,19 +80,19 @@ def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
 def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
     crossing = solve("yield_force_ratio", radius=0.8e-9)
     assert crossing == approx(1, rel=1e-12)
-    assert MAPS["3b"].y.low < 0.8e-9
-    assert "1" in [level.text for level in MAPS["3b"].levels()]
-    assert "0.8 nm; the text has 1 nm" in MAPS["3b"].remarks[0]
+    assert paper("3b").y.low < 0.8e-9
+    assert "1" in [level.text for level in paper("3b").levels()]
+    assert "0.8 nm; the text has 1 nm" in paper("3b").remarks[0]
 
 
 def test_fig_3c_50_um_at_100_nm() -> None:
-    assert at(MAPS["3c"], 1e-2, 1e-7) == approx(solve("r_min", radius=1e-7), rel=0.3)
+    assert at(paper("3c"), 1e-2, 1e-7) == approx(solve("r_min", radius=1e-7), rel=0.3)
     assert solve("r_min", radius=1e-7) == approx(50e-6, rel=1e-9)
 
 
 def test_fig_3d_a_thousand_spheres_and_a_single_one() -> None:
     given: dict[str, Any] = {"density": 2000.0, "gravity": 9.80665}
-    (point,) = [mark for mark in MAPS["3d"].marks if mark.y is not None]
+    (point,) = [mark for mark in paper("3d").marks if mark.y is not None]
     assert round(solve("n_grav", surface_energy=point.x, radius=point.y, **given)) == int(point.text)
     for material, radius in (("polystyrene", 8e-6), ("iron", 52e-6)):
         gamma = known_materials()[material].properties["surface_energy"]
@@ -108,9 +114,9 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     # Eq (48) has 2πn⟨M⟩ = (2/7)W0, and W_yield = ⟨M⟩ξ/R: they are equal where 2πRn = ξ.
     assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
-    shaded = MAPS["8"].regions[0]
+    shaded = paper("8").regions[0]
     assert shaded.text.endswith("it springs back")
-    drawn = MAPS["8"]
+    drawn = paper("8")
     excess = shaded.excess(over(drawn.scene, drawn.x, drawn.y))
     row = int(np.argmin(abs(np.log(drawn.y.values() / 1e-8))))
     inside = drawn.x.values()[excess[row] > 0]
@@ -121,7 +127,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
 
 @pytest.mark.parametrize("name", sorted(FILES))
 def test_regions_end_where_the_limits_are(name: str) -> None:
-    drawn = MAPS[name]
+    drawn = paper(name)
     texts = plain(" ".join(region.text for region in drawn.regions))
     of_law = {"a/z0 < 3", "JKR is off by more than 5 %"} if drawn.quantity != "r_min" else set[str]()
     of_displacement = {"ξ/ξ_max > 1"} if "yield_displacement" in depends_on([drawn.quantity]) else set[str]()
@@ -161,13 +167,13 @@ def apart(quantity: str, given: dict[str, Any]) -> Any:
 
 
 def test_materials_are_where_table_1_has_them() -> None:
-    marks = {mark.text: mark.x for mark in MAPS["3a"].marks}
+    marks = {mark.text: mark.x for mark in paper("3a").marks}
     assert marks == {
         name: material.properties["surface_energy"]
         for name, material in known_materials().materials.items()
         if material.title == "Table 1"
     }
-    ratios = {mark.text: mark.x for mark in MAPS["8"].marks}
+    ratios = {mark.text: mark.x for mark in paper("8").marks}
     assert "gold" not in ratios  # it has no Young's modulus
     assert ratios["quartz"] == approx(54e9 / (2 * (1 - 0.17**2)) / 0.025)
 

@@ -9,7 +9,7 @@ import pytest
 
 import jkroll
 
-Quantity = pint.UnitRegistry().Quantity
+Quantity: Any = pint.application_registry.Quantity
 RADII = Quantity(numpy.array([100.0, 200.0]), "nm")
 FORCES = jkroll.solve("pull_off_force", material="quartz", radius=numpy.array([1e-7, 2e-7]))
 
@@ -91,6 +91,7 @@ def test_uncertain_value_with_a_unit_is_refused(words: dict[str, Any]) -> None:
 # --- The packages themselves ------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_xarray() -> None:
     """Read with its unit: an array, its variable, one element, a list of them, and pieces of dask."""
     xarray = pytest.importorskip("xarray")

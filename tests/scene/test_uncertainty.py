@@ -323,7 +323,7 @@ def test_the_face_of_python() -> None:
 
 def test_measurements_of_pint_are_read_in_any_unit() -> None:
     pytest.importorskip("uncertainties")
-    units: Any = pint.UnitRegistry()
+    units: Any = pint.application_registry
     energy = units.Measurement(25, 5, "mJ/m^2")
     force = solve("pull_off_force", surface_energy=energy, radius="100 nm")
     assert force == solve("pull_off_force", surface_energy=units.Quantity(25, "mJ/m^2").plus_minus(5), radius="100 nm")
@@ -346,7 +346,7 @@ def test_measurements_of_pint_are_read_in_any_unit() -> None:
 )
 def test_measurements_of_pint_that_cannot_be(uncertainty: float, unit: str, reason: str) -> None:
     pytest.importorskip("uncertainties")
-    units: Any = pint.UnitRegistry()
+    units: Any = pint.application_registry
     energy = units.Measurement(25, uncertainty, unit)
     with pytest.raises(QuantityError, match=reason):
         solve("pull_off_force", surface_energy=energy, radius="100 nm")
