@@ -217,22 +217,30 @@ def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
         return None
     if b"+" in text and b"+-" not in text:
         text = text.replace(b",+", b",")
-    suffix = b"e%d" % exponent if exponent else b""
-    if suffix:
+    end = b"e%d," % exponent if exponent else b","
+    if exponent:
         for power in set(_POWER.findall(text)):  # a semicolon marks the end of what has its power already
             text = text.replace(b"e" + power + b",", b"E%d;" % (int(power) + exponent))
-        text = text[:1] + text[1:].replace(b",", suffix + b",").replace(b";", b",")
-    empty = b"," + suffix + b","
-    while empty in text:  # in a run of them, every other one is found
-        text = text.replace(empty, b",null,")
-    try:
-        values = orjson.loads(b"[" + text[1:-1] + b"]")
-    except orjson.JSONDecodeError:
-        return None
+        text = b"," + text[1:].replace(b",", end).replace(b";", b",")
+    values = _members(text)
+    if len(values) != len(cells):  # there are empty cells, or others that are no numbers
+        empty = b"," + end
+        while empty in text:  # in a run of them, every other one is found
+            text = text.replace(empty, b",null,")
+        values = _members(text)
     if len(values) != len(cells):
         return None
     numbers = numpy.array(values, dtype=float)
     return None if not numbers.all() and _TINY.search(text) else numbers
+
+
+def _members(text: bytes) -> list[Any]:
+    """Return the members of a text between commas, as JSON has them; none if some are no JSON."""
+    try:
+        members: list[Any] = orjson.loads(b"[" + text[1:-1] + b"]")
+    except orjson.JSONDecodeError:
+        return []
+    return members
 
 
 # --- Materials --------------------------------------------------------------------------------------------------------
