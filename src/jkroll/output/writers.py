@@ -237,7 +237,7 @@ def _codes(columns: Columns) -> list[str | None]:
         return [codes(bits) or None for bits in columns.doubts]
     import numpy
 
-    distinct, places = numpy.unique(columns.doubts, return_inverse=True)
+    distinct, places, _ = columns.distinct_doubts
     texts = numpy.array([codes(bits) or None for bits in distinct.tolist()], dtype=object)
     every: list[str | None] = texts[places].tolist()
     return every

@@ -303,10 +303,15 @@ class Columns:
         """The numbers of rows, by the bits of their doubts."""
         if isinstance(self.doubts, list):
             return Counter(self.doubts)
+        distinct, _, counts = self.distinct_doubts
+        return Counter(dict(zip(distinct.tolist(), counts.tolist(), strict=True)))
+
+    @cached_property
+    def distinct_doubts(self) -> tuple[Any, Any, Any]:
+        """The bits of doubts that differ, the place of each row's among them, and the number of rows of each."""
         import numpy
 
-        distinct, counts = numpy.unique(self.doubts, return_counts=True)
-        return Counter(dict(zip(distinct.tolist(), counts.tolist(), strict=True)))
+        return numpy.unique(self.doubts, return_inverse=True, return_counts=True)
 
     @cached_property
     def failed(self) -> list[int]:

@@ -135,6 +135,9 @@ OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
+_NO_VALUES: Mapping[str, Any] = {}
+
+
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
@@ -156,12 +159,13 @@ class Scene:
         material2: Material | None = None,
         *,
         model: str | None = None,
+        checked: Mapping[str, Any] = _NO_VALUES,
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
-        value that has an uncertainty; `scene.uncertainty` computes with the rest. Raises
-        QuantityError, or BadRequest for arrays that do not broadcast.
+        value that has an uncertainty; `scene.uncertainty` computes with the rest. `checked` are values that another
+        scene has taken. Raises QuantityError, or BadRequest for arrays that do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
@@ -178,7 +182,8 @@ class Scene:
         self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
         self.shape = broadcast(self.arrays)
         for name, value in self.given.items():
-            check_range(name, value)
+            if checked.get(name) is not value:
+                check_range(name, value)
         self.displacement = self._displacement_of_solid()
         if self.displacement is not None:
             self.given[XI] = self.displacement.value
@@ -208,9 +213,8 @@ class Scene:
             names = {of_sphere(sphere, name): name for name in solid.properties}
             if of_solid := names.keys() & values.keys() - self.stated.keys():
                 solids[sphere] = solid.with_properties({names[name]: stated.pop(name) for name in of_solid})
-        return Scene(
-            {name: value for name, value in stated.items() if value is not None}, *solids.values(), model=model
-        )
+        given = {name: value for name, value in stated.items() if value is not None}
+        return Scene(given, *solids.values(), model=model, checked=self.given)
 
     def instead(self, changed: Iterable[str], **values: Any) -> "Scene":
         """Return a scene that may stand in place of this one, as `replace` does. What both have is evaluated once.
