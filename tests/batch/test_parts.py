@@ -36,7 +36,7 @@ def whole(directory: str) -> dict[str, bytes]:
 
 
 def test_a_file_for_each_table(run: Run, grains: list[str]) -> None:
-    words = ("--quantities", "r_min,pull_off_force", "--jobs", "1")
+    words = ("--quantities", "pull_off_force,contact_radius_at_load", "--jobs", "1")
     assert run("batch", "grains/*.csv", "-o", "forces/", *words).code == 1
     written = whole("forces")
     for name in grains:
@@ -109,7 +109,7 @@ def test_resume_makes_anew_what_is_older_than_its_table(run: Run, grains: list[s
 
 
 def test_a_run_that_was_ended_goes_on(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
-    words = ("batch", "grains/*.csv", "--quantities", "r_min,pull_off_force", "--jobs", "1")
+    words = ("batch", "grains/*.csv", "--quantities", "contact_radius_at_load", "--jobs", "1")
     done: list[str] = []
 
     def until(path: str, job: Job) -> Tally:
