@@ -196,6 +196,14 @@ def test_a_symbol_without_a_unit_is_an_input_where_its_cells_have_units() -> Non
     assert understood(["R"], [["2.5 kOhm"]]).inputs == ()
 
 
+def test_a_prime_is_part_of_a_symbol_and_quotes_are_not() -> None:
+    """E' is the plane-strain or the storage modulus, E'' the loss modulus."""
+    for text in ("E'", "E''", "E′"):
+        assert understood([text], [["3 GPa"]]).inputs == ()
+    for text in ("'E'", '"E"', "'E [GPa]'"):
+        assert [column.name for column in understood([text], [["3 GPa"]]).inputs] == ["youngs_modulus"]
+
+
 # Forms of tables: headers, a row, and the inputs that they hold in SI units.
 TABLES = {
     "name,R1 (nm),F (nN)\na,50,3\n": {"radius": 5e-8},
@@ -845,6 +853,13 @@ def test_a_number_that_is_too_small_is_no_zero(run: Run) -> None:
     assert run("batch x.csv -o out.csv --material quartz --quantities contact_radius_at_load --no-doubt").code == 1
     statuses = [line.partition(",,")[2] for line in Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]]
     assert [bool(status) for status in statuses] == [False, True, False, False]
+
+
+@pytest.mark.parametrize("blank", ["\xa0", "\u202f", "\u2009", "  "])
+def test_a_blank_behind_a_number_is_no_unit(blank: str) -> None:
+    (column,) = understood(["nu [%]"]).inputs
+    for cells in ([f"0.3{blank}"], ["0.2", f"0.3{blank}"], [f"0.3{blank}"] * 2):
+        assert column.numbers({column.name: [cell.encode() for cell in cells]}).values[-1] == 0.003
 
 
 def test_a_label_that_is_another_name_of_a_material_is_told(run: Run) -> None:

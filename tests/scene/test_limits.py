@@ -117,6 +117,14 @@ def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
     assert code in codes_of(bits(Scene({**QUARTZ, **given}), [name]))
 
 
+def test_spheres_of_a_viscous_time_are_not_held_to_bounce_as_elastic_ones_do() -> None:
+    """At 1 m/s, quartz of 100 nm bounces without damping, and sticks with a viscous time of 1 ps: e = 0."""
+    for given, is_in_doubt in (({}, True), ({"viscous_time": 1e-12}, False)):
+        codes = verdicts("n_roll_after_impact", "restitution", speed=1.0, **given).values()
+        assert ("bounces" in codes) is is_in_doubt
+        assert (solve("restitution", **QUARTZ, speed=1.0, **given) > 0) is is_in_doubt
+
+
 def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_the_yield_energy() -> None:
     """The paper: "do not roll at all, if they are smaller than about 10 nm".
 

@@ -198,7 +198,7 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
     """Return the power of ten of a unit of a quantity; None for any other text."""
     try:
         text = unit_text.decode().strip()
-        unit = None if has_uncertainty(text) else unit_of(text, name)
+        unit = None if not text or has_uncertainty(text) else unit_of(text, name)
     except (QuantityError, UnicodeDecodeError):
         return None
     return exponent_of(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None

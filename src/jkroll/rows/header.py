@@ -61,6 +61,7 @@ _CUT = re.compile(
     r"|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
 )
 _PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
+_QUOTED = r"^([\"'])\s*(.*?)\s*\1$"
 _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
 _FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
@@ -93,7 +94,7 @@ def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
 
 def _splits(text: str) -> Iterator[_Split]:
     """Iterate over words and what may be their units: none, and what stands behind each place where one may begin."""
-    text = " ".join(composed(text).translate(_SPELT).split()).strip("\"' ")
+    text = re.sub(_QUOTED, r"\2", " ".join(composed(text).translate(_SPELT).split()))
     yield _Split(text.strip(" _."), "")
     for cut in reversed([*_CUT.finditer(text)]):
         word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")

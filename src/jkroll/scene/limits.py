@@ -196,7 +196,7 @@ LIMITS = (
     Limit(
         "energy_over_sticking", "bouncing", _TURNS, ">", {1.0: "bounces"},
         "after a head-on impact on a held body 2, elastic spheres do not stick",
-        _is_stated(IMPACT),
+        lambda scene, names: _is_stated(IMPACT)(scene, names) and "viscous_time" not in scene.stated,
         ends_meaning=True,
     ),
     Limit(
