@@ -1,6 +1,5 @@
 """What whoever simulates grains reads: the rows of `resistances` and `aggregates`, and the recipes of `guide dem`."""
 
-import json
 import math
 import re
 from fractions import Fraction
@@ -109,17 +108,6 @@ def test_what_rolls_is_told_once(run: Run) -> None:
     said = run("resistances quartz 0.5nm --explain").out
     assert "slides or peels off before it rolls" in said
     assert "breaks before it rolls" not in said
-
-
-def test_a_sweep_and_another_law(run: Run) -> None:
-    lines = run("resistances quartz,iron 100nm --bare --quantities sliding_force").out.splitlines()
-    assert [float(line) for line in lines] == [
-        solve("sliding_force", material=material, radius=1e-7) for material in ("quartz", "iron")
-    ]
-    ran = run("resistances quartz 100nm --model dmt --json")
-    results = {one["name"]: one["value"] for one in json.loads(ran.out)["results"]}
-    assert results["sliding_force"] is None
-    assert results["twisting_stiffness"] > 0
 
 
 def test_what_an_aggregate_lacks_is_said(run: Run) -> None:

@@ -13,8 +13,7 @@ from harness import Run
 from jkroll import Interval, Measured
 from jkroll.batch.files import format_of_name, input_format, output_format
 from jkroll.errors import BadRequest, BadTable
-from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.rows.header import Header, reading_of, stated_meanings, understood
+from jkroll.rows.header import reading_of, stated_meanings, understood
 from relative import approx
 from tables import read_rows, write_rows
 
@@ -92,28 +91,20 @@ REFUSED = {
         for word, name in {"radius": "radius", "density": "density", "Radius": "radius"}.items()
     },
     "radius ()": "neither has a unit",
-    "radius:": "neither has a unit",
     "radius [kg]": "what stands behind radius is not its unit",
     "Energy (old)": "what stands behind energy is not its unit",
     "radiuss [nm]": "=radius [nm]'",
     "radius [nm] (mean)": "what stands behind radius is not its unit",
     "surface energy (polar) [mJ/m2]": "what stands behind surface_energy is not its unit",
     "gama [mJ/m2]": "=surface_energy [mJ/m2]'",
-    "laod_nN": "=load [nN]'",
     "gama": "=surface_energy [UNIT]'",
     "yong (GPa)": "=youngs_modulus [GPa]'",
-    "spead in m/s": "=speed [m/s]'",
     "load_uncertanty [nN]": "=load [UNIT]'",
     "surface_energy in GPa": "what stands behind surface_energy is not its unit",
     "load_micro_N": "=load [UNIT]'",
     "log radius [nm]": "Write a column radius [UNIT] in its place, or --column",
     "radius_stderr [nm]": "Write a column radius [UNIT] in its place, or --column",
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
-    "radius_au": "what stands behind radius is not its unit",
-    "radius (rod)": "what stands behind radius is not its unit",
-    "Radius (pp)": "what stands behind radius is not its unit",
-    "surface energy (Nm)": "what stands behind surface_energy is not its unit",
-    "Radius (chain)": "what stands behind radius is not its unit",
     "radius*1e9": _FACTOR,
     "radius (×10⁻⁶ m)": _FACTOR,
     "E [1e9 Pa]": _FACTOR,
@@ -124,25 +115,17 @@ REFUSED = {
     "F_n [nN]": "--column 'F_n [nN]=load [nN]'",
     "hysteresis (mJ/m2)": "it may be another hysteresis",
     "gamma [nm]": "what stands behind surface_energy is not its unit",  # no N/m
-    "E_eff [GPa]": "it may be Young's modulus, or E* of the contact",
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
     "rho_p [kg/m3]": "it may be density",
     "ρs (g/cm³)": "it may be density",
-    "nu_p [-]": "it may be poisson_ratio",
     "second radius (nm)": "'second radius (nm)=radius [nm]' or --column 'second radius (nm)=radius2 [nm]'",
     "applied tip load [nN]": "=load [nN]'",
-    "mean gamma (mJ/m2)": "=surface_energy [mJ/m2]'",
-    "grain_density_g_cm3": "=density [g/cm3]'",
     "Particle radius (µm)": "=radius [",
-    "tip radius [nm]": "=radius [nm]'",
-    "radius_um_old": "what stands behind radius is not its unit",
     "density¹ [kg/m³]": _FACTOR,
     "radius_max [nm]": "alone is no uncertainty of radius",
     "-load [nN]": _FACTOR,
     "2gamma [mJ/m2]": _FACTOR,
-    "2R [nm]": _FACTOR,
-    "-load": _FACTOR,
     "radius/2 [nm]": _FACTOR,
 }
 PASSING = (
@@ -202,81 +185,6 @@ def test_a_prime_is_part_of_a_symbol_and_quotes_are_not() -> None:
         assert understood([text], [["3 GPa"]]).inputs == ()
     for text in ("'E'", '"E"', "'E [GPa]'"):
         assert [column.name for column in understood([text], [["3 GPa"]]).inputs] == ["youngs_modulus"]
-
-
-# Forms of tables: headers, a row, and the inputs that they hold in SI units.
-TABLES = {
-    "name,R1 (nm),F (nN)\na,50,3\n": {"radius": 5e-8},
-    "Sample,Tip radius (nm),R1 (nm),Young's modulus (GPa)\na,20,50,2.5\n": {"radius": 5e-8, "youngs_modulus": 2.5e9},
-    "Index,Load/nN,R1/um,T/K\n1,5,2,300\n": {"load": 5e-9, "radius": 2e-6},
-    "P (nN),R1 (um),E (GPa),nu\n1,2,70,0.2\n": {
-        "load": 1e-9,
-        "radius": 2e-6,
-        "youngs_modulus": 7e10,
-        "poisson_ratio": 0.2,
-    },
-    "point,load_nN,radius_nm\n1,5,100\n": {"load": 5e-9, "radius": 1e-7},
-    "id,R1 [um],R2 [um],w [mJ/m2]\n1,1,2,50\n": {"radius": 1e-6, "radius2": 2e-6, "work_of_adhesion": 0.05},
-    "id,radius_um,gamma_mJ_m2,comment\n1,3,25,x\n": {"radius": 3e-6, "surface_energy": 0.025},
-    "Probe,R1 [µm],γ [mJ/m²]\nA,2,30\n": {"radius": 2e-6, "surface_energy": 0.03},
-    "id,radius in um,speed in m/s\n1,1,0.5\n": {"radius": 1e-6, "speed": 0.5},
-    "name,density_kg_m3,E_GPa,nu\nAISI 1020 Steel,7870,200,0.29\n": {
-        "density": 7870.0,
-        "youngs_modulus": 2e11,
-        "poisson_ratio": 0.29,
-    },
-    "Name,Density (g/cm3),Young's Modulus (GPa),Poisson's Ratio\nAl,2.7,69,0.33\n": {
-        "density": 2700.0,
-        "youngs_modulus": 6.9e10,
-        "poisson_ratio": 0.33,
-    },
-    "grade,rho [kg/m3],E [MPa],ν [-]\nPA6,1140,2800,0.39\n": {
-        "density": 1140.0,
-        "youngs_modulus": 2.8e9,
-        "poisson_ratio": 0.39,
-    },
-    "name,surface energy (mJ/m2),density (kg/m^3)\nPS,33,1050\n": {"surface_energy": 0.033, "density": 1050.0},
-    "mineral,gamma [J/m2],E [Pa]\nquartz,0.3,1e11\n": {"surface_energy": 0.3, "youngs_modulus": 1e11},
-    "polymer,surface_energy_mJ_per_m2\nPE,31\n": {"surface_energy": 0.031},
-    "metal,A (zJ),R1 (nm)\nAu,400,10\n": {"hamaker": 4e-19, "radius": 1e-8},
-    "run,v (cm/s),R1 (um)\n1,12,0.75\n": {"speed": 0.12, "radius": 7.5e-7},
-    "run,v_m_s,radius_um,gamma_J_m2\n1,0.1,1,0.02\n": {"speed": 0.1, "radius": 1e-6, "surface_energy": 0.02},
-    "id,type,radius [m],density [kg/m3],vx,vy,vz\n1,1,1e-6,2500,0,0,1\n": {"radius": 1e-6, "density": 2500.0},
-    "id,R1 [mm],rho [g/cm3],E [J]\n1,0.5,2,1e-15\n": {"radius": 5e-4, "density": 2000.0, "energy": 1e-15},
-    "E_1 [GPa],E_2 [GPa],nu_1,nu_2\n70,200,0.2,0.3\n": {
-        "youngs_modulus": 7e10,
-        "youngs_modulus2": 2e11,
-        "poisson_ratio": 0.2,
-        "poisson_ratio2": 0.3,
-    },
-    "gamma1 [mJ/m2],gamma2 [mJ/m2]\n25,30\n": {"surface_energy": 0.025, "surface_energy2": 0.03},
-    "x,y,R,R2\n0,0,3 um,5um\n": {"radius": 3e-6, "radius2": 5e-6},
-    "site,R1_nm,E_GPa,xi_nm\nA,100,54,0.2\n": {"radius": 1e-7, "youngs_modulus": 5.4e10, "yield_displacement": 2e-10},
-    "step,load [uN],delta [nm]\n1,2,3\n": {"load": 2e-6, "approach_at_load": 3e-9},
-    "Specimen,Radius (Å),Load (pN)\nC60,5,10\n": {"radius": 5e-10, "load": 1e-11},
-    "grain,RADIUS [UX]\n": {},  # no such unit
-    "sieve,diameter (um),density (kg/m3)\n1,63,2650\n": {},
-    "case,E* (GPa),R (um)\n1,50,2\n": {},  # which R?
-    "sensor,radius,R [kOhm]\n1,100,3\n": {},
-}
-
-
-def read(text: str, chosen: tuple[str, ...] = ()) -> tuple[Header, list[str]]:
-    head, *lines = [line.split(",") for line in text.splitlines()]
-    return understood(head, lines, stated_meanings(chosen)), lines[0] if lines else []
-
-
-@pytest.mark.parametrize("text", [text for text, inputs in TABLES.items() if inputs])
-def test_a_form_of_a_table_is_read_as_it_is(text: str) -> None:
-    header, cells = read(text)
-    assert {column.name: column.read(cells[column.place]) for column in header.inputs} == approx(TABLES[text])
-
-
-@pytest.mark.parametrize("text", [text for text, inputs in TABLES.items() if not inputs])
-def test_a_form_of_a_table_is_refused(run: Run, text: str) -> None:
-    Path("x.csv").write_text(text, encoding="utf-8")
-    ran = run("batch x.csv --material quartz -o out.csv")
-    assert (ran.code, ran.err.startswith("jkroll: header: ")) == (2, True)
 
 
 @pytest.mark.parametrize("other", ["r2_um", "D2 [um]", "diameter2 (um)", "Diameter 2, um", "size2_um"])
@@ -347,10 +255,6 @@ def test_a_line_that_tells_a_spreadsheet_the_separator_is_passed_over(run: Run, 
     assert (ran.code, "passed over: a line before the header" in ran.err) == (0, True)
     header, row = Path("out.csv").read_text(encoding="utf-8").splitlines()
     assert (header.split(mark)[:2], row.split(mark)[:2]) == (["radius [nm]", "load [nN]"], ["100", "1"])
-
-
-def test_thirty_forms() -> None:
-    assert len(TABLES) >= 30
 
 
 # --- Columns that are chosen ------------------------------------------------------------------------------------------
@@ -766,15 +670,6 @@ def test_blanks_in_quotes_are_refused(run: Run) -> None:
     Path("x.txt").write_text('name radius_nm\n"a b" 1\n', encoding="utf-8")
     ran = run("batch x.txt --delimiter blank --material quartz")
     assert (ran.code, "has no quotes" in ran.err) == (2, True)
-
-
-@pytest.mark.parametrize("name", [name for name, one in NOMENCLATURE.items() if one.option and one.unit])
-def test_every_input_may_be_a_column(run: Run, name: str) -> None:
-    radius, quantity = ("", "pull_off_force") if name == "reduced_radius" else ("100nm", "r_min")
-    text = f"material,radius,{name}\nquartz,{radius},{NOMENCLATURE[name].example}\n"
-    Path("x.csv").write_text(text, encoding="utf-8")
-    ran = run(f"batch x.csv --quantities {quantity} --no-doubt -o out.csv")
-    assert ran.code == 0, ran.err
 
 
 def test_mistaken_headers_are_named_together(run: Run) -> None:

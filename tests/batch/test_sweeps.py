@@ -6,8 +6,6 @@ import json
 import math
 import re
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 from unittest.mock import patch
 
@@ -178,24 +176,6 @@ def test_a_value_of_many_rows_is_rounded_once(run: Run, monkeypatch: pytest.Monk
         _, *rows = table(run("pull-off quartz 1nm:1um:1000 --csv --digits 3 --quantities pull_off_force").out)
     assert (len(rows), number.call_count) == (1000, 1000)
     assert {len(row[4].partition("e")[0].replace(".", "")) for row in rows} <= {1, 2, 3}
-
-
-@pytest.mark.slow
-def test_a_long_sweep_is_the_same_in_a_pipe_and_in_parquet(run: Run) -> None:
-    parquet = pytest.importorskip("pyarrow.parquet")
-    command = "pull-off quartz,iron 1nm:1um:15000"
-    piped = subprocess.run(
-        [sys.executable, "-m", "jkroll", *command.split(), "--csv", "--quiet"], capture_output=True, text=True
-    )
-    assert piped.returncode == 0
-    assert run(f"{command} -o out.parquet --quiet") == (0, "", "")
-    found = parquet.read_table("out.parquet")
-    header, *rows = table(piped.stdout)
-    assert found.column_names == header
-    assert found.num_rows == len(rows) == 30_000
-    for place, name in enumerate(header):
-        cells = [row[place] or None for row in rows]
-        assert found[name].to_pylist() == (cells if name in TEXTS else [cell and float(cell) for cell in cells]), name
 
 
 @pytest.mark.parametrize("line", ["pull-off quartz 100nm", "frequencies quartz,gold 100nm 1um --to MHz --digits 3"])

@@ -180,13 +180,6 @@ def test_a_negative_value_is_one_where_an_option_takes_it(run: Run, flag: str) -
     assert json.loads(run(f"contact quartz 100nm {flag} --json").out)["inputs"]["load"] == -3e-9
 
 
-def test_file_names_may_begin_with_a_hyphen_and_a_digit(run: Run) -> None:
-    Path("-1.csv").write_text("material,radius\nquartz,100nm\n", encoding="utf-8")
-    for words in (["-1.csv", "-o", "-2.csv"], ["-o-3.csv", "--", "-1.csv"]):
-        assert run("batch", "--jobs", "1", "--quiet", *words).code == 0
-    assert sorted(path.name for path in Path().iterdir()) == ["-1.csv", "-2.csv", "-3.csv"]
-
-
 @pytest.mark.parametrize(
     ("word", "problem"), [("a\0.csv", "contains a NUL character"), ("a\ud83d.csv", "contains half a character")]
 )

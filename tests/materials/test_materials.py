@@ -24,7 +24,6 @@ from jkroll.errors import JkrollError
 from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFileError
 from jkroll.scene.failures import MissingInput
 from jkroll.scene.scene import Scene
-from jkroll.text import quoted
 from material_files import read
 from relative import approx
 
@@ -272,14 +271,6 @@ def test_a_mistake_in_one_material_does_not_stop_the_others(run: Run, tmp_path: 
     ]
 
 
-@pytest.mark.parametrize("name", ["\\u001b[31mred", "9nm", "plane", "a,b"])
-def test_names_are_checked_before_any_is_shown(run: Run, tmp_path: Path, name: str) -> None:
-    path = write(tmp_path / "mine.toml", f'[materials."{name}"]\n')
-    ran = run("pull-off", "unknown", "1um", "--materials", str(path))
-    assert "cannot name a material" in ran.err
-    assert "\x1b" not in ran.err
-
-
 def test_an_alias_that_takes_a_name_leaves_the_material_itself(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "[materials.steel]\naliases = ['iron']\ndensity = '8 g/cm3'\n")
     materials = Materials([path])
@@ -311,30 +302,6 @@ def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> No
         assert run("pull-off", material, *words).err == message
     Path("grains.csv").write_text("radius [nm],material\n100,ice\n", encoding="utf-8")
     assert run("batch", "grains.csv", "-o", "out.csv", "--materials", str(path)).code == 0
-
-
-def test_what_is_no_file(run: Run, tmp_path: Path) -> None:
-    os.mkfifo(tmp_path / "fifo")
-    (tmp_path / "loop").symlink_to(tmp_path / "loop")
-    for path, problem in (
-        ("fifo", "is not a regular file"),
-        ("loop", "Too many levels of symbolic links"),
-        (".", "is not a regular file"),
-        ("/dev/zero", "is not a regular file"),
-        ("a" * 300, "File name too long"),
-        ("none", "No such file or directory"),
-    ):
-        ran = run("pull-off", "quartz", "1um", "--materials", path)
-        assert (ran.code, ran.err) == (2, f"jkroll: materials file {quoted(path)}: {problem}\n")
-
-
-def test_a_broken_file_does_not_matter_where_no_material_is_named(
-    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path = write(tmp_path / "broken.toml", "a = ")
-    monkeypatch.setenv("JKROLL_MATERIALS", str(path))
-    assert run("r-min 100nm").code == 0
-    assert run("r-min", "100nm", "--materials", str(path)).code == 2
 
 
 @settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -400,12 +367,6 @@ def test_a_material_made_by_hand_has_properties_as_solve_takes_them() -> None:
         other: Any = mine._replace(properties=properties)  # type: ignore[arg-type]
         with pytest.raises(JkrollError, match=words):
             jkroll.solve("work_of_adhesion", material=mine, material2=other)
-
-
-def test_solve_takes_materials_by_name() -> None:
-    assert jkroll.solve("pull_off_force", material="Fe", radius=1e-6) > 0
-    with pytest.raises(JkrollError, match="did you mean quartz"):
-        jkroll.solve("pull_off_force", material="quarz", radius=1e-6)
 
 
 # --- The second set: materials by state -------------------------------------------------------------------------------
@@ -696,15 +657,6 @@ def test_the_list_is_a_screen_of_sets_with_the_methods(run: Run) -> None:
     assert rows["ice-warm"]["source"] == "ices"
 
 
-def test_a_record_has_states_uncertainties_and_references(run: Run) -> None:
-    ice = Materials()["ice-warm"]
-    (row,) = (one for one in csv.DictReader(io.StringIO(run("materials --csv").out)) if one["material"] == "ice-warm")
-    assert float(row["surface_energy_minus [J/m^2]"]) == ice.uncertainties["surface_energy"].sides["minus"]
-    assert float(row["density_high [kg/m^3]"]) == ice.uncertainties["density"].high
-    assert row["references"].split(", ") == [entry["key"] for entry in ice.references]
-    assert row["state"] == ice.state
-
-
 @pytest.mark.parametrize(
     ("words", "names"),
     [
@@ -724,24 +676,6 @@ def test_a_name_goes_before_words(run: Run) -> None:
     assert json.loads(run("materials silicone rubber --json").out)["name"] == "pdms"
     assert "did you mean quartz?" in run("materials quarz").err
     assert "'steel' is one of several; write steel-304 (30.5 mJ/m², stainless, " in run("materials steel").err
-
-
-@pytest.mark.parametrize(
-    ("word", "states"),
-    {
-        "aluminium": ("aluminium-oxide", "aluminium-clean"),
-        "Cu": ("copper-air", "copper-clean"),
-        "tungsten": ("tungsten-oxide", "tungsten-clean"),
-        "silicon": ("silicon-oxide", "silicon-hydrogen", "silicon-cleaved"),
-        "PE": ("polyethylene-hd", "polyethylene-ld"),
-        "lactose": ("lactose-crystalline", "lactose-amorphous"),
-        "diamond": ("diamond-hydrogen", "diamond-oxygen"),
-    }.items(),
-)
-def test_a_substance_of_several_states_is_refused(run: Run, word: str, states: tuple[str, ...]) -> None:
-    ran = run("pull-off", word, "1um")
-    assert (ran.code, ran.out) == (2, "")
-    assert re.findall(r"([a-z]+-[a-z]+) \([0-9]", ran.err) == [*states]
 
 
 def test_glass_is_soda_lime_in_air_and_says_so(run: Run) -> None:
@@ -815,16 +749,6 @@ def test_surface_energies_that_were_derived_follow_from_what_was_read() -> None:
     assert tungsten["minus"] == approx(3.5 / 37 * found["tungsten-oxide"].value, rel=0.01)
     assert steel["low"] == approx(0.042**2 / (4 * 0.022), rel=0.03)  # w² = 4γ1γ2
     assert Materials()["glass"].properties["surface_energy"] == 0.15 / 2
-
-
-def test_some_materials_are_listed(run: Run) -> None:
-    assert [one["name"] for one in json.loads(run("materials ice-cold,FE --json").out)] == ["ice-cold", "iron"]
-    table = run("materials quartz,ice-warm", terminal=True).out
-    assert "quartz" in table
-    assert "ice-warm" in table
-    assert "iron" not in table
-    assert len(run("materials quartz,ice-warm --csv").out.splitlines()) == 3
-    assert run("materials quartz,quarz").code == 2
 
 
 def test_a_material_is_shown_with_all_that_is_known_of_it(run: Run) -> None:

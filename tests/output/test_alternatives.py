@@ -3,7 +3,6 @@
 import csv
 import json
 import re
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -66,30 +65,12 @@ def test_where_columns_do_not_fit_they_are_a_second_table(run: Run, monkeypatch:
     assert sum("force that starts rolling" in line for line in lines) == 2  # what a row is stands in both
 
 
-def test_error_bars_are_those_of_the_other_law() -> None:
-    given = {**QUARTZ, "gamma": "25±5 mJ/m2"}
-    found = answer("pull-off", **given).alternatives["maugis"]["pull_off_force"]
-    assert found == solve("pull_off_force", model="maugis", **given, atomic_spacing=4e-10)
-
-
 def test_what_is_inferred_by_another_law_has_its_own_error_bar(run: Run) -> None:
     words = "infer gamma quartz 2um --radius2 plane --measured P_c=300±20nN"
     of_maugis = dict(line.split()[:2] for line in run(f"{words} --model maugis").out.splitlines())
     value, minus = (float(of_maugis[name]) * 1e3 for name in ("surface_energy", "surface_energy_minus"))
     row, *_ = [line for line in run(words, terminal=True).out.splitlines() if line.startswith("surface energy")]
     assert f"{value:.2f} ± {minus:.2f}" in row
-
-
-def test_objects_have_them_too(run: Run) -> None:
-    found = json.loads(run("pull-off quartz 100nm --gamma 25±5mJ/m2 --to nN --json").out)["laws"]["maugis"][
-        "pull_off_force"
-    ]
-    expected = solve("pull_off_force", model="maugis", **QUARTZ, gamma="25±5 mJ/m2", atomic_spacing=4e-10)
-    assert found["value"] == approx(expected.value * 1e9)
-    bar = found["uncertainty"]
-    assert (bar["minus"], bar["plus"]) == (approx(expected.minus * 1e9), approx(expected.plus * 1e9))
-    plain = json.loads(run("pull-off quartz 100nm --json").out)["laws"]["maugis"]["pull_off_force"]
-    assert "uncertainty" not in plain
 
 
 def test_lists_have_it_beside_the_headline(run: Run) -> None:
@@ -125,25 +106,6 @@ def test_a_list_is_several_tables_where_it_does_not_fit(run: Run) -> None:
     assert "  Q [pN]  Q by Maugis [pN]" in first
     assert sum("Q by data [pN]" in line for line in (first, *others)) == 1
     assert max(map(len, lines)) <= 80
-
-
-def test_measured_forces_have_columns(run: Run) -> None:
-    """Of rows whose solid was not rolled, or is far from its size and surface energy, they are empty."""
-    Path("in.csv").write_text("material,radius [nm],gamma [mJ/m2]\nquartz,300,\niron,300,\nquartz,20,\nquartz,300,50\n")
-    run("batch in.csv -o out.csv --alternatives --quantities yield_force")
-    rows = [*csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())]
-    heads = [f"yield_force_by_data{side} [N]" for side in ("", "_low", "_high")]
-    found: Any = answer("yield_force", material="quartz", radius=3e-7).alternatives["data"]["yield_force"]
-    assert [float(rows[0][head]) for head in heads] == [found.value, found.low, found.high]
-    assert {row[head] for row in rows[1:] for head in heads} == {""}
-    (of_list, _) = csv.DictReader(run("yield-force quartz,iron 300nm --csv --alternatives").out.splitlines())
-    assert [of_list[head] for head in heads] == [rows[0][head] for head in heads]
-    lines = run("yield-force quartz 300nm --alternatives").out.splitlines()
-    assert f"yield_force_by_data_low {of_list[heads[1]]} N" in lines
-    of_json = json.loads(run("yield-force quartz 300nm --json").out)["displacement"]["values"]["yield_force"]
-    assert of_json == [found.low, found.high]
-    assert "_by_data" not in run("yield-force iron 300nm --csv --alternatives").out
-    assert "_by_data" not in run("yield-force quartz 300nm --xi 1nm --csv --alternatives").out
 
 
 def test_files_and_lines_have_it_where_it_is_asked_for(run: Run) -> None:

@@ -394,67 +394,6 @@ def test_states_a_few_ulp_from_pull_off_are_next_to_it() -> None:
         assert numpy.all((ratios >= least) & (ratios <= least * (1 + 0.05)))
 
 
-def test_arrays_give_the_numbers_of_floats() -> None:
-    transitions = numpy.geomspace(1e-3, 1e3, 50)
-    scenes = {name: numpy.full(50, value) for name, value in UNIT.items()}
-    for formula in (
-        maugis.well_energy_maugis,
-        maugis.pull_off_work_maugis,
-        maugis.pull_off_work_at_dead_load_maugis,
-        maugis.sticking_energy_maugis,
-    ):
-        values = alone(formula, transitions, scenes)
-        singles = [alone(formula, each) for each in transitions.tolist()]
-        numpy.testing.assert_allclose(values, singles, rtol=1e-9, atol=1e-15)
-
-
-def test_si_formulas_agree_with_each_other() -> None:
-    scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9}
-    modulus, spacing, load = {"contact_modulus": 27.8e9}, 0.4e-9, 3e-9
-    tabor = (50e-9 * 0.05**2 / (27.8e9**2 * spacing**3)) ** (1 / 3)
-    transition = float(any_law.transition_parameter(tabor_parameter=tabor))
-    stress = float(any_law.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing))
-    at_pull_off = maugis.edge_ratio_at_pull_off(transition_parameter=transition)
-    given = {"edge_ratio_at_pull_off": at_pull_off, "transition_parameter": transition, **scene}
-    force = maugis.pull_off_force_maugis(**given)
-    ratio = maugis.edge_ratio_at_load(load=load, pull_off_force_maugis=force, **given)
-    span = maugis.zone_span(edge_ratio=ratio, transition_parameter=transition, **scene, **modulus)
-    known = {"edge_ratio": ratio, "zone_span": span, "reduced_radius": 50e-9, "cohesive_stress": stress, **modulus}
-    assert math.isclose(maugis.load_maugis(**known), load, rel_tol=1e-12)
-    approach = float(maugis.approach_maugis(**known))
-    again = _edge_ratio_at(approach, {"transition_parameter": transition, **scene, **modulus})
-    assert math.isclose(again, ratio, rel_tol=1e-12)
-    a = maugis.contact_radius_maugis(edge_ratio=ratio, zone_span=span)
-    force = maugis.adhesive_force_maugis(edge_ratio=ratio, zone_span=span, cohesive_stress=stress)
-    assert math.isclose(force, 4 * 27.8e9 * a**3 / (3 * 50e-9) - load, rel_tol=1e-12)
-    step = 1e-4 * approach
-    nearby = [_load_at(approach + side, transition, stress, {**scene, **modulus}) for side in (-step, step)]
-    assert math.isclose((nearby[1] - nearby[0]) / (2 * step), maugis.stiffness_maugis(**known), rel_tol=1e-6)
-
-
-def _edge_ratio_at(approach: float, given: dict[str, float]) -> float:
-    at_fold = maugis.edge_ratio_at_fold(transition_parameter=given["transition_parameter"])
-    fold = maugis.fold_approach_maugis(edge_ratio_at_fold=at_fold, **given)
-    found = maugis.edge_ratio_at_approach(
-        approach_at_load=approach, edge_ratio_at_fold=at_fold, fold_approach_maugis=fold, **given
-    )
-    return float(found)
-
-
-def _load_at(approach: float, transition: float, stress: float, scene: dict[str, float]) -> float:
-    given = {**scene, "transition_parameter": transition}
-    ratio = _edge_ratio_at(approach, given)
-    span = maugis.zone_span_at_approach(edge_ratio=ratio, approach_at_load=approach, **given)
-    value = maugis.load_maugis(
-        edge_ratio=ratio,
-        zone_span=span,
-        reduced_radius=given["reduced_radius"],
-        contact_modulus=given["contact_modulus"],
-        cohesive_stress=stress,
-    )
-    return float(value)
-
-
 def test_contact_radius_of_carpick_ogletree_and_salmeron() -> None:
     for transition in numpy.geomspace(0.003, 100, 12).tolist():
         for load in (-1.2, 0.0, 3.0):

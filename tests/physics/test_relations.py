@@ -456,16 +456,6 @@ def test_contradictions_and_mismatches_are_refused() -> None:
         solve("pull_off_force", radius=np.ma.masked_array([1e-7, 2e-7], [False, True]), **QUARTZ)
 
 
-def test_large_arrays_are_evaluated_in_blocks_to_the_same_bits() -> None:
-    radius = np.geomspace(1e-9, 1e-3, 40_000)
-    load = np.linspace(0, 1e-9, 40_000)
-    large = solve(["yield_force", "boussinesq_pressure", "r_min"], radius=radius, load=load, **QUARTZ)
-    for part in (slice(0, 7), slice(16_380, 16_390), slice(39_990, 40_000)):
-        small = solve(["yield_force", "boussinesq_pressure", "r_min"], radius=radius[part], load=load[part], **QUARTZ)
-        for name, value in small.items():
-            assert (large[name][part] == value).all()
-
-
 def test_materials_cannot_be_changed_by_accident_and_files_may_change(tmp_path: Path) -> None:
     with pytest.raises(TypeError):
         jkroll.known_materials()["quartz"].properties["surface_energy"] = 9.0  # type: ignore[index]

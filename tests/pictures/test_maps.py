@@ -15,7 +15,6 @@ from harness import Run
 from jkroll import known_materials, solve
 from jkroll.pictures.figures import PAPER_MAPS, paper_map
 from jkroll.pictures.picture import Axis, Map, axis_around, evaluate, is_flat, over, round_values
-from jkroll.quantities.formatting import in_units
 from jkroll.quantities.markup import plain
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.limits import LIMITS
@@ -189,25 +188,6 @@ def test_an_axis_has_two_ticks_at_least(low: float, high: float, most: int) -> N
         assert len(values) >= 2
         assert values == sorted({*values})
         assert all(low * (1 - 1e-9) <= value <= high * (1 + 1e-9) for value in values if low > 0)
-
-
-@pytest.mark.parametrize(
-    ("low", "high", "is_log", "wanted"),
-    [
-        (1e-9, 1e-3, True, [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3]),
-        (0.5, 3.0, True, [0.5, 1, 2]),
-        (-3.0, 2.0, False, [-3, -2, -1, 0, 1, 2]),
-        (5.0, 5.0, False, [5]),
-    ],
-)
-def test_round_values(low: float, high: float, is_log: bool, wanted: list[float]) -> None:
-    assert round_values(low, high, 8, is_log=is_log) == wanted
-
-
-def test_numbers_of_one_unit_and_of_many() -> None:
-    assert in_units("N", [-1e-8, 3e-30, 2e-8], is_log=False) == (["-10", "0", "20"], "nN")
-    assert in_units("m", [1e-9, 1e-8, 1e-6], is_log=True) == (["1 nm", "10 nm", "1 µm"], "")
-    assert in_units("kg/m^3", [1e3, 1e4], is_log=True) == (["1000", "10⁴"], "kg/m³")
 
 
 @pytest.mark.parametrize(

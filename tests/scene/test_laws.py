@@ -208,11 +208,6 @@ def test_dmt_has_no_edge_that_a_hysteresis_could_act_on() -> None:
         solve("yield_moment", model="dmt", **QUARTZ, adhesion_hysteresis=0.01)
 
 
-def test_displacement_and_hysteresis_exclude_each_other() -> None:
-    with pytest.raises(JkrollError, match="exclude each other"):
-        solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.01, yield_displacement=1e-10)
-
-
 # --- What there is not ------------------------------------------------------------------------------------------------
 
 
@@ -251,11 +246,6 @@ def test_spheres_can_be_bound_without_touching() -> None:
 def test_what_a_law_lacks_is_said_as_a_missing_input_is(name: str) -> None:
     with pytest.raises(NotInLaw, match="not in Maugis–Dugdale; give --model jkr"):
         solve(name, model="maugis", **QUARTZ)
-
-
-def test_an_unknown_law_is_refused() -> None:
-    with pytest.raises(BadRequest, match="is not one of jkr, maugis, dmt"):
-        solve("pull_off_force", model="nonsense", **QUARTZ)
 
 
 # --- Tables and arrays ------------------------------------------------------------------------------------------------
@@ -318,24 +308,6 @@ def test_a_law_has_what_its_answers_need(law: Law) -> None:
     if not law.is_default:
         assert law.source, f"name the source of {law.title} in its Law: results show it in place of an equation"
         assert {"key", "type", "author", "year"} <= law.reference.keys(), f"--cite needs the reference of {law.title}"
-
-
-@pytest.mark.parametrize("model", ["maugis", "dmt"])
-def test_arrays_agree_with_numbers(model: str) -> None:
-    names = [name for name in QUESTIONS["report"].quantities if LAWS[model].usual(name) is not None and name != "load"]
-    radii = numpy.geomspace(1e-9, 1e-3, 9)
-    columns = solve(names, model=model, material="quartz", radius=radii)
-    for place, radius in enumerate(radii.tolist()):
-        for name, value in solve(names, model=model, material="quartz", radius=radius).items():
-            element = float(numpy.broadcast_to(columns[name], radii.shape)[place])
-            assert math.isclose(element, value, rel_tol=1e-13), (name, radius)
-
-
-def test_large_arrays_are_solved_in_blocks() -> None:
-    radii = numpy.geomspace(1e-9, 1e-3, 40_000)
-    forces = solve("pull_off_force", model="maugis", material="quartz", radius=radii)
-    few = solve("pull_off_force", model="maugis", material="quartz", radius=radii[12_345:12_350])
-    assert forces[12_345:12_350].tolist() == few.tolist()
 
 
 @pytest.mark.parametrize("size", [1, 7, 28, 29])

@@ -14,7 +14,7 @@ from jkroll.errors import NoResult
 from jkroll.materials.library import known_materials
 from jkroll.scene.alternatives import by_law, factor_of_law
 from jkroll.scene.failures import TWO_RIGID_BODIES, Failure
-from jkroll.scene.limits import BITS, CODES, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts
+from jkroll.scene.limits import BITS, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 from relative import approx
@@ -73,20 +73,6 @@ def test_every_limit_touches_what_a_command_shows() -> None:
         assert limit.name in NOMENCLATURE
         assert limit.touches & shown
         assert limit.touches <= NOMENCLATURE.keys()
-
-
-def test_codes_are_short_and_differ() -> None:
-    assert len({*CODES}) == len(CODES)
-    assert {
-        "law-off-5%",
-        "law-off-25%",
-        "law-off-2x",
-        "sticking-unsure",
-        "few-atoms",
-        "wide-contact",
-        "beyond-pull-off",
-        "bounces",
-    } <= {*CODES}
 
 
 @pytest.mark.parametrize(
@@ -280,22 +266,6 @@ def test_the_default_energy_is_said_to_be_beyond_sticking(run: Run) -> None:
     assert "U_stick" not in "".join(notes)  # which has none
 
 
-def test_dmt_answers_where_both_bodies_are_rigid(run: Run) -> None:
-    ran = run("pull-off quartz 100nm --young rigid --json")
-    values = {one["name"]: one for one in json.loads(ran.out)["results"]}
-    assert ran.code == 0
-    assert values["pull_off_force"]["value"] is None
-    assert "both bodies are rigid" in values["pull_off_force"]["reason"]
-    assert values["pull_off_force_dmt"]["value"] > 0
-
-
-def test_three_cases_of_rolling_turns() -> None:
-    names = ["n_roll", "n_roll_after_impact", "n_roll_energy_balance"]
-    sliding, after_impact, rolling = solve(names, speed=0.1, **QUARTZ).values()
-    assert after_impact == approx(5 / 2 * sliding, rel=1e-14)
-    assert rolling == approx(7 / 2 * sliding, rel=1e-14)
-
-
 def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
     """The momentum about the contact, m v R, is kept: (I + mR²)ω = m v R; ⟨M⟩ then takes the energy ½(I + mR²)ω²."""
     names = ["mass", "moment_of_inertia", "mean_rolling_moment", "n_roll_after_impact"]
@@ -323,13 +293,6 @@ def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
         assert f"{said}; the next, between spheres 1, yields at 940.4" in run(words).err
     of_pair = "--work-of-adhesion 50mJ/m2 --density 2g/cm3 --radius2 1um"
     assert f"{said}; the next" in run(f"n-grav 100nm {of_pair}").err
-
-
-def test_a_report_and_a_table_of_a_plane_end_alike(run: Run, tmp_path: Any) -> None:
-    path = tmp_path / "plane.csv"
-    path.write_text("material,radius,radius2\nquartz,100nm,plane\n")
-    assert run("report quartz 100nm --radius2 plane").code == 0
-    assert run("batch", str(path), "-o", str(tmp_path / "out.csv")).code == 0
 
 
 # --- The law of adhesion ----------------------------------------------------------------------------------------------

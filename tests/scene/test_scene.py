@@ -89,11 +89,6 @@ def test_arrays_that_do_not_broadcast_are_no_scene(name: str) -> None:
         Scene(arrays, known_materials()["silica-dry"])
 
 
-def test_every_limit_is_a_result_and_touches_what_exists() -> None:
-    assert all(name in NOMENCLATURE for name in LIMIT_NAMES)
-    assert all(limit.touches <= NOMENCLATURE.keys() for limit in LIMITS)
-
-
 def test_every_parameter_is_a_name_that_something_gives() -> None:
     """The formulas of the nomenclature end at names that a user can give."""
     wanted = [name for name in NOMENCLATURE if name in FORMULAS]
