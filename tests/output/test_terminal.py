@@ -171,6 +171,20 @@ def test_units_are_spelt_one_way_on_a_terminal(run: Run) -> None:
         assert "s^2" not in ran.out
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        "pull-off quartz 100nm,1um",
+        "infer radius quartz --measured P_c=300nN",
+        "infer radius quartz --measured P_c=300nN,400nN",
+    ],
+)
+def test_a_plane_stands_above_radii_that_differ_or_are_sought(run: Run, words: str) -> None:
+    ran = run(f"{words} --radius2 plane", terminal=True)
+    assert ran.code == 0
+    assert "quartz (γ = 25 mJ/m² per surface), R2 = plane" in ran.out
+
+
 def test_uncertain_columns_have_one_unit_and_two_digits_of_the_uncertainty(run: Run) -> None:
     table = run("pull-off silica-humid,silica-dry 100nm --quiet", terminal=True).out
     assert "P_c [nN]" in table

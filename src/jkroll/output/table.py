@@ -214,7 +214,7 @@ def _described(inputs: "Mapping[str, float | str | Uncertain]", form: Format) ->
     texts = {name: f"{symbol_beside(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
     if "surface_energy" in texts and "surface_energy2" not in texts:
         texts["surface_energy"] += " per surface"
-    if "radius2" in texts and inputs["radius2"] in (inputs.get("radius"), "plane"):
+    if {"radius", "radius2"} <= texts.keys() and inputs["radius2"] in (inputs["radius"], "plane"):
         radius = amount("radius", inputs["radius"], form)
         texts["radius"] = f"R1 = {radius} on a plane" if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
         del texts["radius2"]
