@@ -172,11 +172,6 @@ def test_references(material: str) -> None:
 # --- The test itself -------------------------------------------------------------------------------------------------
 
 
-def test_unknown_key_is_refused() -> None:
-    with pytest.raises(TypeError, match="agrees"):
-        Record(where="Eq 1", wanted="pull_off_force", printed="1 N", agrees="yes")  # type: ignore[call-arg]
-
-
 def test_every_input_is_one_that_something_takes() -> None:
     assert {name for _, record in RECORDS for name in record.given} <= INPUTS
 
@@ -200,23 +195,3 @@ def test_every_place_is_named_once() -> None:
 )
 def test_half_a_unit_in_the_last_printed_place_is_the_tolerance(printed: str, low: float, high: float) -> None:
     assert Record("", "", printed).admitted() == approx((low, high), rel=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        ("2", 2),
-        ("radius", 0.5),
-        ("4 pi radius^3 / 3", math.pi / 6),
-        ("-1 / 2 radius^1/2", -math.sqrt(0.5)),
-        ("1 / radius 4", 0.5),
-    ],
-)
-def test_product(text: str, expected: float) -> None:
-    assert product(text, {"radius": "50 cm"}) == approx(expected, rel=1e-12)
-
-
-@pytest.mark.parametrize("printed", ["about 50 um", "50um", "fifty um", "fifty radius", "radius x 2"])
-def test_what_cannot_be_read_is_an_error(printed: str) -> None:
-    with pytest.raises(ValueError, match=r"Invalid literal|could not convert"):
-        Record("", "", printed, {"radius": "1 m"}).admitted()

@@ -2,8 +2,8 @@
 
 import pytest
 
-from harness import Run, Stream
-from jkroll.text import MAX_QUOTED, MAX_SIZE, quoted, say, terminal_width
+from harness import Stream
+from jkroll.text import MAX_SIZE, say, terminal_width
 
 
 @pytest.mark.parametrize(("stated", "size"), [("100", 100), ("1", 1), ("9999999", MAX_SIZE), ("0100", 100)])
@@ -18,22 +18,6 @@ def test_a_width_that_is_no_number_is_ignored(monkeypatch: pytest.MonkeyPatch, s
     own = terminal_width()
     monkeypatch.setenv("COLUMNS", stated)
     assert terminal_width() == own
-
-
-@pytest.mark.parametrize(
-    "line", ["report quartz 100nm", "materials", "pull-off --help", "map pull-off quartz --x radius=1nm:1mm"]
-)
-def test_no_output_grows_with_a_huge_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, line: str) -> None:
-    monkeypatch.setenv("COLUMNS", "9999999")
-    ran = run(line, terminal=True)
-    assert ran.code == 0
-    assert max(map(len, ran.out.splitlines())) <= MAX_SIZE
-
-
-def test_a_quoted_text_is_short_and_printable() -> None:
-    text = quoted("\x1b[2J\u202e\n" * 1000)
-    assert text.isprintable()
-    assert len(text) <= MAX_QUOTED + len("'...'")
 
 
 @pytest.mark.parametrize(

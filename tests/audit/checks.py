@@ -5,9 +5,10 @@ one.
 """
 
 from collections.abc import Callable
-from functools import cache
 from math import cos, pi, sin, sqrt
 from typing import Literal, NamedTuple
+
+import numpy
 
 Verdict = Literal["holds", "sign", "misprint", "wrong", "approximate"]
 Terms = float | tuple[float, ...]  # one number, or several: the terms of a sum, the ends of a range, or cases
@@ -80,29 +81,16 @@ def _agree(printed: tuple[float, ...], follows: tuple[float, ...], within: float
 Function = Callable[[float], float]
 
 _NODES = 40
+_RULE: list[tuple[float, float]] = [
+    *zip(*map(numpy.ndarray.tolist, numpy.polynomial.legendre.leggauss(_NODES)), strict=True)
+]
 _DIRECTIONS = 24
-
-
-@cache
-def _gauss_legendre() -> tuple[tuple[float, float], ...]:
-    """Return the nodes and weights on −1 … 1: the roots of a Legendre polynomial, by Newton's method."""
-    rule = []
-    for place in range(_NODES):
-        node = cos(pi * (place + 0.75) / (_NODES + 0.5))
-        for _ in range(6):
-            before, value = 1.0, node
-            for degree in range(2, _NODES + 1):
-                before, value = value, ((2 * degree - 1) * node * value - (degree - 1) * before) / degree
-            slope = _NODES * (node * value - before) / (node * node - 1)
-            node -= value / slope
-        rule.append((node, 2 / ((1 - node * node) * slope * slope)))
-    return tuple(rule)
 
 
 def integral(function: Function, low: float, high: float) -> float:
     """Return the integral of a smooth function."""
     middle, half = (low + high) / 2, (high - low) / 2
-    return half * sum(weight * function(middle + half * node) for node, weight in _gauss_legendre())
+    return half * sum(weight * function(middle + half * node) for node, weight in _RULE)
 
 
 def to_rim(function: Function, a: float) -> float:

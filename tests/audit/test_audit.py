@@ -31,38 +31,6 @@ def test_the_verdict_is_the_expected_one(check: Check) -> None:
     assert check.verdict == check.expected
 
 
-def test_the_verdicts_of_the_audit() -> None:
-    """The claims that do not hold, stated apart from the checks themselves."""
-    other = {(check.equation, check.expected) for check in CLAIMS if check.expected != "holds"}
-    assert other == {
-        ("2 text", "wrong"),
-        ("7", "misprint"),
-        ("10 text", "wrong"),
-        ("21", "misprint"),
-        ("24", "approximate"),
-        ("27 text", "approximate"),
-        ("Fig. 3", "misprint"),
-        ("28 text", "approximate"),
-        ("30 text", "approximate"),
-        ("31-33", "sign"),
-        ("34", "sign"),
-        ("37-39", "sign"),
-        ("40", "approximate"),
-        ("41", "wrong"),
-        ("42", "wrong"),
-        ("42 text", "approximate"),
-        ("44", "wrong"),
-        ("47", "wrong"),
-        ("48", "wrong"),
-        ("48 text", "approximate"),
-        ("49", "wrong"),
-        ("Fig. 7", "wrong"),
-        ("Sect. 6", "wrong"),
-        ("Table 1", "misprint"),
-        ("70", "sign"),
-    }
-
-
 def test_every_numbered_equation_is_there() -> None:
     found: set[int] = set()
     for row in ROWS:

@@ -62,14 +62,14 @@ def test_every_way_to_ask_for_help(run: Run, name: str | None) -> None:
     assert CliRunner().invoke(app, [*words, "--help"]).stdout == text
 
 
-@pytest.mark.parametrize("width", [1, 30, 60, 80, 200])
-@pytest.mark.parametrize("name", NAMES)
-def test_lines_fit_and_nothing_is_lost(monkeypatch: pytest.MonkeyPatch, name: str | None, width: int) -> None:
-    words = help_of(name).split()
+@pytest.mark.parametrize("width", [1, 60, 200])
+def test_lines_fit_and_nothing_is_lost(monkeypatch: pytest.MonkeyPatch, width: int) -> None:
+    words = {name: help_of(name).split() for name in NAMES}
     monkeypatch.setenv("COLUMNS", str(width))
-    text = help_of(name)
-    assert text.split() == words
-    assert max(map(len, text.splitlines())) <= max(58 if name else 75, min(98, width - 2))
+    for name in NAMES:
+        text = help_of(name)
+        assert text.split() == words[name]
+        assert max(map(len, text.splitlines())) <= max(58 if name else 75, min(98, width - 2)), name
 
 
 @pytest.mark.parametrize("name", COMMANDS)

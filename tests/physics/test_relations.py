@@ -3,7 +3,6 @@
 import inspect
 import math
 import pydoc
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, assert_type, get_type_hints
 
@@ -160,8 +159,11 @@ OF_THE_PAIR = [
     "work_of_adhesion", "reduced_radius", "contact_modulus", "reduced_mass", "reduced_moment_of_inertia",
     "rolling_mass",
     "pull_off_force", "contact_radius", "approach", "yield_moment", "r_min", "vertical_frequency", "rolling_frequency",
-    "rolling_frequency_no_slip",
+    "rolling_frequency_no_slip", "shear_strength", "sliding_force", "sliding_displacement", "sliding_energy",
+    "twisting_stiffness", "twisting_moment", "twisting_angle", "twisting_energy", "twisting_frequency",
+    "peeling_force", "peeling_radius", "peeling_over_sliding", "sliding_or_peeling_force",
 ]  # fmt: skip
+OF_SPHERE_1 = ["yield_force", "n_grav", "n_roll", "rolling_over_sliding"]
 
 
 def exchanged(scene: dict[str, Any]) -> dict[str, Any]:
@@ -169,25 +171,24 @@ def exchanged(scene: dict[str, Any]) -> dict[str, Any]:
     return {name.removesuffix("2") if name.endswith("2") else name + "2": value for name, value in scene.items()}
 
 
-@pytest.mark.parametrize("name", OF_THE_PAIR)
-def test_exchange_of_the_spheres_changes_nothing(name: str) -> None:
-    assert close(solve(name, **PAIR), solve(name, **exchanged(PAIR)), 4)
+def test_exchange_of_the_spheres_changes_nothing() -> None:
+    there, back = (solve(OF_THE_PAIR, **scene) for scene in (PAIR, exchanged(PAIR)))
+    assert [name for name in OF_THE_PAIR if not close(there[name], back[name], 9)] == []
 
 
-@pytest.mark.parametrize(
-    "name", [name for name in OF_THE_PAIR if name != "r_min"] + ["yield_force", "n_grav", "n_roll"]
-)
-def test_a_plane_is_the_limit_of_a_large_sphere(name: str) -> None:
-    plane = solve(name, **{**PAIR, "radius2": INFINITY})
+def test_a_plane_is_the_limit_of_a_large_sphere() -> None:
+    names = [name for name in (*OF_THE_PAIR, *OF_SPHERE_1) if name != "r_min"]
+    plane = solve(names, **{**PAIR, "radius2": INFINITY})
     for ratio, tolerance in ((1e6, 1e-5), (1e12, 1e-11)):
-        assert math.isclose(solve(name, **{**PAIR, "radius2": ratio * 1e-7}), plane, rel_tol=tolerance)
+        large = solve(names, **{**PAIR, "radius2": ratio * 1e-7})
+        assert [name for name in names if not math.isclose(large[name], plane[name], rel_tol=tolerance)] == []
 
 
 def test_saying_that_sphere_2_is_like_sphere_1_changes_nothing() -> None:
     same: dict[str, Any] = {**QUARTZ, "radius": 1e-7} | {
         name + "2": value for name, value in {**QUARTZ, "radius": 1e-7}.items()
     }
-    for name in (*OF_THE_PAIR, "yield_force", "n_grav", "n_roll"):
+    for name in (*OF_THE_PAIR, *OF_SPHERE_1):
         assert close(solve(name, **same), solve(name, radius=1e-7, **QUARTZ), 3), name
 
 
@@ -322,14 +323,6 @@ def test_an_approach_beyond_the_fold_is_refused() -> None:
         solve("load_factor_at_approach", radius=1e-7, approach_at_load=-approach, **QUARTZ)
 
 
-def test_materials_of_one_s_own(tmp_path: Path) -> None:
-    path = tmp_path / "mine.toml"
-    path.write_text("[materials.ice]\nsurface_energy = '0.37 J/m2'\npoisson_ratio = 0.3\n")
-    mine = jkroll.Materials([path])
-    assert solve("work_of_adhesion", material="ice", materials=mine) == 0.74
-    assert mine["ice"].properties["poisson_ratio"] == 0.3
-
-
 def test_a_type_checker_sees_a_number_or_an_array() -> None:
     """Held by mypy."""
     assert_type(jkroll.yield_angle(yield_displacement=2e-10, reduced_radius=5e-8), float | NDArray[np.float64])
@@ -342,44 +335,6 @@ def test_pint_quantities_in_and_out() -> None:
         work_of_adhesion=UREG.Quantity(50.0, "mJ/m^2"), reduced_radius=UREG.Quantity(50.0, "nm")
     )
     assert math.isclose(direct.m_as("nN"), 11.780972450961725, rel_tol=1e-14)
-
-
-def test_quantities_of_pint_in_a_list_keep_their_units() -> None:
-    forces = solve("pull_off_force", material="quartz", radius=[UREG.Quantity(100.0, "nm"), UREG.Quantity(1.0, "um")])
-    assert np.allclose(forces.m_as("nN"), [11.780972450961725, 117.80972450961725], rtol=1e-14)
-    with pytest.raises(jkroll.JkrollError, match="is of another dimension"):
-        solve("pull_off_force", material="quartz", radius=[UREG.Quantity(1.0, "N")])
-
-
-def test_units_that_are_not_of_pint_are_not_dropped() -> None:
-    class Lengths(np.ndarray):
-        unit = "nm"
-
-    with pytest.raises(jkroll.JkrollError, match="only those of pint are read"):
-        solve("pull_off_force", material="quartz", radius=np.array([100.0]).view(Lengths))
-
-
-def test_texts_with_units_in() -> None:
-    assert solve("pull_off_force", radius="100 nm", material="QUARTZ") == solve("pull_off_force", radius=1e-7, **QUARTZ)
-
-
-@pytest.mark.parametrize(
-    ("scene", "error"),
-    [
-        ({"material": "gold", "radius": 1e-7}, MissingInput),
-        ({"radius": 0.0}, QuantityError),
-        ({"radius": -1.0}, QuantityError),
-        ({"radius": math.nan}, QuantityError),
-        ({"radius": INFINITY}, QuantityError),
-        ({"radius": 1e-7, "poisson_ratio": 0.6}, QuantityError),
-        ({"radius": np.array([1e-7, -1e-7])}, QuantityError),
-        ({**QUARTZ, "radius": 1e300}, QuantityError),
-        ({**QUARTZ, "radius": 1e-7, "load": 1e31}, QuantityError),
-    ],
-)
-def test_what_cannot_be_answered_raises(scene: dict[str, Any], error: type[Exception]) -> None:
-    with pytest.raises(error):
-        solve("vertical_frequency", **scene)
 
 
 @pytest.mark.parametrize(
@@ -454,17 +409,6 @@ def test_contradictions_and_mismatches_are_refused() -> None:
         solve("load", load_factor=-1.0, radius=1e-7, **QUARTZ)
     with pytest.raises(QuantityError):
         solve("pull_off_force", radius=np.ma.masked_array([1e-7, 2e-7], [False, True]), **QUARTZ)
-
-
-def test_materials_cannot_be_changed_by_accident_and_files_may_change(tmp_path: Path) -> None:
-    with pytest.raises(TypeError):
-        jkroll.known_materials()["quartz"].properties["surface_energy"] = 9.0  # type: ignore[index]
-    path = tmp_path / "mine.toml"
-    for value in (1.0, 2.0):
-        path.write_text(f"[materials.Quartz]\nsurface_energy = '{value} J/m2'\n")
-        mine = jkroll.known_materials(path)
-        assert mine["quartz"].properties["surface_energy"] == value
-        assert "quartz" not in mine.materials
 
 
 def test_only_what_is_needed_is_asked_for() -> None:

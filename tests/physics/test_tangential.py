@@ -60,18 +60,6 @@ def test_the_softer_solid_sets_the_strength() -> None:
     assert solve("shear_strength", **rigid) == solve("shear_strength", **QUARTZ)
 
 
-@pytest.mark.parametrize("name", [name for name in NEW if name != "rolling_over_sliding"])  # Q is that of sphere 1
-def test_exchange_of_the_spheres_changes_nothing(name: str) -> None:
-    exchanged = {one.removesuffix("2") if one.endswith("2") else one + "2": value for one, value in PAIR.items()}
-    assert math.isclose(solve(name, **PAIR), solve(name, **exchanged), rel_tol=2e-15)
-
-
-@pytest.mark.parametrize("name", NEW)
-def test_a_plane_is_the_limit_of_a_large_sphere(name: str) -> None:
-    plane = solve(name, **{**PAIR, "radius2": math.inf})
-    assert math.isclose(solve(name, **{**PAIR, "radius2": 1e5}), plane, rel_tol=1e-11)
-
-
 # --- Stiffness of torsion, two ways -----------------------------------------------------------------------------------
 
 

@@ -6,11 +6,10 @@ import math
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from functools import cache
 from html import unescape
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,13 +24,10 @@ from jkroll.pictures.curves import curves_of_contact
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
 from jkroll.pictures.picture import Curve, Map, Picture, described
 from jkroll.pictures.request import curves_of, map_of
-from jkroll.quantities.laws import ALWAYS, LAWS, routes
 from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
-from jkroll.scene.failures import NotInLaw
 from jkroll.scene.scene import Scene
-from jkroll.scene.wiring import plan_for
 from jkroll.text import wrapped
 from relative import approx
 
@@ -288,13 +284,6 @@ def test_labels_without_a_unit_have_it_in_the_title() -> None:
     assert drawn.title.endswith("⟦m1⟧ [kg]")
 
 
-def test_labels_of_speeds_have_prefixes() -> None:
-    drawn, _ = map_of(
-        map_request(call_of("map sticking-speed silica-dry --x radius=10nm:10um --y gamma=10mJ/m2:1J/m2".split())),
-    )
-    assert {level.text for level in drawn.levels()} >= {"10 mm/s", "1 m/s"}
-
-
 def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
     """The border of the part without a value, as drawn, is P = -P_c."""
     request = map_request(
@@ -350,29 +339,6 @@ def test_many_curves_have_a_legend_clear_of_the_caption() -> None:
     assert len(legend.get_texts()) == 24
     assert not page.texts[-1].get_window_extent().overlaps(legend.get_window_extent())
     assert not legend.get_window_extent().overlaps(page.axes[0].get_window_extent())
-
-
-@pytest.fixture
-def _dmt_without_pull_off(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """DMT's law without a pull-off force; plans are made anew before and after."""
-    with monkeypatch.context() as changed:
-        changed.setitem(cast(dict[str, str | None], LAWS["dmt"].tables[ALWAYS]), "pull_off_force", None)
-        routes.cache_clear()
-        plan_for.cache_clear()
-        yield
-    routes.cache_clear()
-    plan_for.cache_clear()
-
-
-@pytest.mark.usefixtures("_dmt_without_pull_off")
-def test_a_law_without_a_pull_off_force_has_no_force_curve() -> None:
-    """The panel asks the plan what the law has, and is left out."""
-    scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model="dmt")
-    with pytest.raises(NotInLaw, match="pull_off_force"):
-        curves_of_contact([scene, scene.replace(model="jkr")], None, "force")
-    picture, notes = curves_of_contact([scene], None, None)
-    assert [panel.y.name for panel in picture.panels] == ["yield_moment"]
-    assert any("pull_off_force: not in DMT" in note for note in notes)
 
 
 @pytest.mark.parametrize("name", OF_EACH_KIND)
@@ -451,14 +417,6 @@ def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
     assert box.x0 > -0.01
     assert box.x1 < 85 / 25.4 + 0.01
     assert box.y0 > -0.01
-
-
-@pytest.mark.slow
-def test_curves_are_differ_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> None:
-    run("map pull-off quartz,iron,graphite,gold --x radius=1nm:1um -o curves.svg")
-    text = (tmp_path / "curves.svg").read_text(encoding="utf-8")
-    lines = set(re.findall(r"fill: none; (?:stroke-dasharray: ([^;]*); )?(?:stroke-dashoffset: 0; )?stroke: #", text))
-    assert len(lines) >= 4
 
 
 def test_as_many_curves_as_there_may_be_differ() -> None:
@@ -579,15 +537,6 @@ def test_the_pull_off_force_by_law_tends_to_its_limits(run: Run, tmp_path: Path)
     shown = SVG_TEXT.findall((tmp_path / "laws.svg").read_text(encoding="utf-8"))
     assert {"quartz@100nm", "ice-warm@1um"} <= {*shown}
     assert "nowhere" in run("figure laws --mark quartz").err
-
-
-@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
-def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
-    ran = run(f"contact quartz 100nm --curve --model {model} --load=-5nN:20nN --csv")
-    loads = [float(row["load [N]"]) for row in csv.DictReader(ran.out.splitlines())]
-    assert len(loads) > 10
-    assert math.isclose(min(loads), -5e-9, rel_tol=1e-9)
-    assert math.isclose(max(loads), 2e-8, rel_tol=1e-9)
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])

@@ -492,13 +492,6 @@ def test_a_law_that_is_none_of_them_is_refused(model: Any) -> None:
         solve("pull_off_force", **QUARTZ, model=model)
 
 
-@pytest.mark.parametrize("model", ["maugis", "dmt"])
-@pytest.mark.parametrize("load", [0.0, 1e-9])
-def test_what_a_law_lacks_is_lacking_without_load_too(model: str, load: float) -> None:
-    with pytest.raises(NotInLaw):
-        solve("load_margin", model=model, **QUARTZ, load=load)
-
-
 def test_loads_far_above_pull_off_have_their_digits() -> None:
     """A narrow ring around a wide contact at any λ; on the curve, a state at a load is that at its approach."""
     for spacing in (4e-10, 1e-8, 1e-6):
