@@ -31,13 +31,13 @@ from doors import (
     side_of,
 )
 from harness import Run
-from jkroll import answer, solve
+from jkroll import answer, known_materials, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError, NoResult
 from jkroll.output.answered import Answered
 from jkroll.pictures.picture import Axis, over
-from jkroll.pictures.request import limits_on_map
+from jkroll.pictures.request import Layer, PlotRequest
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, middle, value_of
 from jkroll.rows.columns import DOUBT, STATUS
@@ -50,7 +50,7 @@ from jkroll.scene.failures import (
     reason_of,
     rests_on_spacing,
 )
-from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts, touched
+from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
 
@@ -484,7 +484,8 @@ def _in_lines(run: Run, ask: Ask, values: Mapping[str, float]) -> Iterator[str]:
 @pytest.mark.parametrize("quantity", ["pull_off_force", "yield_force", "n_roll"])
 def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
     scene, x, y = Scene(PLAIN_VALUES), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
-    regions, _ = limits_on_map(scene, quantity, x, y, touched(scene, [quantity]))
+    request = PlotRequest(quantity, x, y, (("", scene),), (), known_materials())
+    regions, _ = Layer(request, "", scene, [x, y]).regions()
     marks = {"a/z0": "few-atoms", "more than 5 %": "law-off", "more than a factor of 2": "law-off-2x"}
     drawn = [
         (region.excess(over(scene, x, y)) > 0, code)

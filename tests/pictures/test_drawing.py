@@ -22,8 +22,8 @@ from jkroll.cli.map import MAX_CURVES, map_request
 from jkroll.cli.process import main
 from jkroll.pictures.curves import curves_of_contact
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
-from jkroll.pictures.picture import Curve, Map, Picture, described
-from jkroll.pictures.request import curves_of, map_of
+from jkroll.pictures.picture import Curve, Field, Panel, Picture, described
+from jkroll.pictures.request import picture_of
 from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
@@ -37,7 +37,7 @@ from matplotlib.mathtext import MathTextParser
 from matplotlib.text import Text
 
 from jkroll.pictures.page import FINE, figure_of, line_of, settings
-from jkroll.pictures.picture import BORDER, DARK, PAPER, STYLES, Style
+from jkroll.pictures.picture import DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
@@ -47,8 +47,21 @@ SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their 
 OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name != "8" else name for name in PAPER_MAPS]
 
 
+def map_drawn(words: list[str]) -> tuple[Picture, Panel, Field]:
+    """Return the picture of a call of `map` with two axes, its panel and its field."""
+    drawn, _ = picture_of(map_request(call_of(["map", *words])))
+    return (drawn, *field_of(drawn))
+
+
+def field_of(drawn: Picture) -> tuple[Panel, Field]:
+    """Return the panel of a map and its field."""
+    (panel,) = drawn.panels
+    assert panel.field is not None
+    return panel, panel.field
+
+
 @cache
-def in_a_column(name: str, width: int = 85) -> tuple[Map, Figure]:
+def in_a_column(name: str, width: int = 85) -> tuple[Picture, Figure]:
     """Return a figure of the paper, and its page at the width of a journal's column in mm; drawn once for all tests."""
     drawn = paper_map(name, known_materials(), as_printed=True)
     with settings(PAPER):
@@ -67,24 +80,24 @@ def contour_sets(page: Figure) -> list[Any]:
     return [drawing for drawing in sets if not drawing.filled and len(drawing.levels) > 1]
 
 
-def contours(drawn: Map, page: Figure) -> list[tuple[float, Any]]:
+def contours(field: Field, page: Figure) -> list[tuple[float, Any]]:
     """Return the levels of a drawn map, and points on their paths in SI units, between the vertices too."""
     found = []
-    for level, path in zip(drawn.levels(), contour_sets(page)[0].get_paths(), strict=True):
+    for level, path in zip(field.levels(), contour_sets(page)[0].get_paths(), strict=True):
         ends, codes = np.asarray(path.vertices), np.asarray(path.codes)
         is_drawn = codes[1:] == 2  # a line from the vertex before; others begin anew
         middles = (ends[1:] + ends[:-1])[is_drawn] / 2
-        found.append((level.value, np.concatenate([ends, middles]).T))
+        found.append((level, np.concatenate([ends, middles]).T))
     return found
 
 
 @pytest.mark.parametrize("name", OF_EACH_KIND)
 def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
     drawn, page = in_a_column(name)
-    declared = PAPER_MAPS[name]
+    declared, (panel, field) = PAPER_MAPS[name], field_of(drawn)
     sampled = 0
-    for value, (x, y) in contours(drawn, page):
-        given: dict[str, Any] = {**declared.given, **drawn.x.inputs(x), "radius": y}
+    for value, (x, y) in contours(field, page):
+        given: dict[str, Any] = {**declared.given, **panel.x.inputs(x), "radius": y}
         np.testing.assert_allclose(solve(declared.quantity, **given), value, rtol=2e-3)
         sampled += len(x)
     assert sampled > 100
@@ -105,10 +118,10 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
 def test_a_contour_of_a_users_map_is_its_formula(
     words: list[str], axes: tuple[str, str], given: dict[str, Any]
 ) -> None:
-    drawn, _ = map_of(map_request(call_of(["map", *words, "--x", axes[0], "--y", axes[1]])))
-    spacing = (drawn.levels()[-1].value - drawn.levels()[0].value) / len(drawn.levels())
-    for value, (x, y) in contours(drawn, figure_of(drawn, 4.0, PAPER, has_caption=False)):
-        values = solve(drawn.quantity, **given, **{drawn.x.name: x, drawn.y.name: y})
+    drawn, panel, field = map_drawn([*words, "--x", axes[0], "--y", axes[1]])
+    spacing = (field.levels()[-1] - field.levels()[0]) / len(field.levels())
+    for value, (x, y) in contours(field, figure_of(drawn, 4.0, PAPER, has_caption=False)):
+        values = solve(field.quantity, **given, **{panel.x.name: x, panel.y.name: y})
         assert abs(values / value - 1).max() < 1e-3 or abs(values - value).max() < 1e-3 * spacing
 
 
@@ -277,24 +290,20 @@ def test_a_unit_stays_on_the_line_of_its_number(text: str, kept: str) -> None:
 
 def test_labels_without_a_unit_have_it_in_the_title() -> None:
     """A mass takes no prefix, so that the numbers on the contours stand alone."""
-    drawn, _ = map_of(
-        map_request(call_of("map mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3".split())),
-    )
-    assert {level.text for level in drawn.levels()} >= {"10", "1000"}
+    drawn, _, field = map_drawn("mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3".split())
+    assert {*field.in_words(field.levels())[0]} >= {"10", "1000"}
     assert drawn.title.endswith("⟦m1⟧ [kg]")
 
 
 def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
     """The border of the part without a value, as drawn, is P = -P_c."""
-    request = map_request(
-        call_of("map contact-radius-at-load quartz --x radius=10nm:1um --y load=-20nN:50nN:lin".split())
-    )
-    drawn, _ = map_of(request)
+    words = "contact-radius-at-load quartz --x radius=10nm:1um --y load=-20nN:50nN:lin"
+    drawn, panel, _ = map_drawn(words.split())
     (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
     (edge,) = (one for one in axes.collections if hasattr(one, "levels") and [*one.levels] == [0.5])
     radius, load = np.asarray(edge.get_paths()[0].vertices).T
     assert len(radius) > 100
-    step = (drawn.y.high - drawn.y.low) / (FINE - 1)
+    step = (panel.y.high - panel.y.low) / (FINE - 1)
     assert abs(load + solve("pull_off_force", material="quartz", radius=radius)).max() < 1.5 * step
 
 
@@ -315,10 +324,10 @@ def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
 )
 def test_the_line_of_a_law_has_its_ticks_where_the_law_is_inexact(words: str) -> None:
     """They are on the left of the line, as matplotlib draws it from its first point to its last."""
-    drawn, _ = map_of(map_request(call_of(["map", *words.split()])))
+    drawn, panel, field = map_drawn(words.split())
     (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
     (line,) = (drawing for drawing in axes.collections if drawing.get_path_effects())
-    (region,) = (region for region in drawn.regions if region.look == BORDER)
+    (region,) = (region for region in field.regions if not region.hatch)
     (path,) = line.get_paths()
     points, codes = axes.transData.transform(path.vertices), np.asarray(path.codes)
     places = [place for place in range(1, len(points)) if codes[place] == 2][5:-5:10]
@@ -327,12 +336,12 @@ def test_the_line_of_a_law_has_its_ticks_where_the_law_is_inexact(words: str) ->
         start, end = points[place - 1], points[place]
         across, up = end - start
         x, y = axes.transData.inverted().transform((start + end) / 2 + np.array([-up, across]))
-        here = drawn.scene.replace(**drawn.x.inputs(float(x)), **drawn.y.inputs(float(y)))
+        here = field.scene.replace(**panel.x.inputs(float(x)), **panel.y.inputs(float(y)))
         assert region.excess(here) > 0
 
 
 def test_many_curves_have_a_legend_clear_of_the_caption() -> None:
-    drawn, _ = curves_of(map_request(call_of("map pull-off 1nm:1um:24 --x gamma=1mJ/m2:1J/m2".split())))
+    drawn, _ = picture_of(map_request(call_of("map pull-off 1nm:1um:24 --x gamma=1mJ/m2:1J/m2".split())))
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
     legend: Any = page.axes[0].get_legend()
@@ -354,12 +363,11 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
     assert all(frame.count_contains(box.corners()) == 4 for box in boxes)
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
     paths = [path.transformed(axes.transData) for path in contour_sets(page)[0].get_paths()]
-    for level, path in zip(drawn.levels(), paths, strict=True):
-        of_level = [
-            box for text, box in zip(labels, boxes, strict=True) if text.get_text().strip() == typeset(level.text)
-        ]
+    _, field = field_of(drawn)
+    for level, path in zip(field.in_words(field.levels())[0], paths, strict=True):
+        of_level = [box for text, box in zip(labels, boxes, strict=True) if text.get_text().strip() == typeset(level)]
         own = [box for box in of_level if path.intersects_bbox(box, filled=False)]
-        assert len(own) == 1, level.text
+        assert len(own) == 1, level
         assert [other for other in paths if other.intersects_bbox(own[0], filled=False)] == [path]
 
 
@@ -383,10 +391,7 @@ def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
 
 @pytest.mark.slow
 def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
-    request = map_request(
-        call_of("map pull-off --x radius=100nm:1um --y gamma=1mJ/m2:1J/m2 --mark quartz@100nm".split())
-    )
-    drawn, _ = map_of(request)
+    drawn, *_ = map_drawn("pull-off --x radius=100nm:1um --y gamma=1mJ/m2:1J/m2 --mark quartz@100nm".split())
     (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
     dots = [line for line in axes.lines if line.get_marker() == "o"]
     assert [np.ravel(line.get_xdata()).tolist() for line in dots] == [[1e-7]]
@@ -587,7 +592,7 @@ def test_rows_of_a_curve_fill_its_loads(run: Run, model: str, first: str, last: 
         ("figure 2 --mark quartz@1nm", "takes no --mark"),
         ("figure 9 --plain", "takes no --plain"),
         ("figure laws --as-printed", "takes no --as-printed"),
-        ("figure 3a --as-printed", "for 6b"),
+        ("figure 3a --as-printed", "figure 3a takes no --as-printed"),
         ("contact quartz 100nm --curve --panel tides -o contact.svg", "there are force, pressure and moment"),
     ],
 )
@@ -689,8 +694,7 @@ if __name__ == "__main__":
 def test_texts_of_marks_keep_apart() -> None:
     """From each other, from contours' and within the frame; where another dot is nearer, a line leads to its own."""
     marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"
-    call = call_of(f"map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark {marks}".split())
-    drawn, _ = map_of(map_request(call))
+    drawn, panel, _ = map_drawn(f"pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark {marks}".split())
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=False)
     axes: Any = page.axes[0]
@@ -703,7 +707,7 @@ def test_texts_of_marks_keep_apart() -> None:
     assert not any(one.overlaps(other) for one, other in itertools.combinations([*boxes, *contours], 2))
     frame = axes.get_window_extent().padded(1)
     assert all(frame.count_contains(box.corners()) == 4 for box in boxes)
-    places = {mark.text: (mark.x, mark.y) for mark in drawn.marks}
+    places = {mark.text: (mark.x, mark.y) for mark in panel.marks}
     led = [axes.transData.transform(line.get_xydata()[0]) for line in axes.lines if len(line.get_xydata()) == 2]
     dots = {text: axes.transData.transform(places[text]) for text in texts}
     for text, box in zip(texts, boxes, strict=True):

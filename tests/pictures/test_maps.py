@@ -14,7 +14,7 @@ import pytest
 from harness import Run
 from jkroll import known_materials, solve
 from jkroll.pictures.figures import PAPER_MAPS, paper_map
-from jkroll.pictures.picture import Axis, Map, axis_around, evaluate, is_flat, over, round_values
+from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over, round_values
 from jkroll.quantities.markup import plain
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.limits import LIMITS
@@ -27,16 +27,29 @@ SOFT: dict[str, Any] = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
 
 
 @cache
-def paper(name: str) -> Map:
+def paper(name: str) -> Picture:
     """Return a map of the paper."""
     return paper_map(name, known_materials(), as_printed=True)
 
 
-def at(drawn: Map, x: float, y: float) -> float:
+def panel_of(name: str) -> Panel:
+    """Return the panel of a map of the paper."""
+    (panel,) = paper(name).panels
+    return panel
+
+
+def field_of(name: str) -> Field:
+    """Return the field of a map of the paper."""
+    field = panel_of(name).field
+    assert field is not None
+    return field
+
+
+def at(name: str, x: float, y: float) -> float:
     """Return the value at the nearest point of a map."""
-    column = int(np.argmin(abs(np.log(drawn.x.values() / x))))
-    row = int(np.argmin(abs(np.log(drawn.y.values() / y))))
-    return float(drawn.values[row, column])
+    column = int(np.argmin(abs(np.log(panel_of(name).x.values() / x))))
+    row = int(np.argmin(abs(np.log(panel_of(name).y.values() / y))))
+    return float(field_of(name).values[row, column])
 
 
 def test_the_papers_maps_are_there() -> None:
@@ -62,15 +75,15 @@ def test_the_papers_maps_are_there() -> None:
     ],
 )
 def test_a_figure_is_its_equation(name: str, formula: object) -> None:
-    drawn = paper(name)
+    panel, values = panel_of(name), field_of(name).values
     assert callable(formula)
-    wanted = formula(drawn.x.values()[None, :], drawn.y.values()[:, None])
-    np.testing.assert_allclose(drawn.values, np.broadcast_to(wanted, drawn.values.shape), rtol=1e-4)
+    wanted = formula(panel.x.values()[None, :], panel.y.values()[:, None])
+    np.testing.assert_allclose(values, np.broadcast_to(wanted, values.shape), rtol=1e-4)
 
 
 def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
-    drawn = paper("6b")
-    np.testing.assert_allclose(drawn.values / evaluate(drawn.scene, drawn.printed, drawn.x, drawn.y), 2.5, rtol=1e-12)
+    panel, field = panel_of("6b"), field_of("6b")
+    np.testing.assert_allclose(field.values / evaluate(field.scene, field.printed, panel.x, panel.y), 2.5, rtol=1e-12)
 
 
 # --- What the paper's text says one sees ------------------------------------------------------------------------------
@@ -79,19 +92,19 @@ def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
 def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
     crossing = solve("yield_force_ratio", radius=0.8e-9)
     assert crossing == approx(1, rel=1e-12)
-    assert paper("3b").y.low < 0.8e-9
-    assert "1" in [level.text for level in paper("3b").levels()]
+    assert panel_of("3b").y.low < 0.8e-9
+    assert 1.0 in field_of("3b").levels()
     assert "0.8 nm; the text has 1 nm" in paper("3b").remarks[0]
 
 
 def test_fig_3c_50_um_at_100_nm() -> None:
-    assert at(paper("3c"), 1e-2, 1e-7) == approx(solve("r_min", radius=1e-7), rel=0.3)
+    assert at("3c", 1e-2, 1e-7) == approx(solve("r_min", radius=1e-7), rel=0.3)
     assert solve("r_min", radius=1e-7) == approx(50e-6, rel=1e-9)
 
 
 def test_fig_3d_a_thousand_spheres_and_a_single_one() -> None:
     given: dict[str, Any] = {"density": 2000.0, "gravity": 9.80665}
-    (point,) = [mark for mark in paper("3d").marks if mark.y is not None]
+    (point,) = [mark for mark in panel_of("3d").marks if mark.y is not None]
     assert round(solve("n_grav", surface_energy=point.x, radius=point.y, **given)) == int(point.text)
     for material, radius in (("polystyrene", 8e-6), ("iron", 52e-6)):
         gamma = known_materials()[material].properties["surface_energy"]
@@ -113,10 +126,10 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     # Eq (48) has 2πn⟨M⟩ = (2/7)W0, and W_yield = ⟨M⟩ξ/R: they are equal where 2πRn = ξ.
     assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
-    shaded = paper("8").regions[0]
+    drawn, field = panel_of("8"), field_of("8")
+    shaded = field.regions[0]
     assert shaded.text.endswith("it springs back")
-    drawn = paper("8")
-    excess = shaded.excess(over(drawn.scene, drawn.x, drawn.y))
+    excess = shaded.excess(over(field.scene, drawn.x, drawn.y))
     row = int(np.argmin(abs(np.log(drawn.y.values() / 1e-8))))
     inside = drawn.x.values()[excess[row] > 0]
     assert inside.min() == approx(9.2e11, rel=0.2)
@@ -126,16 +139,16 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
 
 @pytest.mark.parametrize("name", sorted(FILES))
 def test_regions_end_where_the_limits_are(name: str) -> None:
-    drawn = paper(name)
+    panel, drawn = panel_of(name), field_of(name)
     texts = plain(" ".join(region.text for region in drawn.regions))
     of_law = {"a/z0 < 3", "JKR is off by more than 5 %"} if drawn.quantity != "r_min" else set[str]()
     of_displacement = {"ξ/ξ_max > 1"} if "yield_displacement" in depends_on([drawn.quantity]) else set[str]()
     known = {"a/z0 < 3", "JKR is off by more than 5 %", "ξ/ξ_max > 1"}
     assert {text for text in known if text in texts} == of_law | of_displacement
     for region in drawn.regions:
-        if region.look == "energy_over_yield":
+        if region.text.endswith("it springs back"):
             continue
-        x, y = np.meshgrid(drawn.x.values(), drawn.y.values())
+        x, y = np.meshgrid(panel.x.values(), panel.y.values())
         given: dict[str, Any] = (
             {"contact_modulus": x, "surface_energy": 1.0} if name == "8" else {"surface_energy": x, **SOFT}
         )
@@ -146,7 +159,7 @@ def test_regions_end_where_the_limits_are(name: str) -> None:
             inside = solve("displacement_ratio", **given) > 1
         else:
             inside = apart(drawn.quantity, given) > (1.05 if "5 %" in region.text else 2)
-        assert (inside == (region.excess(over(drawn.scene, drawn.x, drawn.y)) > 0)).all()
+        assert (inside == (region.excess(over(drawn.scene, panel.x, panel.y)) > 0)).all()
 
 
 def apart(quantity: str, given: dict[str, Any]) -> Any:
@@ -166,13 +179,13 @@ def apart(quantity: str, given: dict[str, Any]) -> Any:
 
 
 def test_materials_are_where_table_1_has_them() -> None:
-    marks = {mark.text: mark.x for mark in paper("3a").marks}
+    marks = {mark.text: mark.x for mark in panel_of("3a").marks}
     assert marks == {
         name: material.properties["surface_energy"]
         for name, material in known_materials().materials.items()
         if material.title == "Table 1"
     }
-    ratios = {mark.text: mark.x for mark in paper("8").marks}
+    ratios = {mark.text: mark.x for mark in panel_of("8").marks}
     assert "gold" not in ratios  # it has no Young's modulus
     assert ratios["quartz"] == approx(54e9 / (2 * (1 - 0.17**2)) / 0.025)
 

@@ -9,9 +9,9 @@ from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
 from ..output.writers import text_output, whole_file, write_columns
 from ..pictures.curves import PANELS, curves_of_contact
-from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map
-from ..pictures.picture import STYLES, Axis, Map, Picture
-from ..pictures.request import PlotRequest, curves_of, map_of
+from ..pictures.figures import FIGURE_NAMES, PROFILES, options_of, paper_map
+from ..pictures.picture import STYLES, Axis, Picture, evaluate
+from ..pictures.request import PlotRequest, picture_of
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
@@ -65,10 +65,7 @@ def inches_of(width: str | None) -> float | None:
 def run_map(call: Call) -> int:
     """Draw a quantity over one or two inputs; return the exit code."""
     check_picture(call, call.target)
-    request = map_request(call)
-    drawn: Map | Picture
-    drawn, notes = curves_of(request) if request.y is None else map_of(request)
-    return _deliver(drawn, notes, call)
+    return _deliver(*picture_of(map_request(call)), call)
 
 
 def run_figure(call: Call) -> int:
@@ -78,20 +75,13 @@ def run_figure(call: Call) -> int:
     if name not in FIGURE_NAMES:
         given = f"{quoted(name)} is not a figure with data" if name else "figure needs a name"
         raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
+    options = {"--mark": call.mark, "--plain": call.plain, "--as-printed": call.as_printed}
+    if idle := [option for option, value in options.items() if value and option not in options_of(name)]:
+        raise BadRequest(f"figure {name} takes no {idle[0]}")
     materials, marks = call.materials, marks_of(call.mark)
     if name in PROFILES:
-        refused = {
-            "--as-printed": call.as_printed,
-            "--plain": call.plain,
-            "--mark": name in WITHOUT_MARKS and call.mark,
-        }
-        if idle := [flag for flag, value in refused.items() if value]:
-            raise BadRequest(f"figure {name} takes no {idle[0]}")
         return _deliver(PROFILES[name](materials, marks), (), call)
-    drawn = paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain)
-    if call.as_printed and not drawn.printed:
-        raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
-    return _deliver(drawn, (), call)
+    return _deliver(paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain), (), call)
 
 
 def draw_contact(call: Call) -> int:
@@ -105,14 +95,12 @@ def draw_contact(call: Call) -> int:
     for name in ("quantities", "to", "digits", "no_doubt"):  # of numbers
         if getattr(call, name):
             raise BadRequest(f"{flag} and --{name.replace('_', '-')} exclude each other")
-    loads = call.loads
     if (count := len(call.sweep) // len(call.models)) > 1:
         raise BadRequest(f"a picture shows one contact; {count} were given")
-    drawn, notes = curves_of_contact([*call.sweep.scenes()], loads, call.panel)
-    return _deliver(drawn, notes, call)
+    return _deliver(*curves_of_contact([*call.sweep.scenes()], call.loads, call.panel), call)
 
 
-def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
+def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
     """Draw into a file and print its caption, or draw on the screen; write the numbers where they are wanted."""
     if call.data is not None:
         _write_data(drawn, call.data)
@@ -122,12 +110,9 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
             for text in filter(None, (drawn.title, *drawn.caption, *drawn.remarks)):
                 say_wrapped(plain(text), sys.stdout)
     elif call.data != "-":
-        from ..pictures.terminal import write_map, write_picture
+        from ..pictures.terminal import write_picture
 
-        if isinstance(drawn, Map):
-            write_map(drawn, sys.stdout)
-        else:
-            write_picture(drawn, sys.stdout)
+        write_picture(drawn, sys.stdout)
     sys.stdout.flush()
     if not call.quiet:
         for note in notes:
@@ -135,7 +120,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
     return 0
 
 
-def draw_into(path: str, drawn: Map | Picture, call: Call) -> None:
+def draw_into(path: str, drawn: Picture, call: Call) -> None:
     """Draw into a file, with the looks that a call has chosen."""
     from ..pictures.page import draw
 
@@ -145,21 +130,21 @@ def draw_into(path: str, drawn: Map | Picture, call: Call) -> None:
         stream.write(content)
 
 
-def _write_data(drawn: Map | Picture, path: str) -> None:
+def _write_data(drawn: Picture, path: str) -> None:
     """Write the numbers as CSV into a file, or to stdout for "-", with an empty line between panels."""
     with text_output(path) as out:
-        if isinstance(drawn, Map):
-            heads = (drawn.x.header(), drawn.y.header(), header(drawn.quantity))
-            x, y = drawn.x.values(), drawn.y.values()
-            write_columns(heads, [numpy.tile(x, len(y)), numpy.repeat(y, len(x)), drawn.values.ravel()], "csv", out)
-            return
         for number, panel in enumerate(drawn.panels):
             if number > 0:
                 say("", out)
-            curves = panel.curves
-            names = [plain(curve.text) for curve in curves for _ in range(len(curve.x))]
-            x, y = (numpy.concatenate(along) for along in zip(*((curve.x, curve.y) for curve in curves), strict=True))
-            write_columns(("curve", panel.x.header(), panel.y.header()), [names, x, y], "csv", out)
+            heads = (panel.x.header(), panel.y.header())
+            if (field := panel.field) is not None:
+                values = evaluate(field.scene, field.quantity, panel.x, panel.y).ravel()
+                x, y = (grid.ravel() for grid in numpy.meshgrid(panel.x.values(), panel.y.values()))
+                write_columns((*heads, header(field.quantity)), [x, y, values], "csv", out)
+            else:
+                names = [plain(curve.text) for curve in panel.curves for _ in curve.x]
+                x, y = (numpy.concatenate([getattr(curve, side) for curve in panel.curves]) for side in ("x", "y"))
+                write_columns(("curve", *heads), [names, x, y], "csv", out)
 
 
 # --- Map request ------------------------------------------------------------------------------------------------------

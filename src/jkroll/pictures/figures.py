@@ -12,16 +12,17 @@ import numpy
 from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
-from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
+from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment
 from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
+from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.solver import values_of
 from .curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
-from .picture import Axis, Curve, Map, Mark, Panel, Picture, Region
-from .request import DRAWN_LIMITS, PlotRequest, map_of, mark_at
+from .picture import Axis, Curve, Mark, Panel, Picture, Region, bracketed
+from .request import DRAWN_LIMITS, PlotRequest, mark_at, picture_of
 
 # --- Maps: Figs. 3, 6 and 8 -------------------------------------------------------------------------------------------
 
@@ -50,7 +51,7 @@ def _beyond_rolling(here: Scene) -> Any:
     return -numpy.log(2 / 7 * here["energy_over_yield"])
 
 
-NO_ROLLING = Region("⟦(2/7)W0 < W_yield⟧: it springs back", "energy_over_yield", _beyond_rolling)
+NO_ROLLING = Region("⟦(2/7)W0 < W_yield⟧: it springs back", "^", "----", _beyond_rolling)
 PAPER_MAPS: Mapping[str, PaperMap] = {
     "3a": PaperMap(
         "pull_off_force",
@@ -100,21 +101,23 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
 
 def paper_map(
     name: str, materials: Materials, marks: Sequence[str] = (), *, as_printed: bool = False, is_plain: bool = False
-) -> Map:
+) -> Picture:
     """Return a map of the paper with marked grains. `is_plain`: without the limits of the model."""
     declared = PAPER_MAPS[name]
     scenes = (("", Scene(declared.given)),)
     limits = () if is_plain else DRAWN_LIMITS
-    drawn, _ = map_of(PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits))
+    drawn, _ = picture_of(PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits))
+    (panel,) = drawn.panels
     printed = declared.printed if as_printed else ""
+    assert panel.field is not None
+    regions = panel.field.regions if is_plain else (*declared.regions, *panel.field.regions)
+    field = panel.field._replace(regions=regions, printed=printed)
     dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed, each below its contour.",) if printed else ()
-    return drawn._replace(
-        regions=drawn.regions if is_plain else (*declared.regions, *drawn.regions),
-        marks=(*drawn.marks, *declared.marks),
-        caption=(*drawn.caption, *dashed),
-        figure=name,
-        printed=printed,
-        remarks=(declared.remark,),
+    return Picture(
+        f"Fig. {name}: {symbol(declared.quantity)}{bracketed(field.in_words([])[1])}",
+        (panel._replace(marks=(*panel.marks, *declared.marks), field=field),),
+        (*drawn.caption, *dashed),
+        (declared.remark,),
     )
 
 
@@ -179,20 +182,23 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
     a = float(unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size))
     shift = float(Scene(SIZE).values["yield_displacement"])
-    size["load_constant"] = 0.0
+    unloaded = {**size, "load_constant": 0.0}
+
+    def pressure_at(position: Any, half_width: float, lag: float = 0.0) -> Any:
+        return asymmetric_pressure(
+            position_in_strip=position, contact_half_width=half_width, yield_displacement=lag, **unloaded
+        )
+
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
     left, right = across(-a - shift, 0.0), across(0.0, a - shift)
-    of_shifted = {"contact_half_width": a, "yield_displacement": shift, **size}
-    exact = asymmetric_pressure(position_in_strip=shifted + shift, **of_shifted)
-    behind = symmetric_pressure(position=left, contact_half_width=a + shift, **size)
-    ahead = symmetric_pressure(position=right, contact_half_width=a - shift, **size)
     highest = modulus * a / (2 * radius)
-    symmetric = Curve("exact, Eq (56)", centred, symmetric_pressure(position=centred, contact_half_width=a, **size))
+    symmetric = Curve("exact, Eq (56)", centred, pressure_at(centred, a))
     curves = [
-        Curve("exact, Eq (64)", shifted, exact),
-        Curve("half-strip ⟦a + ξ⟧", left, behind, 1, is_dashed=True),
-        Curve("half-strip ⟦a − ξ⟧", right, ahead, 2, is_dashed=True),
+        Curve("exact, Eq (64)", shifted, pressure_at(shifted + shift, a, shift)),
+        Curve("half-strip ⟦a + ξ⟧", left, pressure_at(left, a + shift), 1, is_dashed=True),
+        Curve("half-strip ⟦a − ξ⟧", right, pressure_at(right, a - shift), 2, is_dashed=True),
     ]
+    of_shifted = {"contact_half_width": a, "yield_displacement": shift, **unloaded}
     moments = contact_point_moment(**of_shifted), half_strips_moment(**of_shifted)
     shifted_by = amount("yield_displacement", shift)
     caption = (
@@ -243,11 +249,17 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
 
 # --- All of them ------------------------------------------------------------------------------------------------------
 
-# Figures of curves; each draws the marks of a list, except those without a place for them.
+# Figures of curves.
 PROFILES: Mapping[str, Callable[[Materials, Sequence[str]], Picture]] = {
     "2": figure_2,
     "9": figure_9,
     "laws": figure_laws,
 }
-WITHOUT_MARKS = ("2", "9")
 FIGURE_NAMES = tuple(sorted({*PAPER_MAPS, *PROFILES}))
+
+
+def options_of(name: str) -> Sequence[str]:
+    """Return the options that a figure takes."""
+    if name in PROFILES:
+        return ("--mark",) if name == "laws" else ()
+    return ("--mark", "--plain", "--as-printed") if PAPER_MAPS[name].printed else ("--mark", "--plain")

@@ -1,4 +1,4 @@
-"""Draw maps and curves into SVG, PDF and PNG files, for a journal's page or a dark slide.
+"""Draw pictures into SVG, PDF and PNG files, for a journal's page or a dark slide.
 
 Only this module imports matplotlib, which lays out the page. The same picture gives the same bytes: no date, ids from
 the content, and nothing from the user's own matplotlib settings.
@@ -28,16 +28,14 @@ from ..quantities.markup import lines, plain, typeset
 from .picture import (
     DASHES,
     LETTER,
-    LOOKS,
     SIZE,
     STYLES,
     Axis,
     Curve,
-    Map,
+    Field,
     Mark,
     Panel,
     Picture,
-    Region,
     Style,
     described,
     evaluate,
@@ -45,7 +43,7 @@ from .picture import (
     quantity_of,
 )
 
-FINE = 401  # points a side of a map, between which its lines are straight
+FINE = 401  # points a side of a field, between which its lines are straight
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
@@ -53,7 +51,7 @@ _HIGHEST = 5  # height of the sheet that a page is cut from, over the width of t
 _GAP = 0.04  # around the parts of a page, in inches
 
 
-def draw(drawn: Map | Picture, kind: str, inches: float | None, style: str, *, has_caption: bool = True) -> bytes:
+def draw(drawn: Picture, kind: str, inches: float | None, style: str, *, has_caption: bool = True) -> bytes:
     """Return a picture as the content of an SVG, PDF or PNG file of a width in inches, or of the default width."""
     with settings(STYLES[style]):
         figure = figure_of(drawn, inches, STYLES[style], has_caption=has_caption)
@@ -64,39 +62,37 @@ def draw(drawn: Map | Picture, kind: str, inches: float | None, style: str, *, h
     return buffer.getvalue()
 
 
-def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:
+def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:
     """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption; with paper to spare."""
-    panels: Sequence[Any] = [drawn] if isinstance(drawn, Map) else drawn.panels
-    inches = inches or (_ONE_PANEL if len(panels) == 1 else _MORE_PANELS)
-    columns = _columns(len(panels), inches)
-    rows = ceil(len(panels) / columns)
+    count = len(drawn.panels)
+    inches = inches or (_ONE_PANEL if count == 1 else _MORE_PANELS)
+    columns = _columns(count, inches)
+    rows = ceil(count / columns)
     layout = ConstrainedLayoutEngine(w_pad=_GAP, h_pad=_GAP, wspace=0, hspace=0, compress=True)
     figure = Figure(figsize=(inches, _HIGHEST * inches * rows), layout=layout)
     every = [*figure.subplots(rows, columns, squeeze=False).flat]
-    for empty in every[len(panels) :]:
+    for empty in every[count:]:
         empty.remove()
     letters = _letters(inches / columns - 0.4)  # of a line of a legend
     drawings = []
-    for panel, axes, letter in zip(panels, every, "abcdef", strict=False):
+    for panel, axes, letter in zip(drawn.panels, every, "abcdef", strict=False):
         _set_axes(axes, panel, inches / columns, _ASPECT if columns == 1 else _ASPECT_BESIDE)
-        _mark_edge(axes, "x", [(mark.x, mark.text) for mark in panel.marks if mark.y is None])
-        _mark_edge(axes, "y", [(mark.y, mark.text) for mark in panel.marks if mark.x is None])
-        if isinstance(panel, Map):
-            drawings.append(_draw_map(axes, panel, style, letters))
+        title = f"({letter}) {panel.title}" if count > 1 else panel.title
+        axes.set_title(typeset(title), loc="left" if count > 1 else "center", fontsize=SIZE)
+        if panel.field is not None:
+            drawings.append(_draw_field(axes, panel, panel.field, style, letters))
         else:
-            title = f"({letter}) {panel.title}" if len(panels) > 1 else panel.title
-            axes.set_title(typeset(title), loc="left" if len(panels) > 1 else "center", fontsize=SIZE)
-            drawings.append((_draw_panel(axes, panel, style, letters), None))
-    _lay_out(figure, every[: len(panels)], [keys for keys, _ in drawings])
+            drawings.append((_draw_curves(axes, panel, style, letters), None))
+    _lay_out(figure, every, [keys for keys, _ in drawings])
     if has_caption:
         box, height = figure.get_tightbbox(), figure.get_figheight()
         figure.text(0.5, (box.y1 + 2 * _GAP) / height, typeset(drawn.title), ha="center", va="bottom")
         caption = "\n".join(lines(" ".join(drawn.caption), _letters(inches)))
         figure.text(0.015, (box.y0 - 2 * _GAP) / height, caption, va="top", linespacing=1.2)
-    for panel, axes, (_, contours) in zip(panels, every, drawings, strict=False):
+    for panel, axes, (_, contours) in zip(drawn.panels, every, drawings, strict=False):
         taken = _label_marks(axes, panel.marks, style)
-        if contours is not None:
-            _label_contours(axes, contours, [level.text for level in panel.levels()], taken, style)
+        if panel.field is not None and contours is not None:
+            _label_contours(axes, contours, panel.field.in_words(panel.field.levels())[0], taken, style)
     return figure
 
 
@@ -115,14 +111,12 @@ def _letters(inches: float) -> int:
 def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> None:
     """Put a legend below each of the axes, and give everything its final place, at which labels can be measured."""
     figure.draw_without_rendering()
-    for axes, handles in zip(every, keys, strict=True):
+    for axes, handles in zip(every, keys, strict=False):
         if handles:
             inner, outer = axes.get_window_extent(), axes.get_tightbbox()
             right, up = (outer.min - inner.min) / figure.dpi
             corner = axes.transAxes + ScaledTranslation(right, up, figure.dpi_scale_trans)
-            legend = axes.legend(
-                handles=handles, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=corner, handlelength=2.4
-            )
+            legend = axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=corner)
             for text in legend.get_texts():
                 text.set_linespacing(1.0)
     figure.draw_without_rendering()
@@ -137,7 +131,7 @@ def settings(style: Style) -> Iterator[None]:
         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "hatch.linewidth": 0.35,
         "xtick.direction": "in", "ytick.direction": "in", "hatch.color": style.hatch,
         "xtick.major.pad": 5.0,  # clear of the lowest label of the other axis
-        "legend.frameon": False, "legend.fontsize": SIZE, "legend.labelspacing": 0.3,
+        "legend.frameon": False, "legend.fontsize": SIZE, "legend.labelspacing": 0.3, "legend.handlelength": 2.4,
         "legend.borderpad": 0.0, "legend.borderaxespad": 0.3, "legend.handleheight": 1.0,
         "svg.hashsalt": "jkroll", "pdf.fonttype": 42,
     }  # fmt: skip
@@ -149,7 +143,7 @@ def settings(style: Style) -> Iterator[None]:
         yield
 
 
-def _metadata(drawn: Map | Picture, kind: str) -> dict[str, Any]:
+def _metadata(drawn: Picture, kind: str) -> dict[str, Any]:
     """Return what the file says of itself, without the time at which it was made."""
     about = plain(" ".join((*drawn.caption, *drawn.remarks)))
     program = f"jkroll {__version__}, matplotlib {mpl.__version__}"
@@ -164,14 +158,16 @@ def _metadata(drawn: Map | Picture, kind: str) -> dict[str, Any]:
 # --- Axes -------------------------------------------------------------------------------------------------------------
 
 
-def _set_axes(axes: Any, panel: Map | Panel, inches: float, aspect: float) -> None:
-    """Set the shape of axes, and the scales, ends, ticks and titles of both."""
-    if isinstance(panel, Panel) and panel.is_true_to_scale:
+def _set_axes(axes: Any, panel: Panel, inches: float, aspect: float) -> None:
+    """Set the shape of axes, the scales, ends, ticks and titles of both, and what is marked on their edges."""
+    if panel.is_true_to_scale:
         aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
     axes.set_box_aspect(aspect)
     letters = _letters(0.77 * inches)  # of a line of a title
     _set_axis(axes, panel.x, "x", max(2, int(inches / 0.6)), letters)
     _set_axis(axes, panel.y, "y", 9, int(1.1 * aspect * letters))
+    _mark_edge(axes, "x", [(mark.x, mark.text) for mark in panel.marks if mark.y is None])
+    _mark_edge(axes, "y", [(mark.y, mark.text) for mark in panel.marks if mark.x is None])
 
 
 def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> None:
@@ -196,7 +192,7 @@ def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> Non
     side.set_label_text("\n".join(lines(title, letters)), linespacing=1.0)
 
 
-def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[float, str]]) -> None:
+def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[Any, str]]) -> None:
     """Put ticks with texts on the upper or the right edge of axes."""
     if not marks:
         return
@@ -207,34 +203,44 @@ def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[float, str]]) -> Non
     side.tick_params(direction="inout", length=6)
 
 
-# --- Maps and panels --------------------------------------------------------------------------------------------------
+# --- Fields and curves ------------------------------------------------------------------------------------------------
 
 
-def _draw_map(axes: Any, drawn: Map, style: Style, letters: int) -> tuple[list[Any], Any]:
-    """Draw all of a map but the texts inside; return the keys of a legend, and the contours, if there are any."""
-    x, y = (axis._replace(size=FINE) for axis in (drawn.x, drawn.y))
-    scale = numpy.ma.log10 if drawn.is_log else numpy.ma.asarray
+def _draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: int) -> tuple[list[Any], Any]:
+    """Draw all of a field but the texts inside; return the keys of a legend, and the contours, if there are any."""
+    x, y = (axis._replace(size=FINE) for axis in (panel.x, panel.y))
+    across, up, here = x.values(), y.values(), over(field.scene, x, y)
+    scale = numpy.ma.log10 if field.is_log else numpy.ma.asarray
 
-    def field(quantity: str) -> Any:
-        return scale(numpy.ma.masked_invalid(evaluate(drawn.scene, quantity, x, y)))
+    def scaled(quantity: str) -> Any:
+        return scale(numpy.ma.masked_invalid(evaluate(field.scene, quantity, x, y)))
 
-    values = field(drawn.quantity)
+    values = scaled(field.quantity)
     mask = numpy.ma.getmaskarray(values)
-    heights = [float(scale(level.value)) for level in drawn.levels()]
+    heights = [float(scale(level)) for level in field.levels()]
     colours = [style.band(place / max(1, len(heights))) for place in range(len(heights) + 1)]
-    across, up = x.values(), y.values()
     axes.contourf(across, up, values, levels=[values.min() - 1, *heights, values.max() + 1], colors=colours)
-    here = over(drawn.scene, x, y)
-    keys = []
-    for region in drawn.regions:
-        excess = numpy.ma.masked_array(numpy.broadcast_to(region.excess(here), mask.shape), mask)
-        keys.append(_draw_region(axes, region, (across, up, numpy.ma.masked_invalid(excess)), style, letters))
+    keys: list[Any] = []
+    for region in field.regions:
+        excess = numpy.ma.masked_invalid(numpy.where(mask, numpy.nan, region.excess(here)))
+        if region.hatch:
+            axes.contour(across, up, excess, levels=[0], colors=style.ink, linewidths=0.5, linestyles="dotted")
+            axes.contourf(
+                across, up, excess, levels=[0, max(1.0, float(excess.max()) + 1)], colors="none", hatches=[region.hatch]
+            )
+            label = "\n".join(lines(region.text, letters))
+            keys.append(Patch(label=label, facecolor="none", hatch=region.hatch, edgecolor=style.hatch, linewidth=0.4))
+        else:
+            ticks = [withTickedStroke(spacing=8, angle=90, length=0.6)]
+            axes.contour(across, up, excess, levels=[0], colors=style.ink, linewidths=0.8, path_effects=ticks)
+            label = "\n".join(lines(f"{region.text}, on the side of the ticks", letters))
+            keys.append(Line2D([], [], color=style.ink, linewidth=0.8, path_effects=ticks, label=label))
     contours = None
     if heights:
         look = {"levels": heights, "colors": style.ink}
         contours = axes.contour(across, up, values, linewidths=0.7, linestyles="solid", **look)
-        if drawn.printed:
-            axes.contour(across, up, field(drawn.printed), linewidths=0.6, linestyles="dashed", **look)
+        if field.printed:
+            axes.contour(across, up, scaled(field.printed), linewidths=0.6, linestyles="dashed", **look)
             keys.append(Line2D([], [], color=style.ink, linewidth=0.6, linestyle="dashed", label="as printed"))
     if mask.any():
         axes.contour(across, up, mask, levels=[0.5], colors=style.ink, linewidths=0.8)
@@ -242,21 +248,7 @@ def _draw_map(axes: Any, drawn: Map, style: Style, letters: int) -> tuple[list[A
     return keys, contours
 
 
-def _draw_region(axes: Any, region: Region, excess: tuple[Any, Any, Any], style: Style, letters: int) -> Any:
-    """Draw a region by its hatch, or by a line with ticks on its side; return its key. `excess`: x, y and values."""
-    hatch = LOOKS[region.look].hatch
-    if not hatch:
-        line = {"linewidths": 0.8, "path_effects": [withTickedStroke(spacing=8, angle=90, length=0.6)]}
-        axes.contour(*excess, levels=[0], colors=style.ink, **line)
-        text = "\n".join(lines(f"{region.text}, on the side of the ticks", letters))
-        return Line2D([], [], color=style.ink, linewidth=0.8, path_effects=line["path_effects"], label=text)
-    axes.contour(*excess, levels=[0], colors=style.ink, linewidths=0.5, linestyles="dotted")
-    axes.contourf(*excess, levels=[0, max(1.0, float(excess[2].max()) + 1)], colors="none", hatches=[hatch])
-    text = "\n".join(lines(region.text, letters))
-    return Patch(label=text, facecolor="none", hatch=hatch, edgecolor=style.hatch, linewidth=0.4)
-
-
-def _draw_panel(axes: Any, panel: Panel, style: Style, letters: int) -> list[Any]:
+def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> list[Any]:
     """Draw curves, which differ in colour and in their dashes; return the keys of a legend."""
     handles = [
         axes.plot(curve.x, curve.y, label="\n".join(lines(curve.text, letters)), **line_of(curve, number, style))[0]
@@ -273,7 +265,7 @@ def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
     return {"color": style.lines[curve.colour % len(style.lines)], "linestyle": dashes, "linewidth": 1.1}
 
 
-# --- Texts inside the axes: what is free is measured in pixels --------------------------------------------------------
+# --- Texts inside the axes: each goes to the first of its places with the least faults, measured in pixels ------------
 
 _EDGE = 4.0  # points of the page inside the frame that its ticks take
 _ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
@@ -295,11 +287,10 @@ def _label_marks(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
     for (place, label), dot in zip(points, dots, strict=True):
         axes.plot(*place, "o", color=style.ink, markeredgecolor=style.paper, markersize=3.5, clip_on=False, zorder=4)
         text, half = _text(axes, typeset(label), zorder=5)
-        middles = _middle(dot) + steps + half * numpy.sign(steps)
-        boxes = [_box(middle, half) for middle in middles.clip(frame.min + half, frame.max - half)]
+        middles = (_middle(dot) + steps + half * numpy.sign(steps)).clip(frame.min + half, frame.max - half)
         others = [box.padded(scale) for box in taken if box is not dot]
-        faults = partial(_faults, dot=dot, others=others, lines=_points_of_lines(axes))
-        box = min(boxes, key=faults)
+        faults = partial(_faults, dot=dot, others=others, drawn=_points_of_lines(axes))
+        box = min((_box(middle, half) for middle in middles), key=faults)
         _put(text, box, style if any(faults(box)) else None)
         taken.append(box)
         length = _length(dot, box)
@@ -309,22 +300,11 @@ def _label_marks(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
     return [box.padded(3 * scale) for box in taken]
 
 
-def _faults(box: Any, *, dot: Any, others: Sequence[Any], lines: Any) -> tuple[int, bool]:
+def _faults(box: Any, *, dot: Any, others: Sequence[Any], drawn: Any) -> tuple[int, bool]:
     """Return what speaks against a text in a box beside a dot: boxes it or its leader meets, then covered lines."""
     leader = Path(_leader(dot, box))
     met = sum(box.overlaps(other) or leader.intersects_bbox(other, filled=False) for other in others)
-    return met + box.overlaps(dot), box.padded(1).count_contains(lines) > 0
-
-
-def _leader(dot: Any, box: Any) -> Any:
-    """Return both ends of the line from a point to the nearest place of a box."""
-    return numpy.array([_middle(dot), _middle(dot).clip(box.min, box.max)])
-
-
-def _length(dot: Any, box: Any) -> float:
-    """Return the distance of a box from a point."""
-    start, end = _leader(dot, box)
-    return float(numpy.hypot(*(end - start)))
+    return met + box.overlaps(dot), box.padded(1).count_contains(drawn) > 0
 
 
 def _label_contours(axes: Any, contours: Any, texts: Sequence[str], taken: list[Any], style: Style) -> None:
@@ -333,24 +313,24 @@ def _label_contours(axes: Any, contours: Any, texts: Sequence[str], taken: list[
     It stands on a patch of paper, so that no hatch runs through it and its minus sign cannot be taken for the contour.
     Where it must be, for the frame, the line runs through it beside its middle. A contour without room has no label.
     """
-    frame, lines = axes.get_window_extent(), _points_of_lines(axes)
+    frame, drawn = axes.get_window_extent(), _points_of_lines(axes)
     paths = [axes.transData.transform(path.vertices) for path in contours.get_paths()]
     for number, (label, path) in enumerate(zip(texts, paths, strict=True)):
         text, half = _text(axes, f" {typeset(label)} ", zorder=3)
         inside = path.clip(frame.min + half, frame.max - half)
         is_on_line = (abs(path - inside) < half).all(axis=1)
         cost = numpy.hypot(*(inside - _middle(frame)).T) + _ASIDE * numpy.hypot(*(inside - path).T)
-        places = [_box(place, half) for place in inside[is_on_line][cost[is_on_line].argsort(kind="stable")]]
+        places = inside[is_on_line][cost[is_on_line].argsort(kind="stable")]
         others = numpy.concatenate([*paths[:number], *paths[number + 1 :], numpy.empty((0, 2))])
-        free = [box for box in places if not box.count_contains(others) and not any(map(box.overlaps, taken))]
-        clear = (
-            box for box in free if box.count_contains(lines) <= box.count_contains(path)
-        )  # of other lines, such as borders
-        if (box := next(clear, free[0] if free else None)) is None:
-            text.remove()
-        else:
+        boxes = (_box(place, half) for place in places)
+        free = [box for box in boxes if not box.count_contains(others) and not any(map(box.overlaps, taken))]
+        clear = (box for box in free if box.count_contains(drawn) <= box.count_contains(path))  # of borders, too
+        if free:
+            box = next(clear, free[0])
             _put(text, box, style)
             taken.append(box)
+        else:
+            text.remove()
 
 
 def _text(axes: Any, label: str, zorder: int) -> tuple[Any, Any]:
@@ -373,6 +353,16 @@ def _points_of_lines(axes: Any) -> Any:
     contours = (drawing for drawing in axes.collections if not getattr(drawing, "filled", False))
     points += [axes.transData.transform(path.vertices) for drawing in contours for path in drawing.get_paths()]
     return numpy.concatenate([*points, numpy.empty((0, 2))])
+
+
+def _leader(dot: Any, box: Any) -> Any:
+    """Return both ends of the line from a point to the nearest place of a box."""
+    return numpy.array([_middle(dot), _middle(dot).clip(box.min, box.max)])
+
+
+def _length(dot: Any, box: Any) -> float:
+    """Return the distance of a box from a point."""
+    return float(numpy.hypot(*numpy.diff(_leader(dot, box), axis=0)[0]))
 
 
 def _middle(box: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Pictures as data: axes, curves in panels, maps of a quantity over two inputs, and looks. Nothing is drawn here."""
+"""Pictures as data: panels with curves, or with a field of a quantity over two inputs. Nothing is drawn here."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import ceil, floor, log10
@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..quantities.formatting import in_units
-from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE, Quantity, header
 from ..scene.scene import Scene
 from ..scene.solver import values_of
@@ -43,9 +42,9 @@ class Axis(NamedTuple):
         """Return the inputs of a scene at values on the axis."""
         return {**self.needs, self.name: values}
 
-    def has(self, value: float) -> bool:
-        """Return whether a value lies between the ends."""
-        return self.low <= value <= self.high
+    def has(self, values: Any) -> Any:
+        """Return whether a value, or each element of an array, lies between the ends."""
+        return (self.low <= values) & (values <= self.high)
 
     def header(self) -> str:
         """Return the column header of the values: name and unit."""
@@ -75,13 +74,6 @@ class Mark(NamedTuple):
     y: float | None
 
 
-class Level(NamedTuple):
-    """A contour: its value and its label."""
-
-    value: float
-    text: str
-
-
 class Curve(NamedTuple):
     """A line through points. Curves that belong together share a colour."""
 
@@ -92,20 +84,56 @@ class Curve(NamedTuple):
     is_dashed: bool = False
 
 
+class Region(NamedTuple):
+    """The points of a field at which an excess is positive: there the model is not exact, or has no meaning.
+
+    In a terminal its numbers have the sign, on a page it has the hatch; without one, its border has ticks on its side.
+    """
+
+    text: str
+    sign: str
+    hatch: str
+    excess: Callable[[Scene], Any]  # of a scene of arrays
+
+
+class Field(NamedTuple):
+    """A quantity over both axes of a panel."""
+
+    quantity: str
+    scene: Scene  # what is the same all over it
+    values: Any  # a row for each value of y, at few points; nan where there is no value
+    regions: tuple[Region, ...]
+    printed: str = ""  # the same quantity as the paper prints it
+
+    @property
+    def is_log(self) -> bool:
+        """True if contours are those of the logarithm."""
+        return is_wide(self.values)
+
+    def levels(self) -> list[float]:
+        """Return the values of the contours: round ones within the extent."""
+        low, high = extent(self.values)
+        rounded = round_values(low, high, MAX_CONTOURS, is_log=self.is_log) if not is_flat(self.values) else []
+        return [value for value in rounded if low <= value <= high]
+
+    def in_words(self, values: Sequence[float], digits: int = 12) -> tuple[list[str], str]:
+        """Return values as texts, and the unit of all numbers of the field, which is empty where each has its own."""
+        every = [*values, *extent(self.values)]
+        texts, unit = in_units(NOMENCLATURE[self.quantity].unit, every, digits, is_log=self.is_log)
+        return texts[: len(values)], unit
+
+
 class Panel(NamedTuple):
-    """Curves over common axes."""
+    """Axes, and between them curves or a field, with marks."""
 
     x: Axis
     y: Axis
-    curves: tuple[Curve, ...]
+    curves: tuple[Curve, ...] = ()
     marks: tuple[Mark, ...] = ()
     title: str = ""
+    field: Field | None = None
     is_true_to_scale: bool = False
     keys: tuple[str, ...] = ()  # lines below it, where its marks have numbers
-
-    def shows(self, x: float, y: float) -> bool:
-        """Return True for a point between the ends of both axes."""
-        return self.x.has(x) and self.y.has(y)
 
 
 class Picture(NamedTuple):
@@ -115,77 +143,6 @@ class Picture(NamedTuple):
     panels: tuple[Panel, ...]
     caption: tuple[str, ...]
     remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
-
-
-class Look(NamedTuple):
-    """Look of a region: its sign in a terminal; on a page its hatch, or, without one, a line with ticks on its side."""
-
-    sign: str
-    hatch: str = ""
-
-
-BORDER = "border"
-# A pattern belongs to one limit on every map. No two patterns together look like a third.
-LOOKS: Mapping[str, Look] = {
-    "contact_radius_in_spacings": Look("x", hatch="...."),
-    "displacement_ratio": Look("/", hatch="////"),
-    "tabor_parameter": Look("|", hatch="||||"),
-    "energy_over_yield": Look("^", hatch="----"),
-    BORDER: Look("'"),
-}
-
-
-class Region(NamedTuple):
-    """Part of a map: the points with a value at which an excess is positive. `look` is a key of `LOOKS`."""
-
-    text: str
-    look: str
-    excess: Callable[[Scene], Any]  # of a scene of arrays
-
-
-class Map(NamedTuple):
-    """A quantity over two inputs."""
-
-    quantity: str
-    scene: Scene  # what is the same all over the map
-    x: Axis
-    y: Axis
-    values: Any  # a row for each value of y; nan where there is no value
-    regions: tuple[Region, ...]  # in which the model has no meaning or is not exact
-    marks: tuple[Mark, ...]
-    caption: tuple[str, ...]
-    figure: str = ""  # the number of a figure of the paper
-    printed: str = ""  # the same quantity as the paper prints it
-    remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
-
-    @property
-    def is_log(self) -> bool:
-        """True if contours are those of the logarithm."""
-        return is_wide(self.values)
-
-    def levels(self) -> list[Level]:
-        """Return the contours: round values within the extent of the map."""
-        if is_flat(self.values):
-            return []
-        low, high = extent(self.values)
-        rounded = round_values(low, high, MAX_CONTOURS, is_log=self.is_log)
-        inside = [value for value in rounded if low <= value <= high]
-        return [Level(value, text) for value, text in zip(inside, self.in_words(inside)[0], strict=True)]
-
-    def in_words(self, values: Sequence[float], digits: int = 12) -> tuple[list[str], str]:
-        """Return values of the quantity as texts, and their common unit, which is empty where each has its own."""
-        return in_units(NOMENCLATURE[self.quantity].unit, values, digits, is_log=self.is_log)
-
-    @property
-    def title(self) -> str:
-        """The title, with the unit of the contours if they have none."""
-        return self.titled(self.in_words([level.value for level in self.levels()])[1])
-
-    def titled(self, unit: str) -> str:
-        """Return the title over numbers of a unit."""
-        if not self.figure:
-            return described(self.quantity, unit)
-        return f"Fig. {self.figure}: {symbol(self.quantity)}{bracketed(unit)}"
 
 
 # --- Axes -------------------------------------------------------------------------------------------------------------
@@ -332,10 +289,10 @@ class Style(NamedTuple):
 
     def band(self, place: float) -> Colour:
         """Return the colour of a band between the lowest, 0, and the highest, 1: three numbers up to 1."""
-        scaled = place * (len(self.bands) - 1)
-        first = min(int(scaled), len(self.bands) - 2)
-        ends = zip(self.bands[first], self.bands[first + 1], strict=True)
-        red, green, blue = ((low + (high - low) * (scaled - first)) / 255 for low, high in ends)
+        places = numpy.linspace(0, 1, len(self.bands))
+        red, green, blue = (
+            float(numpy.interp(place, places, channel)) / 255 for channel in zip(*self.bands, strict=True)
+        )
         return red, green, blue
 
 
