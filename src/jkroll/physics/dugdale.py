@@ -36,20 +36,6 @@ _TINY = 1e-300  # in place of a slope of 0
 _LAST_OF_FRACTION = 21  # what is left out is below 1e-17 of it, up to θ = π/2
 
 
-def length_unit(
-    work_of_adhesion: FloatOrArray, reduced_radius: FloatOrArray, contact_modulus: FloatOrArray
-) -> FloatOrArray:
-    """Return the unit of lengths along the surface, (πwR²/K)^(1/3)."""
-    return cbrt(3 / 4 * pi * work_of_adhesion * reduced_radius**2 / contact_modulus)
-
-
-def approach_unit(
-    work_of_adhesion: FloatOrArray, reduced_radius: FloatOrArray, contact_modulus: FloatOrArray
-) -> FloatOrArray:
-    """Return the unit of approaches, (π²w²R/K²)^(1/3)."""
-    return cbrt(9 / 16 * pi**2 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
-
-
 class Shape(NamedTuple):
     """The shape of a ring: the functions of its edge ratio that the module names."""
 

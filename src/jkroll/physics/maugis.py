@@ -9,7 +9,39 @@ from __future__ import annotations
 
 from . import dugdale
 from .dimensions import Energy, FloatOrArray, Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import arctan, at_least, at_most, cube, pi, sqrt, where, within
+from .elementary import arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
+
+
+def length_unit_maugis(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
+    """Return the unit of lengths along the surface.
+
+        (πwR²/K)^(1/3), K = 4E*/3
+
+    Source:   Maugis 1992.
+    """
+    return cbrt(3 / 4 * pi * work_of_adhesion * reduced_radius**2 / contact_modulus)
+
+
+def approach_unit_maugis(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
+    """Return the unit of approaches.
+
+        (π²w²R/K²)^(1/3), K = 4E*/3
+
+    Source:   Maugis 1992.
+    """
+    return cbrt(9 / 16 * pi**2 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
+
+
+def energy_unit_maugis(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, approach_unit_maugis: Length
+) -> Energy:
+    """Return the unit of energies: that of loads, πwR, times that of approaches.
+
+        πwR(π²w²R/K²)^(1/3), K = 4E*/3
+
+    Source:   Maugis 1992.
+    """
+    return pi * work_of_adhesion * reduced_radius * approach_unit_maugis
 
 
 def edge_ratio_at_load(
@@ -35,12 +67,10 @@ def edge_ratio_at_load(
 
 def edge_ratio_at_approach(
     *,
-    approach_at_load: Length,
     edge_ratio_at_fold: Number,
     fold_approach_maugis: Length,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
+    approach_at_load: Length,
+    approach_unit_maugis: Length,
     transition_parameter: Number,
 ) -> Number:
     """Return the edge ratio of the contact that fixed grips hold at an approach; 0 without contact.
@@ -50,19 +80,11 @@ def edge_ratio_at_approach(
     Source:   Maugis 1992, by Newton's method.
     Valid:    Approaches above the fold. Beyond, a float raises ValueError and an array holds NaN.
     """
-    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    fold = fold_approach_maugis / unit
-    return dugdale.ratio_at_approach(transition_parameter, approach_at_load / unit, edge_ratio_at_fold, fold)
+    approach, fold = approach_at_load / approach_unit_maugis, fold_approach_maugis / approach_unit_maugis
+    return dugdale.ratio_at_approach(transition_parameter, approach, edge_ratio_at_fold, fold)
 
 
-def zone_span(
-    *,
-    edge_ratio: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
-) -> Length:
+def zone_span(*, edge_ratio: Number, length_unit_maugis: Length, transition_parameter: Number) -> Length:
     """Return the span √(c² − a²) of the ring of attraction around a contact.
 
         T = (πwR²/K)^(1/3)/(⅔λ²G2 + √((⅔λ²G2)² + λG1/2))
@@ -70,17 +92,15 @@ def zone_span(
     Source:   Maugis 1992, solved for T.
     Valid:    Contact.
     """
-    span = dugdale.span(transition_parameter, dugdale.shape(edge_ratio))
-    return span * dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return dugdale.span(transition_parameter, dugdale.shape(edge_ratio)) * length_unit_maugis
 
 
 def zone_span_at_approach(
     *,
     edge_ratio: Number,
     approach_at_load: Length,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
+    length_unit_maugis: Length,
+    approach_unit_maugis: Length,
     transition_parameter: Number,
 ) -> Length:
     """Return the span √(c² − a²) of the ring of attraction; without contact, the radius c of the zone of attraction.
@@ -90,11 +110,9 @@ def zone_span_at_approach(
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     Valid:    Approaches above the fold.
     """
-    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     touching = dugdale.span(transition_parameter, dugdale.shape(edge_ratio))
-    apart = dugdale.span_apart(transition_parameter, approach_at_load / unit)
-    span = where(edge_ratio == 0, apart, touching)
-    return span * dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    apart = dugdale.span_apart(transition_parameter, approach_at_load / approach_unit_maugis)
+    return where(edge_ratio == 0, apart, touching) * length_unit_maugis
 
 
 # --- Radii, load, approach and stiffness in a state -------------------------------------------------------------------
@@ -240,12 +258,7 @@ def unloaded_edge_ratio(*, transition_parameter: Number) -> Number:
 
 
 def unloaded_radius_maugis(
-    *,
-    unloaded_edge_ratio: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, unloaded_edge_ratio: Number, length_unit_maugis: Length, transition_parameter: Number
 ) -> Length:
     """Return the radius of the contact circle without load.
 
@@ -255,8 +268,8 @@ def unloaded_radius_maugis(
     Valid:    a0 ≪ R.
     """
     ring = dugdale.shape(unloaded_edge_ratio)
-    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.unloaded_radius(transition_parameter, ring, dugdale.span(transition_parameter, ring)) * unit
+    span = dugdale.span(transition_parameter, ring)
+    return dugdale.unloaded_radius(transition_parameter, ring, span) * length_unit_maugis
 
 
 def unloaded_approach_maugis(
@@ -317,12 +330,7 @@ def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
 
 
 def fold_approach_maugis(
-    *,
-    edge_ratio_at_fold: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, edge_ratio_at_fold: Number, approach_unit_maugis: Length, transition_parameter: Number
 ) -> Length:
     """Return the least approach at which fixed grips hold the spheres, in contact or apart.
 
@@ -330,17 +338,11 @@ def fold_approach_maugis(
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     """
-    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.lowest_approach(transition_parameter, edge_ratio_at_fold) * unit
+    return dugdale.lowest_approach(transition_parameter, edge_ratio_at_fold) * approach_unit_maugis
 
 
 def contact_radius_at_pull_off_maugis(
-    *,
-    edge_ratio_at_pull_off: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, edge_ratio_at_pull_off: Number, length_unit_maugis: Length, transition_parameter: Number
 ) -> Length:
     """Return the radius of the contact circle at which a constant tension breaks the contact.
 
@@ -349,17 +351,11 @@ def contact_radius_at_pull_off_maugis(
     Source:   Maugis 1992.
     Valid:    Always; it tends to 0 in DMT.
     """
-    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return _radius(transition_parameter, edge_ratio_at_pull_off) * unit
+    return _radius(transition_parameter, edge_ratio_at_pull_off) * length_unit_maugis
 
 
 def contact_radius_at_fold_maugis(
-    *,
-    edge_ratio_at_fold: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, edge_ratio_at_fold: Number, length_unit_maugis: Length, transition_parameter: Number
 ) -> Length:
     """Return the radius of the contact circle at which fixed grips let go.
 
@@ -367,8 +363,7 @@ def contact_radius_at_fold_maugis(
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     """
-    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return _radius(transition_parameter, edge_ratio_at_fold) * unit
+    return _radius(transition_parameter, edge_ratio_at_fold) * length_unit_maugis
 
 
 def _radius(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
@@ -377,12 +372,7 @@ def _radius(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
 
 
 def approach_at_pull_off_maugis(
-    *,
-    edge_ratio_at_pull_off: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, edge_ratio_at_pull_off: Number, approach_unit_maugis: Length, transition_parameter: Number
 ) -> Length:
     """Return the approach of the centres at which a constant tension breaks the contact.
 
@@ -392,8 +382,7 @@ def approach_at_pull_off_maugis(
     Valid:    Always; it tends to 0 in DMT, and is negative below.
     """
     ring = dugdale.shape(edge_ratio_at_pull_off)
-    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.approach(transition_parameter, ring, dugdale.span(transition_parameter, ring)) * unit
+    return dugdale.approach(transition_parameter, ring, dugdale.span(transition_parameter, ring)) * approach_unit_maugis
 
 
 # --- Energies: of a state, and between the states where a contact forms and breaks ------------------------------------
@@ -411,9 +400,8 @@ def state_energy_maugis(
     *,
     edge_ratio: Number,
     zone_span: Length,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
+    length_unit_maugis: Length,
+    energy_unit_maugis: Energy,
     transition_parameter: Number,
 ) -> Energy:
     """Return the elastic and surface energy of a state, in contact or apart; 0 for spheres that do not attract.
@@ -423,18 +411,12 @@ def state_energy_maugis(
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     """
-    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    phi = _of_state(transition_parameter, dugdale.shape(edge_ratio), zone_span / unit)
-    return phi * _energy(work_of_adhesion, reduced_radius, contact_modulus)
+    ring = dugdale.shape(edge_ratio)
+    return _of_state(transition_parameter, ring, zone_span / length_unit_maugis) * energy_unit_maugis
 
 
 def well_energy_maugis(
-    *,
-    unloaded_edge_ratio: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, unloaded_edge_ratio: Number, energy_unit_maugis: Energy, transition_parameter: Number
 ) -> Energy:
     """Return the energy that binds the two spheres: released from first attraction to equilibrium.
 
@@ -443,18 +425,11 @@ def well_energy_maugis(
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
     """
-    unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
-    return -_of(transition_parameter, unloaded_edge_ratio) * unit  # stationary in v, as dΦ = P dδ
+    return -_of(transition_parameter, unloaded_edge_ratio) * energy_unit_maugis  # stationary in v, as dΦ = P dδ
 
 
 def pull_off_work_maugis(
-    *,
-    unloaded_edge_ratio: Number,
-    edge_ratio_at_fold: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, unloaded_edge_ratio: Number, edge_ratio_at_fold: Number, energy_unit_maugis: Energy, transition_parameter: Number
 ) -> Energy:
     """Return the work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
 
@@ -463,18 +438,15 @@ def pull_off_work_maugis(
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     """
-    fold = _of(transition_parameter, edge_ratio_at_fold)
-    unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
-    return (fold - _of(transition_parameter, unloaded_edge_ratio)) * unit
+    fold, unloaded = (_of(transition_parameter, ratio) for ratio in (edge_ratio_at_fold, unloaded_edge_ratio))
+    return (fold - unloaded) * energy_unit_maugis
 
 
 def pull_off_work_at_dead_load_maugis(
     *,
     unloaded_edge_ratio: Number,
     edge_ratio_at_pull_off: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
+    energy_unit_maugis: Energy,
     transition_parameter: Number,
 ) -> Energy:
     """Return the work to separate the spheres from P = 0 with a load that grows to the pull-off force.
@@ -493,16 +465,11 @@ def pull_off_work_at_dead_load_maugis(
             span = dugdale.span(transition_parameter, ring)
             slope = dugdale.approach_slope(transition_parameter, ring, span)
             work = work + weight * half * slope * dugdale.load(transition_parameter, ring, span)
-    return work * _energy(work_of_adhesion, reduced_radius, contact_modulus)
+    return work * energy_unit_maugis
 
 
 def sticking_energy_maugis(
-    *,
-    edge_ratio_at_fold: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, edge_ratio_at_fold: Number, energy_unit_maugis: Energy, transition_parameter: Number
 ) -> Energy:
     """Return the largest energy of a head-on collision after which spheres stick: what jump-in and the fold take.
 
@@ -511,13 +478,14 @@ def sticking_energy_maugis(
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; no other loss.
     """
-    unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
     small = at_most(transition_parameter, dugdale.JUMP_WITHOUT_CONTACT)
     b = dugdale.half_width(small)
-    apart = 17 / 24 * pi * unit * small * b * b * b * b  # in this order, no product underflows before the result
+    apart = (
+        17 / 24 * pi * energy_unit_maugis * small * b * b * b * b
+    )  # in this order, no product underflows before the result
     met = _held_to(transition_parameter, -2 / (pi * transition_parameter), edge_ratio_at_fold)
     fold = _of(transition_parameter, edge_ratio_at_fold)
-    return where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, (fold - met) * unit)
+    return where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, (fold - met) * energy_unit_maugis)
 
 
 def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -> Energy:
@@ -528,14 +496,6 @@ def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -
     Source:   As in JKR, from the force and the approach of this law.
     """
     return -pull_off_force * fold_approach_maugis
-
-
-def _energy(
-    work_of_adhesion: FloatOrArray, reduced_radius: FloatOrArray, contact_modulus: FloatOrArray
-) -> FloatOrArray:
-    """Return the unit of energies, πwR(π²w²R/K²)^(1/3)."""
-    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return pi * work_of_adhesion * reduced_radius * unit
 
 
 def _of(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:

@@ -21,7 +21,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.solver import values_of
 from .curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
-from .picture import Axis, Curve, Mark, Panel, Picture, Region, bracketed
+from .picture import Axis, Curve, Mark, Panel, Picture, Region
 from .request import DRAWN_LIMITS, PlotRequest, mark_at, picture_of
 
 # --- Maps: Figs. 3, 6 and 8 -------------------------------------------------------------------------------------------
@@ -104,18 +104,15 @@ def paper_map(
 ) -> Picture:
     """Return a map of the paper with marked grains. `is_plain`: without the limits of the model."""
     declared = PAPER_MAPS[name]
-    scenes = (("", Scene(declared.given)),)
-    limits = () if is_plain else DRAWN_LIMITS
-    drawn, _ = picture_of(PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits))
+    scenes, printed = (("", Scene(declared.given)),), declared.printed if as_printed else ""
+    request = PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, DRAWN_LIMITS, printed=printed)
+    shown = request._replace(limits=()) if is_plain else request._replace(regions=declared.regions)
+    drawn, _ = picture_of(shown)
     (panel,) = drawn.panels
-    printed = declared.printed if as_printed else ""
-    assert panel.field is not None
-    regions = panel.field.regions if is_plain else (*declared.regions, *panel.field.regions)
-    field = panel.field._replace(regions=regions, printed=printed)
     dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed, each below its contour.",) if printed else ()
     return Picture(
-        f"Fig. {name}: {symbol(declared.quantity)}{bracketed(field.in_words([])[1])}",
-        (panel._replace(marks=(*panel.marks, *declared.marks), field=field),),
+        f"Fig. {name}: {symbol(declared.quantity)}",
+        (panel._replace(marks=(*panel.marks, *declared.marks)),),
         (*drawn.caption, *dashed),
         (declared.remark,),
     )

@@ -66,7 +66,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption; with paper to spare."""
     count = len(drawn.panels)
     inches = inches or (_ONE_PANEL if count == 1 else _MORE_PANELS)
-    columns = _columns(count, inches)
+    columns = min(count, max(1, int(inches / _NARROWEST)))
     rows = ceil(count / columns)
     layout = ConstrainedLayoutEngine(w_pad=_GAP, h_pad=_GAP, wspace=0, hspace=0, compress=True)
     figure = Figure(figsize=(inches, _HIGHEST * inches * rows), layout=layout)
@@ -94,13 +94,6 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
         if panel.field is not None and contours is not None:
             _label_contours(axes, contours, panel.field.in_words(panel.field.levels())[0], taken, style)
     return figure
-
-
-def _columns(panels: int, inches: float) -> int:
-    """Return the number of columns of panels: few stand in one row or one column, many in rows."""
-    if panels > 3:
-        return 3 if inches / 3 >= _NARROWEST else 2
-    return panels if inches / panels >= _NARROWEST else 1
 
 
 def _letters(inches: float) -> int:

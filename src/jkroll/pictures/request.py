@@ -64,6 +64,8 @@ class PlotRequest(NamedTuple):
     marks: Sequence[str]
     materials: Materials
     limits: Sequence[Limit] = LIMITS  # of which those that concern the quantity are drawn or told
+    regions: tuple[Region, ...] = ()  # of a field, besides those of the limits
+    printed: str = ""  # the same quantity as the paper prints it
 
 
 def picture_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
@@ -78,11 +80,11 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     _check_size(x.size, y.size)
     layer = Layer(request, "", scene, [axis._replace(size=min(axis.size, SIDE)) for axis in (x, y)])
     regions, sentences = layer.regions()
-    field = Field(quantity, scene, layer.values, tuple(regions))
+    field = Field(quantity, scene, layer.values, (*request.regions, *regions), request.printed)
     marks = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
     of_materials, left_out = _material_marks(request.materials, x, y) if scene.material is None else ((), ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
-    caption = (*_opening(quantity, [layer]), *_other_values(request, panel), *left_out, *sentences)
+    caption = (*_opening(quantity, [layer]), *_other_values(request, panel, marks), *left_out, *sentences)
     return Picture(described(quantity, field.in_words([])[1]), (panel,), caption), layer.notes
 
 
@@ -155,10 +157,10 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark,
     return placed, (f"Not shown: {', '.join(others)}.",) if placed and others else ()
 
 
-def _other_values(request: PlotRequest, panel: Panel) -> Iterator[str]:
+def _other_values(request: PlotRequest, panel: Panel, marks: Iterable[Mark]) -> Iterator[str]:
     """Iterate over sentences on marked grains of which a map shows another value, as it has an input of others."""
     quantity, ((_, scene),) = request.quantity, request.scenes
-    for mark in panel.marks:
+    for mark in marks:
         if mark.x is not None and mark.y is not None:
             drawn = scene.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
             for name, value in _scene_at(mark.text, request.materials, scene).numbers(quantity).items():

@@ -73,6 +73,9 @@ class Quantity(NamedTuple):
 OF_MAUGIS: Mapping[str, Quantity] = {
     "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
     "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
+    "length_unit_maugis": Quantity("l_M", "m", "unit of lengths, Maugis"),
+    "approach_unit_maugis": Quantity("δ_M", "m", "unit of approaches, Maugis"),
+    "energy_unit_maugis": Quantity("U_M", "J", "unit of energies, Maugis"),
     "edge_ratio": Quantity("v", "1", "contact radius over the span of the ring of attraction", range=POSITIVE),
     "edge_ratio_at_load": Quantity("v", "1", "edge ratio at the load", variant_of="edge_ratio"),
     "edge_ratio_at_approach": Quantity("v", "1", "edge ratio at the approach", may_be_zero=True,
