@@ -87,6 +87,7 @@ from .physics.maugis import adhesive_force_maugis as adhesive_force_maugis
 from .physics.maugis import approach_at_pull_off_maugis as approach_at_pull_off_maugis
 from .physics.maugis import approach_maugis as approach_maugis
 from .physics.maugis import approach_maugis_at_load as approach_maugis_at_load
+from .physics.maugis import approach_unit_maugis as approach_unit_maugis
 from .physics.maugis import contact_displacement as contact_displacement
 from .physics.maugis import contact_radius_at_fold_maugis as contact_radius_at_fold_maugis
 from .physics.maugis import contact_radius_at_pull_off_maugis as contact_radius_at_pull_off_maugis
@@ -95,8 +96,10 @@ from .physics.maugis import edge_ratio_at_approach as edge_ratio_at_approach
 from .physics.maugis import edge_ratio_at_fold as edge_ratio_at_fold
 from .physics.maugis import edge_ratio_at_load as edge_ratio_at_load
 from .physics.maugis import edge_ratio_at_pull_off as edge_ratio_at_pull_off
+from .physics.maugis import energy_unit_maugis as energy_unit_maugis
 from .physics.maugis import fold_approach_maugis as fold_approach_maugis
 from .physics.maugis import fold_energy_maugis as fold_energy_maugis
+from .physics.maugis import length_unit_maugis as length_unit_maugis
 from .physics.maugis import load_maugis as load_maugis
 from .physics.maugis import pull_off_force_maugis as pull_off_force_maugis
 from .physics.maugis import pull_off_work_at_dead_load_maugis as pull_off_work_at_dead_load_maugis
