@@ -73,6 +73,23 @@ def test_what_is_inferred_by_another_law_has_its_own_error_bar(run: Run) -> None
     assert f"{value:.2f} ± {minus:.2f}" in row
 
 
+def test_the_limit_of_small_hard_spheres_has_its_error_bar(run: Run) -> None:
+    """4πγR, of γ = 25 ± 5 or 20 to 30 mJ/m² and R1 = 100 nm: as a column of the table, and in --explain."""
+    for gamma, cell in (("25±5mJ/m2", "15.7 ± 3.1"), ("20 to 30mJ/m2", "13–19")):
+        words = ("pull-off", "100nm", "--gamma", gamma, "--young", "54GPa", "--poisson", "0.17")
+        (row,) = [line for line in run(*words, terminal=True).out.splitlines() if "P_c" in line]
+        assert row.split("  ")[-2:] == [cell, "nN"]
+
+
+@pytest.mark.parametrize("option", ["", "--alternatives"])
+def test_a_row_that_only_another_law_can_answer_fails_whatever_is_written(run: Run, option: str) -> None:
+    """In DMT no hysteresis of adhesion has a lag; by Maugis' law it has one."""
+    words = "yield-force quartz 100nm,200nm --hysteresis-fraction 0.9 --model dmt --csv"
+    ran = run(f"{words} {option}")
+    assert (ran.code, ran.out.count("not in DMT")) == (1, 2)
+    assert "2 of 2 rows failed" in ran.err
+
+
 def test_lists_have_it_beside_the_headline(run: Run) -> None:
     out = run("pull-off quartz,iron 100nm,1mm", terminal=True).out
     assert "P_c by Maugis" in out

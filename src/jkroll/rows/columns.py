@@ -315,12 +315,12 @@ class Columns:
 
     @cached_property
     def failed(self) -> list[int]:
-        """The rows without a contact, or without any value."""
+        """The rows without a contact, or without any value but alternatives."""
         lacks = {id(reasons): lack(reasons) is not None for reasons in self.reasons.values()}
         return [
             row
             for row, reasons in self.reasons.items()
-            if lacks[id(reasons)] or all(isnan(column[row]) for column in self.numbers)
+            if lacks[id(reasons)] or all(isnan(self.column(name)[row]) for name in self.wanted.names)
         ]
 
     def failure(self, row: int) -> JkrollError:
