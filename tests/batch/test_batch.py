@@ -75,8 +75,12 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     assert [*lines[1:], failed] == [
         "assumed: ξ = 200 pm (--xi), no load (--load), z0 = 400 pm (--z0)",
         (
-            "note: 2 of 3 rows are doubtful (law-off-2x in 2, xi-over-limit in 1, xi-over-contact in 1, slides-first "
-            "in 1 and 4 more); column doubt says why"
+            "warning: numbers have no meaning in 1 of 3 rows (column doubt): xi-over-limit 1, xi-over-contact 1, "
+            "slides-first 1"
+        ),
+        (
+            "note: doubts in 2 of 3 rows (column doubt): law-off-2x 2, moment-unexplained 1, few-atoms 1, may-yield 1 "
+            "and 1 more"
         ),
         "jkroll: 1 of 3 rows failed; column status says why",
     ]
@@ -87,7 +91,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
         "law-off-2x xi-over-limit xi-over-contact slides-first moment-unexplained few-atoms may-yield wide-contact",
         "",
     ]
-    assert "doubtful" not in run(f"{words} --no-doubt").err
+    assert "doubts in" not in run(f"{words} --no-doubt").err
     assert "doubt" not in read_rows(f"out.{end}")[0]
 
 
@@ -600,7 +604,7 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
         "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
         "assumed: no load (--load)",
         "note: no column and no option gives a radius; what needs one is left out",
-        "note: unchecked in 1 of 1 rows: a limit could not be judged, as it needs an input that is not given",
+        "note: doubts in 1 of 1 rows (column doubt): unchecked 1",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[
         0

@@ -187,9 +187,9 @@ def test_a_range_that_enters_no_error_bar_is_told(run: Run) -> None:
     )
     Path("x.csv").write_text("material,radius [nm]\nown,950\nquartz,100\n", encoding="utf-8")
     words = "batch x.csv -o out.csv --materials own.toml --quantities"
-    assert "note: error bars: ranges are left out beside ±: ξ\n" in run(f"{words} yield_force").err
+    assert "note: error bars: ± and ranges do not go together; ξ left out\n" in run(f"{words} yield_force").err
     assert "left out" not in run(f"{words} pull_off_force").err
-    assert "ranges are left out beside ±: ξ" in run("yield-force own 950nm --materials own.toml").err
+    assert "± and ranges do not go together; ξ left out" in run("yield-force own 950nm --materials own.toml").err
 
 
 def test_a_displacement_that_a_material_states_is_not_assumed(run: Run) -> None:

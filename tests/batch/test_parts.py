@@ -76,12 +76,12 @@ def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) ->
     reading, _, said = ran.err.partition("\n")
     assert reading.startswith("read: material, ")
     assert reading.endswith(": 4 of 5 files")
-    assumed, directory, doubtful, not_judged, *gaps, failed = said.splitlines()
+    assumed, directory, warning, doubtful, *gaps, failed = said.splitlines()
     in_words = "w = 2√(γ1γ2) (--work-of-adhesion), g = 9.80665 m/s² (--gravity), z0 = 400 pm (--z0)"
     assert assumed == f"assumed: {in_words}: 4 of 5 files"
     assert (ran.code, directory) == (2, f"jkroll: '{grains[3]}': Is a directory")
-    assert doubtful.startswith("note: 66 of 87 rows are doubtful (law-off-2x in 34, ")
-    assert not_judged.startswith("note: unchecked in ")
+    assert warning.startswith("warning: numbers have no meaning in ")
+    assert doubtful.startswith("note: doubts in 87 of 87 rows (column doubt): law-off-2x 34, ")
     assert len(gaps) == 5
     assert failed == "jkroll: 18 of 87 rows failed; column status says why"
     before = times("forces")

@@ -13,6 +13,7 @@ from jkroll.batch.lines import Delimited, as_lines
 from jkroll.batch.run import Converted, Converter, Job
 from jkroll.materials.library import known_materials
 from jkroll.rows import cells
+from jkroll.scene.limits import EVERY_DOUBT
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
 PLAIN = st.sampled_from(
@@ -85,7 +86,7 @@ def test_the_quick_way_is_taken() -> None:
         patch.object(cells, "_meaning") as one_by_one,
     ):
         found = convert.converted(text)
-    assert (found.tally.rows, found.tally.failed, found.tally.doubtful) == (301, 1, 300)
+    assert (found.tally.rows, found.tally.failed, found.tally.with_doubts(EVERY_DOUBT)) == (301, 1, 300)
     assert found.output.splitlines()[300].endswith(b",bad radius")
     assert found.tally.gaps["bad radius"] == (
         1,
@@ -163,5 +164,5 @@ def test_a_line_of_separators_takes_little_memory() -> None:
     found = converted("csv", "\n", line + b"\n", excel_safe=False)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert (found.tally.rows, found.tally.failed, found.tally.doubtful) == (1, 1, 0)
+    assert (found.tally.rows, found.tally.failed, found.tally.with_doubts(EVERY_DOUBT)) == (1, 1, 0)
     assert peak < 50 * len(line)

@@ -494,7 +494,10 @@ def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -
     middle = json.loads(run(f"yield-force own 100±10nm {own} --json").out)["results"][0]
     low, high = (one["value"] for one in found)
     assert middle["uncertainty"]["plus"] + middle["uncertainty"]["minus"] == approx(high - low)
-    assert "error bars: ranges are left out beside ±: ξ" in run(f"yield-force own 100±10nm {own} --explain").out
+    assert (
+        "error bars: ± and ranges do not go together; ξ left out"
+        in run(f"yield-force own 100±10nm {own} --explain").out
+    )
     inferred = run(f"infer radius own --measured yield_force={high!r}N {own} --bare --quiet").out
     assert float(inferred) == approx(110e-9)
 

@@ -135,8 +135,6 @@ def test_a_measured_restitution_bounds_the_surface_energy(run: Run) -> None:
 
 
 def test_what_an_impact_says(run: Run) -> None:
-    ran = run("impact quartz 1um --speed 1cm/s --explain").out
-    assert "e = 0: they stick, as v_stick = 87.4268 mm/s is not below v" in " ".join(ran.split())
     ran = run("impact quartz 1um --speed 1m/s --viscous-time 12.5ps --explain").out
     assert "the viscous time was fitted at one size" in " ".join(ran.split())
     assert "elastic theory's" not in ran

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from harness import Run
-from jkroll.answers.advice import about_doubt, about_unmeasured, displacement_in_full
+from jkroll.answers.advice import about_displacement, about_doubt, displacement_in_full
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import ends_of, value_of
 from jkroll.scene.alternatives import (
@@ -113,7 +113,7 @@ def test_where_nothing_of_the_solid_was_measured(material: str, radius: float, g
 
 def words(scene: Scene, *names: str) -> str:
     found = [doubt for doubt in doubts(scene, names, [ASSUMED_DISPLACEMENT]) if doubt.is_exceeded]
-    return about_doubt(found[0], scene, names, names) if found else about_unmeasured(scene)
+    return about_doubt(found[0], scene, names, names) if found else about_displacement(scene, "")
 
 
 def test_words() -> None:
@@ -122,11 +122,14 @@ def test_words() -> None:
     )
     scaled = words(of("quartz", 1e-7), "yield_force")
     assert "Q = 89–270 pN by forces on SiO2 of 1 µm (850–1200 pN), scaled to this size" in scaled
-    assert words(of("ice-warm", 1e-6), "r_min").endswith(
-        "ξ is assumed (--xi): no ξ of ice-warm was measured at this size"
+    assert words(of("ice-warm", 1e-6), "r_min") == "ξ is assumed (--xi): no ξ of ice-warm was measured"
+    for radius in (5e-8, 1e-5):
+        assert words(of("quartz", radius), "r_min") == (
+            "ξ is assumed (--xi): no ξ of quartz was measured at this size and γ"
+        )
+    assert words(Scene({"radius": 1e-7}), "r_min").startswith(
+        "ξ is assumed (--xi): forces on SiO2 of 1 µm mean 1.8–2.6 nm"
     )
-    assert "polystyrene has 42 nm at 5 µm" in words(of("quartz", 1e-5), "r_min")
-    assert words(of("quartz", 5e-8), "yield_force") == ""
     assert doubts(of("quartz", 1e-6), ["pull_off_force"], [ASSUMED_DISPLACEMENT]) == []
 
 

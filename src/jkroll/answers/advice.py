@@ -33,11 +33,8 @@ from ..scene.limits import JUMP, LAW_MATTERS, Doubt
 from ..scene.scene import Scene
 
 MAX_TOLD = 2  # quantities in a note
-_SMALLEST = 1e-7  # radius of an identical pair below which nothing is said of measurements
-_LARGE = 3e-6  # and from which measurements on other solids are told
+_SMALLEST = 1e-7  # radius of an identical pair below which nothing is said of measurements to programs
 _ALIKE = 0.2  # relative difference of radii that needs no scaling
-_OF_POLYSTYRENE = "polystyrene has 42 nm at 5 µm"  # Sümer & Sitti
-_ELSEWHERE = f"{_OF_POLYSTYRENE}, ice 0.19 mm at 1 mm"  # Musiolik & Wurm 2019
 
 
 # --- In full, for programs --------------------------------------------------------------------------------------------
@@ -169,17 +166,6 @@ def _about_roughness(scene: Scene) -> str:
     )
 
 
-def about_unmeasured(scene: Scene) -> str:
-    """Return that no displacement was measured near the size of a scene, where ξ is assumed; empty where it was."""
-    radius = _radius(scene)
-    if not assumes_displacement(scene) or radius < _SMALLEST or rolled_solid(scene):
-        return ""
-    of_solid = f" of {scene.material.name}" if scene.material is not None and scene.material2 is None else ""
-    near = "" if radius < _LARGE else f"; {_ELSEWHERE}"
-    kind = "size and γ" if solid_of_kind(scene) else "size"
-    return f"ξ is assumed (--xi): no ξ{of_solid} was measured at this {kind}{near}"
-
-
 def _forces(scene: Scene) -> str:
     """Return what was measured, and how it was brought to the size of a scene."""
     if rolled_solid(scene) != SIO2:
@@ -190,12 +176,16 @@ def _forces(scene: Scene) -> str:
     return f"{text} ({span('yield_force', *FORCES)}), scaled to this size"
 
 
-def about_displacement_of_rows(scene: Scene) -> str:
-    """Return what was measured where ξ is assumed for rows of a kind, of which the scene is one."""
-    solid = solid_of_kind(scene)
+def about_displacement(scene: Scene, solid: str) -> str:
+    """Return what was measured where ξ is assumed for a scene, or for rows for which it stands.
+
+    `solid`: that on which rolling was measured, if spheres may be like those; else empty.
+    """
     if scene.material is not None and not solid:
-        return f"ξ is assumed (--xi): no ξ of {scene.material.name} was measured"
+        spheres = scene.material.name if scene.material2 is None else "this pair"
+        like_these = " at this size and γ" if solid_of_kind(scene) else ""
+        return f"ξ is assumed (--xi): no ξ of {spheres} was measured{like_these}"
     ends = span(XI, *displacements_where_measured(scene))
     of_silica = f"forces on {SIO2} of 1 µm mean {ends} under {scene.law.title}"
-    measured = of_silica if solid in ("", SIO2) else _OF_POLYSTYRENE
+    measured = of_silica if solid in ("", SIO2) else "polystyrene has 42 nm at 5 µm"  # Sümer & Sitti
     return f"ξ is assumed (--xi): {measured}, and it grows with the sphere"

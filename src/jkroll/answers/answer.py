@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from ..errors import JkrollError, NoResult
+from ..errors import JkrollError
 from ..quantities.formatting import in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, XI
@@ -27,7 +27,6 @@ from .notes import (
     about_given,
     about_idle,
     about_limits,
-    about_lost_contacts,
     about_missing,
     about_uncertainties,
     about_values,
@@ -36,7 +35,7 @@ from .notes import (
     idle_of,
 )
 from .questions import Question
-from .results import Kind, Note, Result, model_error, over_spacing, with_law
+from .results import Note, Result, model_error, over_spacing, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -64,8 +63,10 @@ class Answer:
         self.question, self.scene = question, scene
         self.outcomes = scene.outcomes(question.quantities, question.named)
         self.shown = [*self.outcomes]
-        self.errors: dict[str, MissingInput | NoResult] = {
-            name: error for name, error in self.outcomes.items() if isinstance(error, MissingInput | NoResult)
+        self.errors = {
+            name: self._error(name, outcome)
+            for name, outcome in self.outcomes.items()
+            if isinstance(outcome, JkrollError)
         }
 
     def value(self, name: str) -> float | None:
@@ -96,12 +97,13 @@ class Answer:
 
     def _result(self, name: str) -> Result:
         if name in self.errors:
-            return Result(name, None, self._reason(name, self.errors[name]))
+            return Result(name, None, reason_of(name, self.errors[name]))
         error = model_error(name, self.scene)
         return Result(name, self.outcomes[name], error=error, propagated=self._propagated(name))
 
-    def _reason(self, name: str, error: MissingInput | NoResult) -> str:
-        return over_spacing(name, self.scene) if rests_on_spacing(error) else reason_of(name, error)
+    def _error(self, name: str, error: JkrollError) -> JkrollError:
+        """Return why a quantity has no value: of one that the atomic spacing decides on, with its values."""
+        return without_value(name, over_spacing(name, self.scene)) if rests_on_spacing(error) else error
 
     def _propagated(self, name: str) -> "Propagated | None":
         """Return the uncertainty of a result; None if it has none, or an error says why it has none."""
@@ -168,12 +170,7 @@ class Answer:
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
-        width = min((result.width for result in self.results), default=0.0)  # no smaller doubt matters
-        notes = []
-        for doubt in self.exceeded:
-            kind: Kind = "doubt" if doubt.excess > width else "lesser doubt"
-            notes.append(Note("warning" if doubt.limit.ends_meaning else kind, self.about(doubt)))
-        return notes
+        return [Note("warning" if doubt.limit.ends_meaning else "doubt", self.about(doubt)) for doubt in self.exceeded]
 
     @property
     def exceeded(self) -> list[Doubt]:
@@ -207,14 +204,10 @@ class Answer:
             *about_given(scene, self._possible, self._entering[0]),
             *about_idle(idle_of(scene, self._entering[1])),
             *about_values(scene, self._known),
-            *about_missing([*self.results], self.errors),
+            *about_missing(self.errors),
             *about_limits(self.validity),
         )
-        if sources is None:
-            return notes
-        are_complete = bool(bars) and not any(isinstance(bar, JkrollError) for bar in bars.values())
-        lost = about_lost_contacts(scene, sources) if "load" in self.inputs and are_complete else ()
-        return (*notes, *about_uncertainties(bars, sources), *lost)
+        return notes if sources is None else (*notes, *about_uncertainties(bars, sources))
 
     @cached_property
     def failure(self) -> JkrollError | None:
@@ -222,7 +215,4 @@ class Answer:
         for error in self.errors.values():
             if isinstance(error, Failure) and not error.kind.has_contact:
                 return with_force_by_maugis(error, self.scene) if error.kind == BEYOND_PULL_OFF else error
-        if self._known:
-            return None
-        name, error = next(iter(self.errors.items()), ("", Failure(OF_IDENTICAL_SPHERES)))
-        return without_value(name, self._reason(name, error)) if rests_on_spacing(error) else error
+        return None if self._known else next(iter(self.errors.values()), Failure(OF_IDENTICAL_SPHERES))

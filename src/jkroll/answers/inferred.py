@@ -21,7 +21,7 @@ from ..scene.uncertainty import measures_of, uncertainties_of_unknowns
 from ..scene.unknowns import solution
 from ..text import listed
 from .answer import Answer
-from .notes import about_missing, about_uncertainties
+from .notes import about_uncertainties
 from .questions import Question
 from .results import Note, Result
 
@@ -116,7 +116,6 @@ class Inferred(Answer):
         notes = (
             *self._proofs(),
             *self.forward.notes,
-            *about_missing([*self.results], {}),
             *(about_uncertainties(bars, sources) if sources is not None else ()),
         )
         return tuple(dict.fromkeys(notes))  # both ways leave out the same

@@ -3,24 +3,25 @@
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING
 
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_beside, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
-from ..scene.alternatives import assumes_displacement, rolling
-from ..scene.failures import NO_END, MissingInput, grouped, without_value
-from ..scene.limits import ENDING_MEANING, IMPACT, MEANINGS, OF_LAW, Doubt, codes_of, doubts, touched
+from ..scene.alternatives import assumes_displacement, rolled_solid, rolling, solid_of_kind
+from ..scene.failures import NO_END, grouped
+from ..scene.limits import ENDING_MEANING, EVERY_DOUBT, NOT_JUDGED, OF_LAW, Doubt, doubts, touched
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
-from ..text import listed
-from .advice import about_displacement_of_rows, about_unmeasured
-from .results import Kind, Note, Result
+from ..text import first_of, listed
+from .advice import about_displacement
+from .results import Kind, Note, by_importance
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
+    from ..rows.reasons import Tally
     from ..scene.uncertainty import Propagated, Source, Sources
     from .answer import Answer
 
@@ -35,7 +36,6 @@ _RULES = {  # by which quantities follow that could have been given
 }
 _CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
 _UNLIKE = 3.0  # ratio of two surface energies from which on a note has their harmonic mean
-_LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 _STICKING = (
     "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, "
     "of silica-dry 1.7 m/s"
@@ -45,9 +45,9 @@ _OF_TURNING = {"yield_force", "sliding_force", "sliding_or_peeling_force", "twis
 
 _MAX_NOTES = 2  # below results, with the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
+_MAX_CODES = 4  # of doubts about rows, which are named
 _BEHIND = ("model", "data")  # kinds that change nothing that a reader does: in explanations
 _APART = ("assumed", "warning")  # kinds that stand above all others
-_KINDS = get_args(Kind)
 
 
 # --- What is given ----------------------------------------------------------------------------------------------------
@@ -156,12 +156,6 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         yield Note("result", f"{here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)}, {there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("result", _STICKING)
-    if "restitution" in names and scene["restitution"] == 0:
-        speed = amount("sticking_speed", scene["sticking_speed"])
-        yield Note("result", f"e = 0: they stick, as v_stick = {speed} is not below v")
-    if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
-        for ratio in scene.numbers("energy_over_sticking").values():  # none in a law without U_stick
-            yield Note("result", f"W0 = P_cδ0 of JKR is {ratio:.3g} U_stick, the largest energy that sticks")
     if unlike := [name for name in names if NOMENCLATURE[name].of_identical and not scene.is_identical]:
         yield Note("warning", f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone")
     if "n_grav" in names and not scene.is_identical:
@@ -173,8 +167,8 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
         yield Note("result", "a: the spheres are bound without touching")
     if rolling(names, scene.law.name):
-        if text := about_unmeasured(scene):
-            yield Note("displacement", text)
+        if assumes_displacement(scene) and not rolled_solid(scene):
+            yield Note("displacement", about_displacement(scene, ""))
         values = scene.numbers(XI, "hysteresis_ratio")
         if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
             lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
@@ -205,39 +199,22 @@ def about_limits(found: Iterable[Doubt]) -> list[Note]:
     return [Note("unchecked", f"not checked (give {give}): {', '.join(words)}") for give, words in subjects.items()]
 
 
-def about_missing(results: Iterable[Result], errors: Mapping[str, JkrollError]) -> list[Note]:
-    """Return a note for each reason why values are missing, with the names of all that it concerns."""
-    reasons: dict[str, JkrollError] = {}
-    for name, reason in ((result.name, result.reason) for result in results if result.value is None):
-        error = errors.get(name)
-        reasons[name] = error if isinstance(error, MissingInput) else without_value(name, reason)
-    return [Note("missing", f"{first_symbols(names)}: {reason}") for names, reason in grouped(reasons)]
+def about_missing(errors: Mapping[str, JkrollError], lead: str = "") -> list[Note]:
+    """Return a note for each reason why there are no values, behind a lead, with the names of all that it concerns."""
+    return [Note("missing", f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
 
 
-def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources: "Sources") -> list[Note]:
+def about_uncertainties(bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:
     """Return notes on uncertainties that do not exist, and on sources that are left out."""
-    failures = {name: error for name, error in found.items() if isinstance(error, JkrollError)}
-    notes = [Note("missing", f"{first_symbols(names)}: {NO_END}{reason}") for names, reason in grouped(failures)]
-    return [*notes, *(Note("error bars", text) for text in left_out_in_words(sources.left_out))]
+    failures = {name: error for name, error in bars.items() if isinstance(error, JkrollError)}
+    return [*about_missing(failures, NO_END), *about_left_out(sources.left_out)]
 
 
-def left_out_in_words(sources: "Iterable[Source]") -> Iterator[str]:
-    """Iterate over sentences on sources that enter no error bar, as others are of another kind."""
-    found: dict[str, dict[str, None]] = {}
-    for source in sources:
-        reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
-        found.setdefault(reason, {})[symbol_of(source.names[0])] = None
-    for reason, symbols in found.items():
-        yield f"error bars: {reason}: {', '.join(symbols)}"
-
-
-def about_lost_contacts(scene: Scene, sources: "Sources") -> list[Note]:
-    """Return a note where a load is beyond pull-off at a part of the values within the error bars of the inputs."""
-    from ..scene.uncertainty import part_beyond_pull_off
-
-    part = part_beyond_pull_off(scene, sources)
-    text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
-    return [Note("error bars", f"error bars are of contacts that hold: {text}")] if part >= _LOST else []
+def about_left_out(sources: "Iterable[Source]") -> list[Note]:
+    """Return the note on sources that enter no error bar, as others are of another kind, if there are some."""
+    symbols = dict.fromkeys(symbol_of(source.names[0]) for source in sources)
+    text = f"error bars: ± and ranges do not go together; {', '.join(symbols)} left out"
+    return [Note("error bars", text)] if symbols else []
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
@@ -251,9 +228,9 @@ def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
         from ..scene.uncertainty import sources_of_results
 
         with suppress(JkrollError):  # each row says which kinds do not go together
-            yield from about_uncertainties({}, sources_of_results(scene, possible))
+            yield from about_left_out(sources_of_results(scene, possible).left_out)
     if rolling(possible, scene.law.name) and assumes_displacement(scene):
-        yield Note("displacement", about_displacement_of_rows(scene))
+        yield Note("displacement", about_displacement(scene, solid_of_kind(scene)))
     inputs, _ = entering(scene, names)
     yield from about_given(scene, possible, inputs)
     yield from about_limits(doubts(scene, possible))
@@ -273,8 +250,24 @@ def given_of_kinds(kinds: Iterable[Rows], *, judges: bool = True) -> tuple[dict[
     return texts, [name for name in idle[0] if all(name in of_kind for of_kind in idle)]
 
 
+def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
+    """Iterate over notes on rows: in how many of them numbers have no meaning or are in doubt, and on empty cells.
+
+    `bits`: the doubts that are told; `where`: the place at which there is more of them.
+    """
+    kinds: dict[Kind, tuple[str, int]] = {
+        "warning": ("numbers have no meaning", bits & ENDING_MEANING),
+        "rows": ("doubts", bits & ~ENDING_MEANING),
+    }
+    for kind, (lead, told) in kinds.items():
+        if rows := tally.with_doubts(told):
+            counts = first_of(tally.counted(told), _MAX_CODES)
+            yield Note(kind, f"{lead} in {rows} of {tally.rows} rows ({where}): {counts}")
+    yield from (Note("missing", gaps.sentence()) for gaps in tally.gaps.values())
+
+
 class OfRows:
-    """The notes of rows: empty cells, and doubts with their numbers of rows, counted while columns are written."""
+    """The notes of rows, which are counted while columns are written."""
 
     def __init__(self, kinds: Iterable[Rows]) -> None:
         from ..rows.reasons import Tally
@@ -305,24 +298,12 @@ class OfRows:
 
         Its head has what was assumed, and columns beside the values of a law that is not exact say how far it is off.
         """
-        of_law = codes_of(OF_LAW)[::-1]  # the worst first
-        codes = [code for code in self.tally.codes if code not in of_law]
-        codes += [code for code in of_law if code in self.tally.codes and not has_table]
-        notes = self._counted("warning", "numbers have no meaning", [code for code in codes if code in ENDING_MEANING])
+        told = EVERY_DOUBT ^ NOT_JUDGED ^ (OF_LAW if has_table else 0)
+        notes = [*about_rows(self.tally, told, "jkroll guide models")]
         if not quiet:
-            notes += self._counted("lesser doubt", "doubts", [code for code in codes if code not in ENDING_MEANING])
-            of_gaps = (gaps.sentence() if self.tally.rows > 1 else gaps.words for gaps in self.tally.gaps.values())
-            notes += [Note("missing", text) for text in of_gaps]
             notes += dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
             notes += [*about_idle(self._given[1]), *about_assumed(self.assumed)]
-        return _lines(notes, has_head=has_table)
-
-    def _counted(self, kind: Kind, lead: str, codes: Sequence[str]) -> list[Note]:
-        """Return the note in how many rows codes stand, each with its meaning, if there are some."""
-        counts, rows = self.tally.codes, self.tally.rows
-        texts = [f"{code} in {counts[code]} ({MEANINGS[code]})" for code in codes]
-        text = "; ".join(texts).replace(" (", f" of {rows} rows (", 1)
-        return [Note(kind, f"{lead}: {text}")] if texts else []
+        return _lines(notes, has_head=has_table, quiet=quiet)
 
 
 # --- Lines ------------------------------------------------------------------------------------------------------------
@@ -333,26 +314,25 @@ def lines_of(answer: "Answer", *, has_head: bool = False, quiet: bool = False) -
 
     `quiet`: whether warnings alone are wanted.
     """
-    notes = [*answer.notes, *answer.doubts()]
-    return _lines([note for note in notes if note.kind == "warning" or not quiet], has_head=has_head)
+    return _lines([*answer.notes, *answer.doubts()], has_head=has_head, quiet=quiet)
 
 
 def every_line(answer: "Answer") -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    notes = _by_importance([*answer.notes, *answer.doubts()])
-    return [f"{'warning' if note.kind == 'warning' else 'note'}: {note.text}" for note in notes]
+    return [note.line for note in by_importance([*answer.notes, *answer.doubts()])]
 
 
-def _lines(notes: Iterable[Note], *, has_head: bool) -> list[str]:
+def _lines(notes: Iterable[Note], *, has_head: bool, quiet: bool) -> list[str]:
     """Return a line of what was assumed, one of warnings, and the first notes; the last says whether there are more."""
-    every = _by_importance(notes)
+    every = [note for note in by_importance(notes) if note.kind == "warning" or not quiet]
     lines = [note.text for note in every if note.kind == "assumed" and not has_head]
     if warnings := "; ".join(note.text for note in every if note.kind == "warning"):
         lines.append(f"warning: {warnings}")
     others = [note for note in every if note.kind not in _APART]
-    texts = [f"note: {note.text}" for note in others if note.kind not in _BEHIND]
-    shown = [*map(_first_clauses, texts[: _MAX_NOTES - bool(warnings)])]
-    return [*lines, *shown, *([] if shown == texts and len(texts) == len(others) else ["more: --explain"])]
+    shown = [note for note in others if note.kind not in _BEHIND][: _MAX_NOTES - bool(warnings)]
+    texts = [_first_clauses(note.line) for note in shown]
+    has_more = texts != [note.line for note in others]
+    return [*lines, *texts, *(["more: --explain"] if has_more else [])]
 
 
 def _first_clauses(text: str) -> str:
@@ -360,8 +340,3 @@ def _first_clauses(text: str) -> str:
     while len(text) > _MAX_LENGTH and "; " in text:
         text = text.rpartition("; ")[0]
     return text
-
-
-def _by_importance(notes: Iterable[Note]) -> list[Note]:
-    """Return notes, the most important kind first."""
-    return sorted(notes, key=lambda note: _KINDS.index(note.kind))

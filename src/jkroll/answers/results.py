@@ -1,12 +1,11 @@
 """A result, and a note about an answer."""
 
-from collections.abc import Mapping
-from math import log
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..quantities.formatting import amount
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import at_half_spacing, uses_law
 from ..scene.scene import Scene
 
@@ -63,16 +62,8 @@ class Result(NamedTuple):
         """The value, with its error bar if it has one."""
         return self.value if self.uncertain is None else self.uncertain
 
-    @property
-    def width(self) -> float:
-        """The larger side of the error bar as the logarithm of a factor; 0 without one, and for one that reaches 0."""
-        bar = self.uncertain
-        if bar is None or not (bar.low > 0 and bar.high < INFINITY):
-            return 0.0
-        return max(log(bar.value / bar.low), log(bar.high / bar.value))
 
-
-# Of notes, the most important first. A lesser doubt is within the error bars, or about some rows of many.
+# Of notes, the most important first.
 Kind = Literal[
     "warning",
     "missing",
@@ -82,7 +73,7 @@ Kind = Literal[
     "displacement",
     "result",
     "model",
-    "lesser doubt",
+    "rows",
     "assumed",
     "assumption",
     "unchecked",
@@ -93,8 +84,21 @@ Kind = Literal[
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Kind  # a warning is of a number without a meaning
+    kind: Kind  # a warning is of a number without a meaning, "rows" counts those in doubt
     text: str
+
+    @property
+    def line(self) -> str:
+        """The sentence as a line by itself."""
+        return f"{'warning' if self.kind == 'warning' else 'note'}: {self.text}"
+
+
+def by_importance(notes: Iterable[Note]) -> list[Note]:
+    """Return notes, the most important kind first."""
+    return sorted(notes, key=lambda note: _KINDS.index(note.kind))
+
+
+_KINDS = get_args(Kind)
 
 
 def with_law(result: Result, scene: Scene) -> Result:

@@ -17,13 +17,12 @@ from ..errors import ROWS_FAILED, BadRequest, BadTable, JkrollError, MissingExtr
 from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
 from ..rows.reasons import Tally
-from ..scene.limits import UNCHECKED
-from ..text import first_of, quoted, say, say_wrapped
+from ..scene.limits import EVERY_DOUBT
+from ..text import quoted, say, say_wrapped
 from .files import format_of_name
 from .run import Job, convert_one
 
-MAX_CODES = 4  # of doubts that are named at the end
-MAX_GAPS = 4  # kinds of rows with empty cells that are explained at the end
+MAX_NOTES = 6  # about rows, at the end
 MAX_LINES = 6  # about many tables, that are said at the end
 LITTLE = 1 << 19  # bytes of files that a process converts in the time in which another one starts
 DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
@@ -46,21 +45,15 @@ def run(path: str, job: Job) -> int:
 
 
 def _say_notes(tally: Tally, job: Job) -> None:
-    """Say on stderr what was inferred, and how many rows are in doubt, could not be judged, or have empty cells."""
+    """Say on stderr what was inferred, and in how many rows numbers are in doubt, or cells empty."""
+    from ..answers.notes import about_rows
+
     if tally.inferred:
         say_wrapped(_summary(job.infer, tally), sys.stderr)
-    if tally.doubtful:
-        is_one, counts = tally.rows == 1, sorted(tally.codes.items(), key=lambda item: -item[1])
-        counted = first_of([code if is_one else f"{code} in {count}" for code, count in counts], MAX_CODES)
-        are = "is" if tally.doubtful == 1 else "are"
-        some = "the row" if is_one else f"{tally.doubtful} of {tally.rows} rows"
-        say_wrapped(f"note: {some} {are} doubtful ({counted}); column {DOUBT} says why", sys.stderr)
-    if tally.not_judged:
-        reason = "a limit could not be judged, as it needs an input that is not given"
-        say_wrapped(f"note: {UNCHECKED} in {tally.not_judged} of {tally.rows} rows: {reason}", sys.stderr)
-    for gaps in [*tally.gaps.values()][:MAX_GAPS]:
-        say_wrapped(f"note: {gaps.sentence()}", sys.stderr)
-    if (more := len(tally.gaps) - MAX_GAPS) > 0:
+    notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT}")]
+    for note in notes[:MAX_NOTES]:
+        say_wrapped(note.line, sys.stderr)
+    if (more := len(notes) - MAX_NOTES) > 0:
         say(f"note: column {STATUS} has {more} more kinds of gaps", sys.stderr)
 
 

@@ -103,7 +103,7 @@ class Job(NamedTuple):
         They say how it is read, which inputs are assumed, which labels may be meant as materials, which options change
         nothing, and what enters no error bar.
         """
-        from ..answers.notes import about_idle, given_of_kinds, left_out_in_words
+        from ..answers.notes import about_idle, about_left_out, given_of_kinds
 
         every, idle = given_of_kinds(table.kinds, judges=table.wanted.doubts)
         assumed = [text for name, text in every.items() if name not in table.given]
@@ -112,7 +112,7 @@ class Job(NamedTuple):
             notes.append("no column and no option gives a radius; what needs one is left out")
         # What is infinite may make a body rigid in some rows.
         idle = [name for name in idle if table.fixed.get(name, INFINITY) != INFINITY]
-        notes += [*(note.text for note in about_idle(idle)), *left_out_in_words(table.left_out)]
+        notes += [note.text for note in (*about_idle(idle), *about_left_out(table.left_out))]
         head = [f"assumed: {', '.join(assumed)}"] if assumed else []
         return table.columns.reading(), *head, *(f"note: {text}" for text in notes)
 

@@ -22,7 +22,7 @@ from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA, SIO2, rolled_solid
-from ..scene.limits import OF_LAW, codes_of
+from ..scene.limits import NOT_JUDGED, OF_LAW, codes_of
 from ..text import say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:
@@ -31,10 +31,16 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
+
+def head_of(law: str) -> str:
+    """Return the head of the column of a law."""
+    return LAWS[law].title.partition("–")[0]
+
+
 _DIGITS = 4  # of a value on a terminal
 _OF_A_RANGE = 2  # of its ends
 _NONE = "–"
-_AS = "as "  # before the law whose value stands for another, too
+_SILENT = {"", _NONE, *(f"as {head_of(law)}" for law in LAWS)}  # cells that say no more than others
 _GAP = 2  # blanks between columns
 _LEAST_TEXT = 24  # of a text in several lines
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
@@ -59,11 +65,11 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     others, law = _others(answer), head_of(answer.scene.law.name)
     rows = [["quantity", "symbol", "unit", law, *others]]
     for result in _results(answer):
-        name, same = result.name, None if result.value is None else f"{_AS}{law}"
+        name, same = result.name, None if result.value is None else f"as {law}"
         values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
         numbers = [value for value in values if value not in (None, same)][:1]
         unit = _unit(name, numbers, form)
-        texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), pretty(unit[0]) if numbers else ""]
+        texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), unit[0] if numbers else ""]
         rows.append([*texts, *(_cell(value, unit, form) for value in values)])
     words, symbols, units, *columns = columns_of(rows, texts=3)
     write_table([words, symbols], columns, out, trailing=[units])
@@ -92,15 +98,14 @@ def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
     return others
 
 
-def head_of(law: str) -> str:
-    """Return the head of the column of a law."""
-    return LAWS[law].title.partition("–")[0]
-
-
 def _unit(name: str, values: Sequence[Any], form: Format) -> tuple[str, Unit]:
     """Return the unit that suits values, or else that of the quantity."""
     text, unit = form.common_unit(name, values) or (form.unit(name).removeprefix("1"), Unit(1, 1, ()))
-    return with_known_prefix(name, text), unit
+    return pretty(with_known_prefix(name, text)), unit
+
+
+def _head(words: str, unit: tuple[str, Unit]) -> str:
+    return f"{words} [{unit[0]}]" if unit[0] else words
 
 
 def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form: Format) -> str:
@@ -119,9 +124,9 @@ def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form:
 
 
 def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[str, str]) -> None:
-    """Write a table of several pairs; inputs that all of them share stand above, and what was assumed, by name.
+    """Write a table with a row for each pair; inputs that all of them share stand above, and what was assumed.
 
-    A pair is a row, or a column where only that fits the terminal.
+    A pair is a column where only that fits the terminal.
     """
     inputs = {name: [in_words(name, value) for value in values] for name, values in columns.inputs.items()}
     kinds = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
@@ -139,10 +144,10 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     results = [
         each for name in columns.wanted.names if name not in inputs for each in _result_columns(name, columns, form)
     ]
-    doubts = [_worst(bits & ~OF_LAW) for bits in as_list(columns.doubts)]
+    doubts = [_worst(bits & ~(OF_LAW | NOT_JUDGED)) for bits in as_list(columns.doubts)]
     results += [Column(DOUBT, doubts, is_right=False)] if any(doubts) else []
     across = columns_of([(column.head, *column.cells) for column in (*leading, *results)], texts=1)
-    if _fits(across) and not _fits([*leading, *results]):
+    if _size(across) <= terminal_width() + _GAP < _size([*leading, *results]):
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
 
@@ -164,9 +169,9 @@ def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]
         elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
             values[f" by {head_of(kind)}"] = others
     unit = _unit(name, [value for value in values[""] if value is not None], form)
-    symbol, in_unit = symbol_beside(name, columns.inputs), f" [{pretty(unit[0])}]" if unit[0] else ""
+    symbol = symbol_beside(name, columns.inputs)
     return [
-        Column(f"{symbol}{words}{in_unit}", [_cell(value, unit, form) for value in of_kind])
+        Column(_head(f"{symbol}{words}", unit), [_cell(value, unit, form) for value in of_kind])
         for words, of_kind in values.items()
     ]
 
@@ -182,16 +187,10 @@ def _measures(columns: "Columns", key: str) -> list[Any]:
 
 
 def input_column(name: str, values: Sequence[Any], form: Format, symbol: str) -> Column:
-    """Return the column of an input, with all digits; the head has a unit that suits all values."""
-    unit = form.common_unit(name, [value for value in values if value is not None and not isinstance(value, str)])
-
-    def text(value: Any) -> str:
-        if value is None:
-            return _NONE
-        return amount(name, value, form) if unit is None else form.in_unit(value, unit)
-
-    head = symbol if unit is None else f"{symbol} [{pretty(unit[0])}]"
-    return Column(head, [*map(text, values)], not NOMENCLATURE[name].is_word)
+    """Return the column of an input, with all digits, in a unit that suits the values."""
+    unit = _unit(name, [value for value in values if value is not None and not isinstance(value, str)], form)
+    cells = [_NONE if value is None else form.in_unit(value, unit) for value in values]
+    return Column(_head(symbol, unit), cells, not NOMENCLATURE[name].is_word)
 
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
@@ -238,23 +237,17 @@ def write_table(
     Those below the first leave out rows in which they say nothing.
     """
     while columns:
-        ends = accumulate((_size([column]) for column in columns), initial=_size([*leading, *trailing]))
-        count = max(sum(end <= terminal_width() + _GAP for end in ends) - 1, 1)
+        room = terminal_width() + _GAP - _size([*leading, *trailing])
+        count = max(sum(end <= room for end in accumulate(_size([column]) for column in columns)), 1)
         say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
         columns = columns[count:]
-        is_said = [any(map(_is_own, cells)) for cells in zip(*(column.cells for column in columns), strict=True)]
-        leading, columns, trailing = (_of_rows(each, is_said) for each in (leading, columns, trailing))
+        is_said = [not _SILENT.issuperset(cells) for cells in zip(*(column.cells for column in columns), strict=True)]
+        leading, columns, trailing = (
+            [column._replace(cells=[*compress(column.cells, is_said)]) for column in each]
+            for each in (leading, columns, trailing)
+        )
         if columns:
             say("", out)
-
-
-def _is_own(cell: str) -> bool:
-    """Return whether a cell says more than another one."""
-    return cell not in ("", _NONE) and not cell.startswith(_AS)
-
-
-def _of_rows(columns: Iterable[Column], are_shown: Sequence[bool]) -> list[Column]:
-    return [column._replace(cells=[*compress(column.cells, are_shown)]) for column in columns]
 
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
@@ -285,8 +278,3 @@ def padded(column: Column) -> list[str]:
 def _size(columns: Iterable[Column]) -> int:
     """Return the width of columns on a terminal, with the blanks behind each."""
     return sum(width_of(padded(column)[0]) + _GAP for column in columns)
-
-
-def _fits(columns: Iterable[Column]) -> bool:
-    """Return whether columns fit the terminal beside each other."""
-    return _size(columns) <= terminal_width() + _GAP

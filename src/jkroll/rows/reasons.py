@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import NO_END, Failure, MissingInput, grouped, needs_in_words
-from ..scene.limits import CODES, NOT_JUDGED, codes_of
+from ..scene.limits import BITS
 from ..text import first_of
 
 if TYPE_CHECKING:
@@ -119,20 +119,11 @@ class Tally(NamedTuple):
             self.said + other.said,
         )
 
-    @property
-    def doubtful(self) -> int:
-        """Number of rows that exceed a limit."""
-        return sum(rows for bits, rows in self.doubts.items() if bits & ~NOT_JUDGED)
+    def with_doubts(self, bits: int) -> int:
+        """Return the number of rows with any of the doubts that bits stand for."""
+        return sum(rows for doubts, rows in self.doubts.items() if doubts & bits)
 
-    @property
-    def not_judged(self) -> int:
-        """Number of rows in which a limit could not be judged."""
-        return sum(rows for bits, rows in self.doubts.items() if bits & NOT_JUDGED)
-
-    @property
-    def codes(self) -> dict[str, int]:
-        """The codes of doubts with their numbers of rows: those that matter most first."""
-        counts: Counter[str] = Counter()
-        for bits, rows in self.doubts.items():
-            counts.update(dict.fromkeys(codes_of(bits), rows))
-        return {code: counts[code] for code in CODES if code in counts}
+    def counted(self, bits: int) -> list[str]:
+        """Return the codes that bits stand for with their numbers of rows, the most frequent first: "few-atoms 2"."""
+        counts = {code: self.with_doubts(bit) for code, bit in BITS.items() if bit & bits}
+        return [f"{code} {rows}" for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]

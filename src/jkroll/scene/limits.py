@@ -139,7 +139,7 @@ LIMITS = (
     Limit(
         "tabor_parameter", "law of attraction", _ELASTICITY, ">",
         {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-        "another law differs by more than {}",
+        "another law differs",
         factor=factor_of_law,
     ),
     Limit(
@@ -241,16 +241,12 @@ ASSUMED_DISPLACEMENT = Limit(
 )  # fmt: skip
 
 # In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
-CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
-BITS = {code: 1 << place for place, code in enumerate(CODES)}
-MEANINGS = {
-    code: limit.consequence.partition(";")[0].replace("{}", percent(threshold))
-    for limit in LIMITS
-    for threshold, code in limit.codes.items()
-}
-ENDING_MEANING = frozenset(code for limit in LIMITS if limit.ends_meaning for code in limit.codes.values())
-NOT_JUDGED = 1 << len(CODES)
 UNCHECKED = "unchecked"
+CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
+BITS = {code: 1 << place for place, code in enumerate((*CODES, UNCHECKED))}
+ENDING_MEANING = sum(limit.bits for limit in LIMITS if limit.ends_meaning)
+NOT_JUDGED = BITS[UNCHECKED]
+EVERY_DOUBT = sum(BITS.values())
 OF_LAW = LIMITS[0].bits  # the codes of a law that is not exact
 
 
@@ -289,11 +285,11 @@ def bits_of(found: Iterable[Doubt]) -> Any:
 
 @cache  # many rows have the same doubts
 def codes_of(bits: int) -> tuple[str, ...]:
-    """Return the codes that bits stand for."""
-    return tuple(code for place, code in enumerate(CODES) if bits >> place & 1)
+    """Return the codes that bits stand for, the last of which is UNCHECKED."""
+    return tuple(code for code, bit in BITS.items() if bits & bit)
 
 
 @cache
 def codes(bits: int) -> str:
-    """Return the codes that bits stand for as a text, and UNCHECKED if there are limits that could not be judged."""
-    return " ".join([*codes_of(bits), *([UNCHECKED] if bits & NOT_JUDGED else [])])
+    """Return the codes that bits stand for as a text."""
+    return " ".join(codes_of(bits))

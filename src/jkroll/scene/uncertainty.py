@@ -8,7 +8,7 @@ value among the places along the edges of their box: within 1 % of the distance 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import product
-from math import erfc, fsum, inf, isfinite, sqrt
+from math import fsum, inf, isfinite
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError
@@ -171,21 +171,6 @@ def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
 def measures_of(bars: Bars) -> dict[str, Uncertain | JkrollError]:
     """Return the values that have error bars, with these, or the errors that say why there is none."""
     return {name: bar.uncertainty if isinstance(bar, Propagated) else bar for name, bar in bars.items()}
-
-
-def part_beyond_pull_off(scene: Scene, sources: Sources) -> float:
-    """Return the part of the values that uncertainties stand for, at which a load is beyond pull-off.
-
-    They and the distance P + P_c are taken as normally distributed.
-    """
-    if not (force := scene.numbers("pull_off_force")):
-        return 0.0
-    bars, _ = uncertainties(scene, [*force], sources=sources)
-    of_force = [bar.uncertainty.spread for bar in bars.values() if isinstance(bar, Propagated)]
-    of_load = [source.given.spread for source in sources.entering if "load" in source.names]
-    spread = hypot(*of_force, *of_load)
-    distance = scene["load"] + force["pull_off_force"]
-    return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
 
 
 def _propagated(outcomes: Outcomes, values: Mapping[str, Any], sources: Sequence[Source], one_by_one: float) -> Bars:
