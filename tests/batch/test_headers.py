@@ -330,7 +330,7 @@ def test_a_line_of_blanks_is_no_row(run: Run, end: str) -> None:
     assert run(f"batch x.{end} -o out.{end} --quantities pull_off_force").code == 0
     Path("y.csv").write_text("radius [nm]\n100\n  \n200\n", encoding="utf-8")
     assert run("batch y.csv --gamma 25mJ/m2 --quantities pull_off_force -o out.csv").code == 0
-    assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2] == "  "
+    assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].startswith("200,")
 
 
 def test_plain_headers_need_no_unit_of_pint() -> None:

@@ -1,4 +1,4 @@
-"""CSV, TSV and NDJSON: formats whose records are lines. What passes through keeps its bytes.
+"""CSV, TSV and NDJSON: formats whose records are lines. What passes through keeps its bytes; blank lines are left out.
 
 A block of cells without a quote is cut at its separators. One with a quote is read by the csv module, which knows the
 lines of each record. A quote that is not closed, or a cell too many or too few, spoils its own line only.
@@ -13,13 +13,14 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from itertools import chain, compress, islice, takewhile
-from typing import Any, NamedTuple
+from itertools import compress, islice, takewhile
+from typing import Any
 
 import orjson
 
 from ..errors import BadTable
 from ..output.writers import Lines, Objects, in_quotes
+from ..rows.cells import cell_of, cells_of
 from ..rows.header import is_input, meaning_of
 from ..rows.table import Records, Table
 from ..rows.words import MATERIALS
@@ -28,7 +29,7 @@ from ..text import quoted
 MAX_RECORD = 1 << 24  # bytes
 SAMPLE = 200  # rows that decide how a table is read
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
-BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
+_BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
 _COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
 _MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
 _OPEN = "a quote is not closed"
@@ -39,13 +40,7 @@ _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 csv.field_size_limit(MAX_RECORD)  # 128 KiB unless it is raised
 
 
-class Record(NamedTuple):
-    """A record: the places of its first line and of the line behind it, and its cells, or why it has none."""
-
-    start: int
-    stop: int
-    cells: list[str]
-    problem: str = ""
+Record = tuple[int, int, list[str], str]  # its first line, that behind it, its cells, or why it has none
 
 
 class Delimited:
@@ -63,24 +58,31 @@ class Delimited:
         if b'"' not in text:
             return end
         lines = as_lines(text[:end])
-        last = next((record.start for record in self.records(lines) if record.problem == _OPEN), len(lines))
+        with suppress(csv.Error):
+            for _ in self._reader(lines):
+                pass
+            return end
+        last = next((start for start, *_, problem in self.records(lines) if problem == _OPEN), len(lines))
         return sum(map(len, lines[:last]))
+
+    def _reader(self, lines: Iterable[str]) -> Any:
+        return csv.reader(lines, delimiter=self.separator, strict=True)
 
     def records(self, lines: Sequence[str]) -> Iterator[Record]:
         """Iterate over records. Their cells have a character for each byte. A line that is no record has none."""
         start = 0
         while start < len(lines):
-            reader = csv.reader(lines[start:], delimiter=self.separator, strict=True)
-            begin = start
+            reader, begin = self._reader(lines[start:]), start
             try:
                 for cells in reader:
-                    yield Record(start, begin + reader.line_num, cells)
-                    start = begin + reader.line_num
+                    stop = begin + reader.line_num
+                    yield start, stop, cells, ""
+                    start = stop
             except csv.Error as error:
-                yield Record(start, start + 1, [], _problem(str(error)))
+                yield start, start + 1, [], _problem(str(error))
                 start += 1
 
-    def _line(self, cells: Sequence[str]) -> str:
+    def _line(self, cells: Iterable[str]) -> str:
         """Return the line of some cells, in quotes where they need them."""
         return self.separator.join(in_quotes(cell, self.separator) for cell in cells)
 
@@ -88,7 +90,7 @@ class Delimited:
         """Return the line of some cells as it is written."""
         if not (self.excel_safe and any(map(_is_formula, cells))):
             return line
-        return self._line([f"'{cell}" if _is_formula(cell) else cell for cell in cells])
+        return self._line(f"'{cell}" if _is_formula(cell) else cell for cell in cells)
 
     # --- The header ---------------------------------------------------------------------------------------------------
 
@@ -102,17 +104,17 @@ class Delimited:
         below = lines[self.preamble :] or [""]
         below[0] = _COMMENT.sub("", below[0])
         records = self.records(below)
-        first = next(records)
-        line = "".join(below[: first.stop])
-        self.names = self._names(first, line)
-        self.header = self._safe(first.cells, line).rstrip("\r\n").encode(BYTES)
-        self.lines = self.preamble + first.stop
-        whole = islice((record.cells for record in records if len(record.cells) == len(self.names)), SAMPLE)
-        sample = [[cell.encode(BYTES) for cell in cells] for cells in whole]
+        _, stop, cells, problem = next(records)
+        line = "".join(below[:stop])
+        self.names = self._names(cells, line, problem)
+        self.header = self._safe(cells, line).rstrip("\r\n").encode(_BYTES)
+        self.lines = self.preamble + stop
+        whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
+        sample = [[cell.encode(_BYTES) for cell in row] for row in whole]
         if self.separator != ",":
-            are_read = [*map(is_read, self.names)]
             columns = [*zip(*sample, strict=True)]
-            self.has_decimal_commas = has_decimal_commas(are_read, columns, by_all=self.separator == ";")
+            read = [*compress(columns, map(is_read, self.names))]
+            self.has_decimal_commas = has_decimal_commas(read, columns, is_of_semicolons=self.separator == ";")
         if self.has_decimal_commas:
             sample = [*map(with_points, sample)]
         self.sample = [[cell.decode("utf-8", "replace") for cell in row] for row in sample]
@@ -125,30 +127,27 @@ class Delimited:
 
         The last of them that names columns that are read is the header, unless the line below all of them names some.
         """
+        count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
+        for place in (count, *reversed(range(count))):
+            text = _COMMENT.sub("", "".join(lines[place : place + 1])).encode(_BYTES).decode("utf-8", "replace").strip()
+            if any(is_read(cell.strip('"')) for cell in text.split(self.separator)):
+                return place
+        return count
 
-        def names_inputs(line: str) -> bool:
-            cells = _COMMENT.sub("", line).encode(BYTES).decode("utf-8", "replace").strip().split(self.separator)
-            return any(is_read(cell.strip('"')) for cell in cells)
-
-        comments = [*takewhile(_COMMENT.match, lines[:SAMPLE])]
-        headers = [place for place, line in enumerate(comments) if names_inputs(line)]
-        is_below = any(map(names_inputs, lines[len(comments) : len(comments) + 1]))
-        return len(comments) if is_below or not headers else headers[-1]
-
-    def _names(self, first: Record, line: str) -> tuple[str, ...]:
-        """Return the names of columns. `line`: that of the first record. Raises BadTable."""
-        if first.problem == _CARRIAGE_RETURN:
+    def _names(self, cells: Sequence[str], line: str, problem: str) -> tuple[str, ...]:
+        """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
+        if problem == _CARRIAGE_RETURN:
             raise BadTable("the lines end in carriage returns alone; save the table with line feeds")
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
         try:
-            text, *names = (cell.encode(BYTES).decode() for cell in (line.strip(), *(first.cells or [line])))
+            text, *names = (cell.encode(_BYTES).decode() for cell in (line.strip(), *(cells or [line])))
         except UnicodeDecodeError:
             raise BadTable("header: is not UTF-8; save the table as UTF-8") from None
         if not any(map(is_input, names)):
             self._check_separator(text, len(names))
-        if first.problem:
-            raise BadTable(f"header: {first.problem}")
+        if problem:
+            raise BadTable(f"header: {problem}")
         return tuple(names)
 
     def _check_separator(self, line: str, count: int) -> None:
@@ -164,12 +163,7 @@ class Delimited:
     def read(self, text: bytes, table: Table) -> Records:
         """Return whole records, taken apart."""
         records = self._cut(text, table.places) or self._read(text, table.places)
-        if not self.has_decimal_commas:
-            return records
-        cells = {name: column for name, column in records.cells.items() if name not in MATERIALS}
-        odd = {**dict(points_among_commas(cells.values())), **records.odd}
-        points = {name: with_points(column) for name, column in cells.items()}
-        return records._replace(cells={**records.cells, **points}, odd=odd)
+        return _with_decimal_points(records) if self.has_decimal_commas else records
 
     def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
         """Cut lines without quotes that have the right width at their separators; None if there are others."""
@@ -190,30 +184,27 @@ class Delimited:
         return Records(lines, columns, {}, range(len(lines)), len(lines))
 
     def _read(self, text: bytes, places: Mapping[str, int]) -> Records:
-        """Read records of any kind. Blank lines above a record belong to it."""
+        """Read records of any kind."""
         width = len(self.names)
         before: list[bytes] = []
         rows: list[list[str]] = []
         odd: dict[int, str] = {}
         starts: list[int] = []
-        blank = ""
         lines = as_lines(text)
-        for start, stop, given, problem in self.records(lines):
-            line = "".join(lines[start:stop])
+        for start, stop, cells, problem in self.records(lines):
+            line = lines[start] if stop == start + 1 else "".join(lines[start:stop])
             if not line.strip(self.blanks):
-                blank += line
                 continue
-            cells, line = given, line.rstrip("\r\n")
-            if len(given) != width:
-                odd[len(rows)] = problem or _of_other_width(len(given), width)
-                cells = self._squared(given or [line])
-                line = self._line(cells)
+            row, line = cells, line.rstrip("\r\n")
+            if len(cells) != width:
+                odd[len(rows)] = problem or _of_other_width(len(cells), width)
+                row = self._squared(cells or [line])
+                line = self._line(row)
             starts.append(start)
-            before.append((blank + self._safe(cells, line)).encode(BYTES))
-            rows.append(cells)
-            blank = ""
-        columns = {name: [row[place].encode(BYTES) for row in rows] for name, place in places.items()}
-        return Records(before, columns, odd, starts, len(lines), blank.encode(BYTES))
+            before.append(self._safe(row, line).encode(_BYTES))
+            rows.append(row)
+        columns = {name: [row[place].encode(_BYTES) for row in rows] for name, place in places.items()}
+        return Records(before, columns, odd, starts, len(lines))
 
     def _squared(self, cells: list[str]) -> list[str]:
         """Return as many cells as the header has: what is too much stays in the last."""
@@ -224,7 +215,7 @@ class Delimited:
 
 def as_lines(text: bytes) -> list[str]:
     """Return the lines of a text with their ends, a character for each byte."""
-    return io.StringIO(text.decode(BYTES), newline="\n").readlines()
+    return io.StringIO(text.decode(_BYTES), newline="\n").readlines()
 
 
 def _problem(error: str) -> str:
@@ -260,21 +251,21 @@ _UNCLEAR = re.compile(rb"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be o
 _POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
 
 
-def has_decimal_commas(are_read: Sequence[bool], columns: Sequence[Sequence[bytes]], *, by_all: bool) -> bool:
+def has_decimal_commas(
+    read: Sequence[Sequence[bytes]], columns: Sequence[Sequence[bytes]], *, is_of_semicolons: bool
+) -> bool:
     """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
 
-    The columns that are read decide; all columns where the marks of these may be either. If they have none, all decide
-    if `by_all`, as between semicolons. Where nothing decides, points are decimal.
+    The columns that are read decide, and all where these have no mark that is certainly decimal. Where nothing decides,
+    points are decimal, but of thousands between semicolons.
     """
-    read, every = (
-        Counter(chain.from_iterable(map(_decimal_marks, some))) for some in (compress(columns, are_read), columns)
-    )
-    unclear = [number.decode() for number in read if len(number) > 1]
-    for marks in (read, every) if unclear or (not read and by_all) else (read,):
+    unclear = [number.decode() for number in _decimal_marks(read) if len(number) > 1]
+    for some in (read, columns):
+        marks = Counter(_decimal_marks(some))
         if marks[b","] != marks[b"."]:
             return marks[b","] > marks[b"."]
     for number in unclear:
-        if "," in number or by_all:
+        if "," in number or is_of_semicolons:
             digits = number.replace(",", "").replace(".", "")
             raise BadTable(
                 f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
@@ -282,28 +273,32 @@ def has_decimal_commas(are_read: Sequence[bool], columns: Sequence[Sequence[byte
     return False
 
 
-def _decimal_marks(cells: Sequence[bytes]) -> Iterator[bytes]:
-    """Iterate over the decimal marks of the numbers of a column; one that may be of thousands comes with its number.
+def _decimal_marks(columns: Iterable[Sequence[bytes]]) -> Iterator[bytes]:
+    """Iterate over the decimal marks of the numbers of columns; one that may be of thousands comes with its number.
 
     A mark that stands in a number more than once is of thousands or of a list, and is left out.
 
-    >>> [*_decimal_marks((b"0,125", b"1,200e3", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3"))]
+    >>> [*_decimal_marks([(b"0,125", b"1,200e3", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3")])]
     [b',', b',', b',', b'1,200']
     """
-    for whole, mark, fraction in _MARKED.findall(b";".join(filter(_NUMERIC.match, cells))):
-        number = whole + mark + fraction
-        if mark not in whole:
-            yield number if _UNCLEAR.fullmatch(number) else mark
+    for cells in columns:
+        for whole, mark, fraction in _MARKED.findall(b";".join(filter(_NUMERIC.match, cells))):
+            number = whole + mark + fraction
+            if mark not in whole:
+                yield number if _UNCLEAR.fullmatch(number) else mark
 
 
-def points_among_commas(columns: Iterable[Sequence[bytes]]) -> Iterator[tuple[int, str]]:
-    """Iterate over the rows in which a number has a point, decimal or of thousands, and what is wrong with that."""
-    for column in columns:
-        for row, cell in enumerate(column if b"." in b"".join(column) else ()):
-            if _POINT.search(cell):
-                text = quoted(cell.decode("utf-8", "replace"))
-                remedy = "write numbers without marks of thousands"
-                yield row, f"{text} has a point, and this table has decimal commas: {remedy}"
+def _with_decimal_points(records: Records) -> Records:
+    """Return records with decimal points in place of commas. A number with a point spoils its row."""
+    cells = {name: column for name, column in records.cells.items() if name not in MATERIALS}
+    odd = dict(records.odd)
+    for column in cells.values():
+        for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:
+            text = quoted(column[row].decode("utf-8", "replace"))
+            remedy = "write numbers without marks of thousands"
+            odd.setdefault(row, f"{text} has a point, and this table has decimal commas: {remedy}")
+    points = {name: with_points(column) for name, column in cells.items()}
+    return records._replace(cells={**records.cells, **points}, odd=odd)
 
 
 def with_points(cells: Iterable[bytes]) -> list[bytes]:
@@ -314,7 +309,6 @@ def with_points(cells: Iterable[bytes]) -> list[bytes]:
 # --- NDJSON -----------------------------------------------------------------------------------------------------------
 
 Object = dict[str, Any]
-_NESTED = "[...]"  # stands for a list or an object, which is no input
 
 
 class Ndjson:
@@ -339,11 +333,12 @@ class Ndjson:
         if name := _twice(lines[0], first):
             raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
         self.names = tuple(first)
-        self.sample = [[_text(row.get(name)) for name in first] for row in map(_object, lines) if row is not None]
+        objects = [*filter(None, map(_object, lines))]
+        self.sample = [[cell_of(row.get(name), name) for name in first] for row in objects]
         return 0
 
     def read(self, text: bytes, table: Table) -> Records:
-        """Return whole lines, taken apart. Blank lines are left out."""
+        """Return whole lines, taken apart."""
         every = text.split(b"\n")
         starts = [place for place, line in enumerate(every) if line.strip()]
         lines = [every[place] for place in starts]
@@ -351,9 +346,10 @@ class Ndjson:
         problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
         odd = {row: problem for row, problem in enumerate(problems) if problem}
         rows = [members or {} for members in objects]
-        cells = {name: _cells([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
-        before = [*map(_beginning, lines, objects)]
-        return Records(before, cells, odd, starts, text.count(b"\n"))
+        cells = {
+            name: cells_of([row.get(self.names[place]) for row in rows], name) for name, place in table.places.items()
+        }
+        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
 
     def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
         """Return why a line is no row; an empty text if it is one.
@@ -365,7 +361,8 @@ class Ndjson:
         if name := _twice(line, members):
             return f"has {quoted(name)} twice"
         for name in members.keys() - self.names:
-            if name in table.added or meaning_of(name, [_text(members[name]).strip()], table.columns.meanings).name:
+            cell = cell_of(members[name], name).strip()
+            if name in table.added or meaning_of(name, [cell], table.columns.meanings).name:
                 return f"has {quoted(name)}, which the first line does not have"
         return ""
 
@@ -393,18 +390,3 @@ def _twice(line: bytes, members: Object) -> str:
         counts = Counter(name for name, _ in json.loads(line, object_pairs_hook=list))
         return next((name for name, count in counts.items() if count > 1), "")
     return ""
-
-
-def _text(value: object) -> str:
-    """Return a value as a cell of a table; an empty one for null."""
-    if isinstance(value, dict | list):
-        return _NESTED
-    return value if isinstance(value, str) else "" if value is None else orjson.dumps(value).decode()
-
-
-def _cells(values: Sequence[Any]) -> list[bytes]:
-    """Return values as cells."""
-    if not {*map(type, values)} <= {int, float, type(None)}:
-        return [_text(value).encode() for value in values]
-    cells = orjson.dumps(values)[1:-1].split(b",")
-    return [b"" if cell == b"null" else cell for cell in cells]

@@ -4,14 +4,13 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, BinaryIO
 
-import numpy
 import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest, BadTable
 from ..output.writers import divided, length
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..rows.cells import Column, Numbers
+from ..quantities.nomenclature import NOMENCLATURE
+from ..rows.cells import cell_of, cells_of
 from ..rows.columns import BLOCK, DOUBT, STATUS
 from ..rows.table import Records, Table
 from ..text import quoted, shown
@@ -116,59 +115,9 @@ class Arrow:
                 raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")
         first = next(file.iter_batches(SAMPLE, columns=[field.name for field in inputs], use_threads=False), None)
         rows = first.to_pylist() if first is not None else []
-        self.sample = [[_text(row.get(name), name) for name in self.names] for row in rows]
+        self.sample = [[cell_of(row.get(name), name) for name in self.names] for row in rows]
 
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""
-        cells = {name: Cells(batch.column(place), name) for name, place in table.places.items()}
-        read = {column.name: _numbers(batch, column) for column in table.columns.inputs}
-        numbers = {name: column for name, column in read.items() if column is not None}
-        texts = {name: column if name in numbers else column.texts() for name, column in cells.items()}
-        return Records(batch, texts, {}, range(batch.num_rows), batch.num_rows, numbers=numbers)
-
-
-class Cells(Sequence[bytes]):
-    """A column of a batch as cells of text, each read when it is looked at."""
-
-    def __init__(self, array: Any, name: str) -> None:
-        """`name`: of the input."""
-        self.array, self.name = array, name
-
-    def __len__(self) -> int:
-        """Return the number of rows."""
-        return len(self.array)
-
-    def __getitem__(self, row: Any) -> Any:
-        """Return the cell of a row."""
-        return _text(self.array[row].as_py(), self.name).encode()
-
-    def texts(self) -> list[bytes]:
-        """Return all cells. A text that stands in several rows is read once."""
-        encoded = self.array.dictionary_encode()
-        texts: dict[int | None, bytes] = {None: b"", **dict(enumerate(Cells(encoded.dictionary, self.name)))}
-        return [*map(texts.__getitem__, encoded.indices.to_pylist())]
-
-
-def _text(value: object, name: str) -> str:
-    """Return the value of an input as a cell of text: one that is infinite is a word, null an empty cell."""
-    if isinstance(value, bytes):
-        return value.decode(errors="replace")
-    if value == INFINITY and name in NOMENCLATURE:
-        return NOMENCLATURE[name].infinity or str(value)
-    return "" if value is None else str(value)
-
-
-def _numbers(batch: Any, column: Column) -> Numbers | None:
-    """Return the SI values of a column of numbers in its unit; None for texts, and for error bars beside the values."""
-    array = batch.column(column.place)
-    is_number = pyarrow.types.is_floating(array.type) or pyarrow.types.is_integer(array.type)
-    if not is_number or column.sides or (column.unit is None and column.exponent is None):
-        return None
-    given = values = array.to_numpy(zero_copy_only=False).astype(float, copy=False)
-    if column.unit is not None:
-        with numpy.errstate(over="ignore"):
-            values = given * float(column.unit.numerator) / float(column.unit.denominator)
-    is_given = array.is_valid().to_numpy(zero_copy_only=False)
-    # NaN is no empty cell, and too large a number is not infinite.
-    is_bad = is_given & ~numpy.isfinite(values) & ~numpy.isinf(given)
-    return Numbers(values, numpy.flatnonzero(is_bad).tolist())
+        cells = {name: cells_of(batch.column(place).to_pylist(), name) for name, place in table.places.items()}
+        return Records(batch, cells, {}, range(batch.num_rows), batch.num_rows)

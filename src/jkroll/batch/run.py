@@ -150,10 +150,7 @@ class Converter:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))
         added = [*table.said.values(), *columns_of(columns, Format({}), remarks_of(table.wanted))]
-        output = self.form.writer.rows(table.added, added, records.before)
-        if records.rest:
-            output += records.rest
-        output = compressed(output, self.compression)
+        output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
         if table.unknown:
             tally = tally._replace(inferred=(columns.column(table.unknown).copy(),))

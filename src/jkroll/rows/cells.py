@@ -34,6 +34,7 @@ _POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
 _HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
 _NO_END = "?"  # of a range
+_NESTED = "[...]"  # stands for a list or an object, which is no input
 _NO_SIDES: Mapping[str, int] = {}  # which can be pickled
 _NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
 
@@ -202,6 +203,26 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
     except (QuantityError, UnicodeDecodeError):
         return None
     return exponent_of(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
+
+
+def cell_of(value: object, name: str) -> str:
+    """Return the value of an input in a format with types as a cell of text: no value is an empty cell."""
+    if isinstance(value, bytes):
+        return value.decode(errors="replace")
+    if isinstance(value, dict | list):
+        return _NESTED
+    if value == INFINITY and name in NOMENCLATURE:
+        return NOMENCLATURE[name].infinity or str(value)
+    return "" if value is None else str(value)
+
+
+def cells_of(values: Sequence[Any], name: str) -> list[bytes]:
+    """Return values of an input in a format with types as cells of texts."""
+    if {*map(type, values)} <= {int, float, type(None)}:
+        cells = orjson.dumps(values)[1:-1].split(b",")
+        if cells.count(b"null") == values.count(None):  # orjson has no nan and no infinity
+            return [b"" if cell == b"null" else cell for cell in cells] if values else []
+    return [cell_of(value, name).encode() for value in values]
 
 
 def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:

@@ -18,7 +18,7 @@ from ..quantities.values import is_uncertain, value_of
 from ..scene.failures import MissingInput, NotInLaw
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
-from .cells import LABEL, Indices, Lookup, Numbers
+from .cells import LABEL, Indices, Lookup
 from .columns import DOUBT, SIDES, STATUS, Wanted, remarks_of
 from .header import Header, check_inputs
 from .rows import BAD, Block, groups
@@ -234,13 +234,11 @@ def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple
 class Records(NamedTuple):
     """A block of a table, taken apart."""
 
-    before: Any  # what stands before the results of each row; blank lines above a row belong to it
+    before: Any  # what stands before the results of each row
     cells: Mapping[str, Sequence[bytes]]  # by the name of the column
     odd: Mapping[int, str] = MappingProxyType({})  # records that are no rows, and why
     starts: Sequence[int] = ()  # the line in the block at which each begins
     size: int = 0  # lines in the block
-    rest: bytes = b""  # blank lines behind the last row
-    numbers: Mapping[str, Numbers] = MappingProxyType({})  # columns that are numbers already
 
 
 class TableBlock(Block):
@@ -249,8 +247,7 @@ class TableBlock(Block):
     def __init__(self, table: Table, records: Records) -> None:
         """`records`: the cells of the columns that the table reads."""
         self.table, self.cells, self.odd = table, records.cells, records.odd
-        unread = [column for column in table.columns.inputs if column.name not in records.numbers]
-        numbers = {**records.numbers, **{column.name: column.numbers(self.cells) for column in unread}}
+        numbers = {column.name: column.numbers(self.cells) for column in table.columns.inputs}
         self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
         are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
         are_rows[[*self.odd]] = BAD
