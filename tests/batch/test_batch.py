@@ -161,7 +161,7 @@ STATUS = {
         "no material 'unobtainium'; did you mean aluminium? jkroll materials lists all",
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),
-    "x,quartz,0,0": ("bad radius", "radius: '0' must be positive; expected a length such as 100nm"),
+    "x,quartz,0,0": ("bad radius", "radius: '0 nm' must be positive; expected a length such as 100nm"),
     "x,quartz,100,-20": (
         "beyond pull-off",
         "load: -20 nN breaks this contact, which holds a pull down to -11.78097 nN",
@@ -215,11 +215,11 @@ def test_strict_stops_with_the_line(run: Run) -> None:
     ran = run("batch", name, "--strict", "-o", "out.csv", "--jobs", "1", "--quiet")
     assert (ran.code, ran.err) == (
         1,
-        "jkroll: line 6: radius: '0' must be positive; expected a length such as 100nm\n",
+        "jkroll: line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n",
     )
     assert not [*Path().glob("out.csv*")]
     assert run("batch", name, "--strict", "-o", "out/").err == (
-        f"jkroll: '{name}': line 6: radius: '0' must be positive; expected a length such as 100nm\n"
+        f"jkroll: '{name}': line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n"
     )
     assert [*Path("out").iterdir()] == []
 
@@ -310,10 +310,12 @@ HEADERS = {
         "header: 'radius' (first cell '100'): neither has a unit. Write --column 'radius=radius [UNIT]', "
         "or --column 'radius=' to pass it through"
     ),
-    "radius [nm],status": "header: the table already has a column 'status'; rename it",
+    "radius [nm],status": (
+        "header: the table already has a column 'status'; rename it, or leave the result out (--quantities, --no-doubt)"
+    ),
     "radius [nm],r_min [m]": (
-        "header: the table already has a column 'r_min [m]'; rename it, or leave it out of the results with "
-        "--quantities"
+        "header: the table already has a column 'r_min [m]'; rename it, or leave the result out (--quantities, "
+        "--no-doubt)"
     ),
     "poisson_ratio,x": (
         "pull-off force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius "

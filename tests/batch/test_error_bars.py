@@ -152,6 +152,15 @@ def test_two_sides_of_which_one_has_a_unit_are_refused(run: Run) -> None:
     assert found()[0]["status"] == "bad surface_energy"
 
 
+@pytest.mark.parametrize("cells", ["25,nan", "25,N/A", "nan,5", "NaN,nan"])
+def test_an_error_bar_that_is_no_number_is_told_as_such(run: Run, cells: str) -> None:
+    Path("x.csv").write_text(f"radius [nm],gamma [mJ/m2],gamma_err\n100,25,5\n100,{cells}\n", encoding="utf-8")
+    ran = run("batch x.csv --quantities pull_off_force -o out.csv")
+    text = next(cell for cell in cells.split(",") if not cell.isdigit())
+    said = f"surface_energy: '{text}' is no number; leave the cell empty if there is none: row 2"
+    assert (ran.code, said in ran.err, found()[1]["status"]) == (1, True, "bad surface_energy")
+
+
 def test_per_cent_in_a_header_holds_for_every_form_of_a_cell(run: Run) -> None:
     """A padded cell, an error bar and a column of them are read by themselves."""
     cells = ["40", "40 ", "40±5", "40+-5", "(40±5)", "40(5)", "35 to 45", "40 %", "0.4 "]

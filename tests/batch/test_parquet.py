@@ -154,7 +154,7 @@ def test_lines_are_counted_from_the_beginning_of_the_file(run: Run, monkeypatch:
     monkeypatch.setattr(batch, "BLOCK", 30)
     name = write({"radius [nm]": [*range(1, 235), 0.0, 1.0]})
     ran = run("batch", name, "-o", "out.parquet", "--strict", "--quiet")
-    assert (ran.code, ran.err.partition(" must")[0]) == (1, "jkroll: line 235: radius: '0.0'")
+    assert (ran.code, ran.err.partition(" must")[0]) == (1, "jkroll: line 235: radius: '0.0 nm'")
 
 
 def test_what_a_file_says_of_itself_stays(run: Run) -> None:
@@ -191,7 +191,7 @@ def test_strict_writes_nothing(run: Run) -> None:
     ran = run("batch", name, "-o", "y.parquet", "--strict", "--quiet")
     assert (ran.code, ran.err) == (
         1,
-        "jkroll: line 2: radius: '0.0' must be positive; expected a length such as 100nm\n",
+        "jkroll: line 2: radius: '0.0 nm' must be positive; expected a length such as 100nm\n",
     )
     assert not Path("y.parquet").exists()
 

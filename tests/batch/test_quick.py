@@ -8,11 +8,14 @@ from unittest.mock import patch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from jkroll.answers.questions import quantities_named
 from jkroll.batch.files import SEPARATORS
 from jkroll.batch.lines import Delimited, as_lines
-from jkroll.batch.run import Converted, Converter, Job
+from jkroll.batch.run import Converted, Converter
 from jkroll.materials.library import known_materials
 from jkroll.rows import cells
+from jkroll.rows.header import understood
+from jkroll.rows.table import Asked, Table
 from jkroll.scene.limits import EVERY_DOUBT
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
@@ -49,7 +52,7 @@ def converter(dialect: str, end: str, *, excel_safe: bool) -> Converter:
     """The converter of a table with this header."""
     lines = Delimited(SEPARATORS[dialect], excel_safe=excel_safe)
     lines.begin((lines.separator.join(HEADER) + end).encode())
-    table = Job({}, known_materials(), quantities="report").table(lines.names, [])
+    table = Table(understood(lines.names), [], Asked({}, known_materials(), offered=quantities_named("report")[1]))
     return Converter(lines, table, "", strict=False)
 
 
@@ -91,7 +94,7 @@ def test_the_quick_way_is_taken() -> None:
     assert found.tally.gaps["bad radius"] == (
         1,
         301,
-        "radius: '-5' must be positive; expected a length such as 100nm",
+        "radius: '-5 nm' must be positive; expected a length such as 100nm",
     )
     assert not one_by_one.called
     first, *others = found.output.splitlines()[:300]

@@ -18,6 +18,7 @@ from jkroll.cli.commands import COMMANDS, OUTPUT, Option, flags_of
 from jkroll.cli.process import HINTS, SYNONYMS, read
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.rows.table import Asked
 
 # Lines that ask for the same.
 ALIKE = [
@@ -163,7 +164,7 @@ def test_a_synonym_stands_for_what_there_is(typed: str) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_option_has_a_place_for_its_value(name: str) -> None:
     for option in COMMANDS[name].options():
-        of_batch = Job._fields if name == "batch" else ()
+        of_batch = (*Job._fields, *Asked._fields) if name == "batch" else ()
         assert option.name in {*OPTIONS, *NOMENCLATURE, *of_batch}, option.flag
 
 

@@ -49,7 +49,7 @@ def _say_notes(tally: Tally, job: Job) -> None:
     from ..answers.notes import about_rows
 
     if tally.inferred:
-        say_wrapped(_summary(job.infer, tally), sys.stderr)
+        say_wrapped(_summary(job.asked.infer, tally), sys.stderr)
     notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT}")]
     for note in notes[:MAX_NOTES]:
         say_wrapped(note.line, sys.stderr)

@@ -6,23 +6,21 @@ convert and write them; the output is the same for any number of them.
 
 import os
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import closing
 from itertools import chain, islice
 from time import monotonic
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
-from ..answers.questions import EVERYTHING, quantities_named
 from ..errors import BadRow, BadTable, missing_extra
-from ..materials.library import Materials
 from ..output.writers import WRITERS, columns_of, whole_file, written
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY
 from ..rows.columns import Columns, Wanted, remarks_of
-from ..rows.header import Reading, is_input, stated_meanings, understood
+from ..rows.header import check_inputs, understood
 from ..rows.reasons import Tally, worded
 from ..rows.rows import evaluated
-from ..rows.table import Table, TableBlock
+from ..rows.table import Asked, Table, TableBlock
 from ..scene.failures import MissingInput
 from ..text import quoted, say, say_wrapped
 from .files import Input, compressed, input_format, lines_of, output_format
@@ -38,26 +36,18 @@ WIDTH = 60  # of the line of progress, in characters
 
 
 class Job(NamedTuple):
-    """The request of a run of `batch`: its options, the inputs that fill gaps of rows, and the known materials."""
+    """The request of a run of `batch`: what is asked of rows, and the options of files."""
 
-    inputs: Mapping[str, str]
-    known: Materials
+    asked: Asked
     target: str = "-"
     format: str = ""
     delimiter: str = ""
-    quantities: str = ""
     strict: bool = False
     resume: bool = False  # of many files: whether those that are done stay
     jobs: int = 0
     excel_safe: bool = False
     dask: str = ""
     quiet: bool = False
-    columns: tuple[str, ...] = ()  # what headers mean, as `--column` has it
-    doubt: bool = True  # whether there is a column of doubts
-    alternatives: bool = False  # whether there are columns of the results under the other law
-    infer: str = ""  # the input that is sought
-    measured: str = ""  # the quantity from which it follows, whose measured values a column has
-    uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
 
     @property
     def processes(self) -> int:
@@ -65,56 +55,30 @@ class Job(NamedTuple):
         cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
         return self.jobs or min(cores, MAX_PROCESSES)
 
-    def meanings(self, names: Sequence[str]) -> Mapping[str, Reading]:
-        """Return the meanings that options give to headers."""
-        return stated_meanings(self.columns, names, self.measured)
+    def say(self, lines: Iterable[str]) -> None:
+        """Print lines on stderr, unless the run is quiet."""
+        for line in () if self.quiet else lines:
+            say_wrapped(line, sys.stderr)
 
-    def is_read(self, name: str) -> bool:
-        """Return whether a header may be that of an input, or has a meaning by an option."""
-        return is_input(name, self.meanings([name]))
 
-    def table(self, names: tuple[str, ...], rows: list[list[str]], preamble: int = 0) -> Table:
-        """Return the table with this header. `rows`: the cells of its first rows.
+def _about(table: Table) -> Iterator[str]:
+    """Iterate over the lines about a table as a whole.
 
-        `preamble`: the number of lines before the header that are passed over.
-        """
-        columns = understood(names, rows, self.meanings(names), self.inputs)._replace(preamble=preamble)
-        try:
-            return Table(
-                columns,
-                rows,
-                self.inputs,
-                self.known,
-                quantities_named(self.quantities) if self.quantities else ([], EVERYTHING),
-                unknown=self.infer,
-                measured=self.measured,
-                doubt=self.doubt,
-                uncertainty=self.uncertainty,
-                alternatives=self.alternatives,
-            )
-        except MissingInput:
-            if not self.quiet:
-                say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
-            raise
+    They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
+    enters no error bar.
+    """
+    from ..answers.notes import about_idle, about_left_out, given_of_kinds
 
-    def about(self, table: Table) -> tuple[str, ...]:
-        """Return the lines about a table as a whole.
-
-        They say how it is read, which inputs are assumed, which labels may be meant as materials, which options change
-        nothing, and what enters no error bar.
-        """
-        from ..answers.notes import about_idle, about_left_out, given_of_kinds
-
-        every, idle = given_of_kinds(table.kinds, judges=table.wanted.doubts)
-        assumed = [text for name, text in every.items() if name not in table.given]
-        notes = [message for message in table.labels.values() if message]
-        if "radius" not in table.given and not self.quantities:
-            notes.append("no column and no option gives a radius; what needs one is left out")
-        # What is infinite may make a body rigid in some rows.
-        idle = [name for name in idle if table.fixed.get(name, INFINITY) != INFINITY]
-        notes += [note.text for note in (*about_idle(idle), *about_left_out(table.left_out))]
-        head = [f"assumed: {', '.join(assumed)}"] if assumed else []
-        return table.columns.reading(), *head, *(f"note: {text}" for text in notes)
+    every, idle = given_of_kinds(table.kinds, judges=table.wanted.doubts)
+    if assumed := [text for name, text in every.items() if name not in table.given]:
+        yield f"assumed: {', '.join(assumed)}"
+    notes = [message for message in table.labels.values() if message]
+    if "radius" not in table.given and not table.asked.explicit:
+        notes.append("no column and no option gives a radius; what needs one is left out")
+    # What is infinite may make a body rigid in some rows.
+    idle = [name for name in idle if table.fixed.get(name, INFINITY) != INFINITY]
+    notes += [note.text for note in (*about_idle(idle), *about_left_out(table.left_out))]
+    yield from (f"note: {text}" for text in notes)
 
 
 # --- A table ----------------------------------------------------------------------------------------------------------
@@ -152,8 +116,8 @@ class Converter:
         added = [*table.said.values(), *columns_of(columns, Format({}), remarks_of(table.wanted))]
         output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
-        if table.unknown:
-            tally = tally._replace(inferred=(columns.column(table.unknown).copy(),))
+        if unknown := table.asked.infer:
+            tally = tally._replace(inferred=(columns.column(unknown).copy(),))
         return Converted(output, len(output), records.size, tally)
 
     def __call__(self, question: bytes | int) -> Converted | bytes:
@@ -173,6 +137,7 @@ class Converter:
 
 def convert_one(path: str, job: Job) -> Tally:
     """Convert a table; return the counts of all of it."""
+    asked = job.asked
     given = input_format(path, job.target, job.format, job.delimiter)
     wanted = output_format(job.target, given.kind, quiet=job.quiet)
     if wanted.kind != given.kind:
@@ -188,13 +153,19 @@ def convert_one(path: str, job: Job) -> Tally:
         file.check_output(job.target)
         form: Any
         if given.kind == "parquet":
-            form, blocks = batches_of(file, job.target, job.is_read)
+            form, blocks = batches_of(file, job.target, asked.is_read)
         else:
-            form, blocks = lines_of(file, given, job.is_read, excel_safe=job.excel_safe)
-        table = job.table(form.names, form.sample, form.preamble)
-        said = job.about(table)
-        for line in () if job.quiet else said:
-            say_wrapped(line, sys.stderr)
+            form, blocks = lines_of(file, given, asked.is_read, excel_safe=job.excel_safe)
+        header = understood(form.names, form.sample, asked.meanings(form.names), asked.inputs)
+        check_inputs(header, asked.measured)
+        reading = header.reading(form.preamble)
+        try:
+            table = Table(header, form.sample, asked)
+        except MissingInput:
+            job.say([reading])  # a column may not be understood
+            raise
+        said = (reading, *_about(table))
+        job.say(said)
         with whole_file(job.target) as output:
             is_file = isinstance(output.name, str) and os.path.isfile(output.name)
             place = output.name if is_file else ""

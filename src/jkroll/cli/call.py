@@ -68,7 +68,7 @@ class Call:
         self.subject = "".join(words[:first])  # the program, input, quantity, table or figure; empty without one
         self.words = tuple(words[first:])
         self.inputs: dict[str, str] = {}  # texts by the names of the nomenclature
-        self.settings: dict[str, Any] = {}  # of `batch` alone: fields of its Job
+        self.settings: dict[str, Any] = {}  # of `batch` alone: fields of its Job and of what it asks
         for name, value in (options or {}).items():
             if name in NOMENCLATURE:
                 self.inputs[name] = value

@@ -6,7 +6,7 @@ Each imports by itself what it hands a call to, so that a call pays for its own 
 import sys
 from collections.abc import Sequence
 
-from ..answers.questions import quantity_named
+from ..answers.questions import EVERYTHING, quantities_named, quantity_named
 from ..errors import BadRequest
 from ..materials.library import UnknownMaterial
 from ..quantities.errors import UnknownQuantity
@@ -107,6 +107,7 @@ def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
     from ..batch.command import run
     from ..batch.run import Job
+    from ..rows.table import Asked
 
     if not call.subject:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
@@ -116,19 +117,21 @@ def run_batch(call: Call) -> int:
         if isinstance(value, str) and not value.strip():
             raise BadRequest(f"--{name} is empty")
     infer, measured = _unknown_and_measured(call)
-    job = Job(
+    explicit, offered = quantities_named(call.quantities) if call.quantities else ([], EVERYTHING)
+    of_rows = {name: value for name, value in call.settings.items() if name in Asked._fields}
+    of_files = {name: value for name, value in call.settings.items() if name not in of_rows}
+    asked = Asked(
         call.inputs,
         call.materials,
-        target=call.target or "-",
-        quantities=call.quantities or "",
-        quiet=call.quiet,
-        doubt=not call.no_doubt,
-        alternatives=call.alternatives,
+        explicit,
+        offered,
         infer=infer,
         measured=measured,
-        **call.settings,
+        doubt=not call.no_doubt,
+        alternatives=call.alternatives,
+        **of_rows,
     )
-    return run(call.subject, job)
+    return run(call.subject, Job(asked, target=call.target or "-", quiet=call.quiet, **of_files))
 
 
 def _unknown_and_measured(call: Call) -> tuple[str, str]:

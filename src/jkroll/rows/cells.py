@@ -65,6 +65,8 @@ class Column(NamedTuple):
 
     def joined(self, *cells: str) -> str:
         """Return the cells of a value as one: 25 and 5 as 25±5. Cells with units of their own keep them."""
+        if without := next((cell for cell in cells if cell and has_no_value(cell)), ""):
+            return without
         first, *others = (cell.strip() for cell in cells)
         is_single = _are_equal(first, *others) if self.is_range else not any(others)
         if is_single:
@@ -148,7 +150,11 @@ class Column(NamedTuple):
         """
         if has_no_value(text):
             raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
-        return value_of(text, self.name, self.unit)
+        try:
+            return value_of(text, self.name, self.unit)
+        except QuantityError as error:
+            value = _in_unit(text, self.unit_text) if is_number(text) else text
+            raise QuantityError(self.name, value, error.reason, error.remedy) from None
 
 
 def _in_unit(number: str, unit_text: str) -> str:

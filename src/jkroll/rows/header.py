@@ -214,7 +214,6 @@ class Header(NamedTuple):
     inputs: tuple[Column, ...]
     materials: tuple[Column, ...]  # that name them
     meanings: Mapping[str, Reading] = _NO_MEANINGS  # what `--column` says of headers
-    preamble: int = 0  # lines before the header that are passed over
 
     @property
     def names(self) -> frozenset[str]:
@@ -226,11 +225,11 @@ class Header(NamedTuple):
         """The places of the columns that are read."""
         return {name: place for column in (*self.inputs, *self.materials) for name, place in column.places.items()}
 
-    def reading(self) -> str:
-        """Return the sentence that says how the table is read."""
+    def reading(self, preamble: int = 0) -> str:
+        """Return the sentence that says how the table is read. `preamble`: lines above it that are passed over."""
         sentence = f"read: {', '.join(map(self._from, (*self.materials, *self.inputs))) or 'no input'}"
-        if self.preamble:
-            lines = "a line" if self.preamble == 1 else f"{self.preamble} lines"
+        if preamble:
+            lines = "a line" if preamble == 1 else f"{preamble} lines"
             sentence += f"; passed over: {lines} before the header"
         used = {*self.places.values()}
         others = [text for place, text in enumerate(self.texts) if place not in used and text.strip()]

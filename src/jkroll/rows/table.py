@@ -19,19 +19,40 @@ from ..scene.failures import MissingInput, NotInLaw
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
-from .columns import DOUBT, SIDES, STATUS, Wanted, remarks_of
-from .header import Header, check_inputs
+from .columns import SIDES, Wanted, remarks_of
+from .header import Header, Reading, is_input, stated_meanings
 from .rows import BAD, Block, groups
 from .words import MATERIALS
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source
 
-_RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
 _NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row yet
 
-
 Cells = Sequence[Sequence[str]]  # of the first rows
+
+
+class Asked(NamedTuple):
+    """The request of a table: what options give to all of its rows, and what is wanted of these."""
+
+    inputs: Mapping[str, str]  # texts, by name
+    known: Materials
+    explicit: Sequence[str] = ()  # quantities that were asked for by name
+    offered: Sequence[str] = ()  # quantities that may lack inputs
+    columns: Sequence[str] = ()  # what headers mean, as `--column` has it
+    infer: str = ""  # the input that is sought
+    measured: str = ""  # the quantity from which it follows, whose measured values a column has
+    doubt: bool = True  # whether there is a column of doubts
+    alternatives: bool = False  # whether there are columns of the results under the other law
+    uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
+
+    def meanings(self, names: Sequence[str]) -> Mapping[str, Reading]:
+        """Return the meanings that options give to headers."""
+        return stated_meanings(self.columns, names, self.measured)
+
+    def is_read(self, name: str) -> bool:
+        """Return whether a header may be that of an input, or has a meaning by an option."""
+        return is_input(name, self.meanings([name]))
 
 
 class Table:
@@ -40,29 +61,10 @@ class Table:
     What a row gives itself comes first.
     """
 
-    def __init__(
-        self,
-        columns: Header,
-        rows: Cells,
-        inputs: Mapping[str, str],
-        known: Materials,
-        asked: tuple[Sequence[str], Sequence[str]],
-        *,
-        unknown: str = "",
-        measured: str = "",
-        doubt: bool = True,
-        uncertainty: bool = False,
-        alternatives: bool = False,
-    ) -> None:
-        """`rows`: the first ones; `inputs`: texts that options give.
-
-        `asked`: quantities by name, and those that may lack inputs. `unknown`: an input that is sought, and `measured`
-        the quantity from which it follows, whose measured value each row has. `uncertainty`: whether all columns of
-        uncertainties are wanted, and not those alone that the first rows have. Raises BadTable, or an error of the
-        options.
-        """
-        check_inputs(columns, measured)
-        self.columns, self.places, self.unknown, self.measured = columns, columns.places, unknown, measured
+    def __init__(self, columns: Header, rows: Cells, asked: Asked) -> None:
+        """`rows`: the first ones. Raises BadTable, or an error of the options."""
+        self.columns, self.places, self.asked = columns, columns.places, asked
+        inputs, known = asked.inputs, asked.known
         self.spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
         self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
         self.model = law_named(inputs["model"]).name if "model" in inputs else None
@@ -72,20 +74,22 @@ class Table:
         # Names in the first rows that are, or may be, no material's, with their messages.
         self.labels, aliases = _names_of_materials(columns, rows, known)
         scenes = self._kinds(rows)
-        self.wanted = self._wanted(scenes, asked, doubt=doubt)
-        if alternatives:
+        self.wanted = self._wanted(scenes)
+        if asked.alternatives:
             self.wanted = self.wanted.with_alternatives(scenes, self.wanted.names)
         self.labels = self.labels and {**self.labels, **aliases}
-        self.left_out = self._add_sides(rows, uncertainty=uncertainty)
+        self.left_out = self._add_sides(rows)
         solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
         if any(solid.displacement is not None for solid in solids):  # which nothing assumes
             self.given |= {XI}
         # A scene of each kind of rows, with the quantities that it shows, or that were measured.
-        self.kinds = [(scene.filled(), [measured]) if unknown else (scene, self.wanted.names) for scene in scenes]
+        self.kinds = [
+            (scene.filled(), [asked.measured]) if asked.infer else (scene, self.wanted.names) for scene in scenes
+        ]
         for text in columns.texts:
             if text.strip() in self.added:
-                remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
-                raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
+                remedy = "rename it, or leave the result out (--quantities, --no-doubt)"
+                raise BadTable(f"header: the table already has a column {quoted(text)}; {remedy}")
 
     @property
     def added(self) -> list[str]:
@@ -98,14 +102,15 @@ class Table:
         Raises an error of the scene.
         """
         given, spheres = {**self.fixed, **given}, {**self.spheres, **solids}.values()
-        if not self.unknown:
+        measured = self.asked.measured
+        if not measured:
             return Scene(given, *spheres, model=self.model)
-        if self.measured not in given:
-            raise BadRequest(f"{self.measured}: the row has no measured value", "no measured value")
+        if measured not in given:
+            raise BadRequest(f"{measured}: the row has no measured value", "no measured value")
         from ..scene.inverse import Problem  # for which a table without an unknown does not pay
 
-        measured = {self.measured: given.pop(self.measured)}
-        return Problem((self.unknown,), measured, Scene(given, *spheres, model=self.model))
+        value = given.pop(measured)
+        return Problem((self.asked.infer,), {measured: value}, Scene(given, *spheres, model=self.model))
 
     # --- The columns that are added -----------------------------------------------------------------------------------
 
@@ -119,7 +124,7 @@ class Table:
         """
         columns = self.columns
         names = [column.name for column in columns.inputs]
-        cases = dict.fromkeys(_without_exclusive(first, names, self.measured) for first in names or [""])
+        cases = dict.fromkeys(_without_exclusive(first, names, self.asked.measured) for first in names or [""])
         some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
         solids, of_labels = dict[str, Material | None](), dict[str, Material | None]()
         if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
@@ -133,18 +138,18 @@ class Table:
             return [self.scene(dict.fromkeys(case, _NO_ROWS), solids) for case in cases]
 
         scenes = kinds(solids | of_labels)
-        if of_labels and (self.unknown or scenes[0].missing(["work_of_adhesion"])):
+        if of_labels and (self.asked.infer or scenes[0].missing(["work_of_adhesion"])):
             return kinds(solids)  # their rows will say that they are unknown
         return scenes
 
-    def _wanted(self, scenes: Sequence[Any], asked: tuple[Sequence[str], Sequence[str]], *, doubt: bool) -> Wanted:
+    def _wanted(self, scenes: Sequence[Any]) -> Wanted:
         """Return the quantities that columns and options allow, without uncertainties: those that some scene has."""
-        if self.unknown:
+        explicit, offered, doubt = self.asked.explicit, self.asked.offered, self.asked.doubt
+        if self.asked.infer:
             from .infer import Unknowns
 
             scenes[0].check()
-            return Unknowns([self.unknown], named=[self.unknown], sides={}, doubts=doubt)
-        explicit, offered = asked
+            return Unknowns([self.asked.infer], named=[self.asked.infer], sides={}, doubts=doubt)
         for name in explicit:
             if name in self.given:
                 raise BadRequest(f"--quantities: {name} is an input here")
@@ -169,7 +174,7 @@ class Table:
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
         return Wanted(names, named=[*explicit, *of_cells], sides={}, doubts=doubt)
 
-    def _add_sides(self, rows: Cells, *, uncertainty: bool) -> "list[Source]":
+    def _add_sides(self, rows: Cells) -> "list[Source]":
         """Add the columns of uncertainties that some rows have; return their sources that enter no error bar."""
         cells = {name: [row[place].encode() for row in rows] for name, place in self.places.items()}
         block = TableBlock(self, Records(rows, cells))
@@ -178,7 +183,7 @@ class Table:
             with suppress(JkrollError):  # bad rows, which their status will explain
                 sources.append(self.wanted.sources_in(block.scene(given, places)))
         of_rows = [*filter(None, sources)]
-        sides = {*SIDES} if uncertainty else {side for each in of_rows for side in each.sides}
+        sides = {*SIDES} if self.asked.uncertainty else {side for each in of_rows for side in each.sides}
         sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
         if not sides:
             return []
