@@ -21,11 +21,11 @@ from jkroll.scene.inverse import (
     NoSolution,
     Problem,
     SeveralSolutions,
-    Solution,
     Undetermined,
 )
 from jkroll.scene.scene import Scene
 from jkroll.scene.uncertainty import sources_of_results
+from jkroll.scene.unknowns import Solution
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 

@@ -14,8 +14,9 @@ from jkroll.errors import NoResult
 from jkroll.quantities.laws import LAWS
 from jkroll.scene import unknowns
 from jkroll.scene.failures import MissingInput, NotInLaw
-from jkroll.scene.inverse import SIZES, NoSolution, Problem, SeveralSolutions, Solution
+from jkroll.scene.inverse import SIZES, NoSolution, Problem, SeveralSolutions
 from jkroll.scene.scene import Scene
+from jkroll.scene.unknowns import Solution
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 

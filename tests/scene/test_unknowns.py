@@ -24,11 +24,10 @@ from jkroll.scene.inverse import (
     NoSolution,
     Problem,
     SeveralSolutions,
-    Solution,
     Unseparated,
 )
 from jkroll.scene.scene import Scene
-from jkroll.scene.unknowns import solution
+from jkroll.scene.unknowns import Solution, solution
 from relative import approx
 from scenes import log_uniform
 

@@ -17,7 +17,7 @@ from ..scene.inverse import SIZES, Problem, inputs_named
 from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
-from ..scene.uncertainty import measures_of, sources_of_results, uncertainties_of_unknowns
+from ..scene.uncertainty import measures_of, sources_of_results, uncertainties
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
 from .columns import Columns, Row, Wanted, fill_sides
@@ -53,7 +53,7 @@ class Unknowns(Wanted):
             if (remark := self.left_out(sources)) is not None:
                 reasons[UNCERTAINTY] = remark
             else:
-                fill_sides(self, measures_of(uncertainties_of_unknowns(solved)[0]), numbers, reasons)
+                fill_sides(self, measures_of(uncertainties(solved, self.names, sources=sources)[0]), numbers, reasons)
         bits = bits_of(doubts(solved.scene, [*scene.measured])) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
@@ -61,9 +61,8 @@ class Unknowns(Wanted):
         """Return the columns of arrays of measured values, and the rows that floats are to compute."""
         solids = [solid.name for solid, _ in scene.scene.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
-            raise BadRequest(
-                "of which spheres an unknown is"
-            )  # solids of many rows have no name: each row by itself says
+            # Solids of many rows have no name: each row by itself says.
+            raise BadRequest("of which spheres an unknown is")
         size = len(rows)
         solved, sources, columns = solutions(scene, size), self.sources_in(scene), Columns.empty(self, size)
         columns.repeat(scene.echo())
@@ -74,13 +73,12 @@ class Unknowns(Wanted):
             values = {name: numpy.nan_to_num(values, nan=SIZES[name][1]) for name, values in solved.values.items()}
             columns.doubts[...] = bits_of(doubts(scene.with_values(values), [*scene.measured]))
             columns.doubts[[*solved.failures]] = 0
-        again = numpy.zeros(size, dtype=bool)
-        if sources is not None:
-            if (remark := self.left_out(sources)) is not None:
-                columns.add_remark(remark)
-            else:
-                again = columns.put_sides(measures_of(uncertainties_of_unknowns(solved)[0]))
-        return columns, again
+        if sources is not None and (remark := self.left_out(sources)) is not None:
+            columns.add_remark(remark)
+        elif sources is not None:
+            bars, _ = uncertainties(solved, self.names, sources=sources)
+            return columns, columns.put_sides(measures_of(bars))
+        return columns, numpy.zeros(size, dtype=bool)
 
 
 class Problems(Sweep):
@@ -193,15 +191,15 @@ def infer(
     if has_bars := any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
     arrays = {name: value for name, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
-    if arrays:
+    if not arrays:
+        solved = solution(problem)
+        sources = sources_of_results(problem, names)
+        bars = uncertainties(solved, names, sources=sources)[0] if has_bars else {}
+        values, condition = with_uncertainties(solved.values, bars), solved.condition
+    else:
         shape = broadcast(arrays)
         flat = {name: numpy.broadcast_to(value, shape).ravel() for name, value in arrays.items()}
         solved = solutions(problem.replace(**flat), prod(shape))
         values = {name: column.reshape(shape) for name, column in solved.values.items()}
         condition = solved.condition.reshape(shape)
-    else:
-        solved = solution(problem)
-        bars = uncertainties_of_unknowns(solved)[0] if has_bars else {}
-        values = with_uncertainties(solved.values, bars)
-        condition = solved.condition
     return InferredValues(values, condition) if is_list else values[names[0]]

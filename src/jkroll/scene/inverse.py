@@ -1,6 +1,6 @@
 """The inverse problem: values of one input or two, the unknowns, at which quantities have their measured values.
 
-Here stand the inputs that can be unknown, the problem, its solution, and why it may have none; `unknowns` solves it.
+Here stand the inputs that can be unknown, the problem, and why it may have no solution; `unknowns` solves it.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -8,6 +8,7 @@ from math import inf
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError, NoResult
+from ..physics.elementary import NUMBER
 from ..quantities.errors import nearest
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
@@ -148,7 +149,7 @@ def equal(values: Mapping[str, float]) -> str:
     return listed(f"{name} = {amount(name, float(value))}" for name, value in values.items())
 
 
-# --- Problems and solutions -------------------------------------------------------------------------------------------
+# --- Problems ---------------------------------------------------------------------------------------------------------
 
 
 class Problem(NamedTuple):
@@ -165,6 +166,14 @@ class Problem(NamedTuple):
     def levels(self) -> Values:
         """The measured values without their uncertainties."""
         return {name: middle(value) for name, value in self.measured.items()}
+
+    @property
+    def size(self) -> int | None:
+        """The number of rows; None if all values are numbers."""
+        arrays = [
+            value for value in (*self.scene.arrays.values(), *self.levels.values()) if not isinstance(value, NUMBER)
+        ]
+        return max(map(len, arrays), default=None)
 
     @property
     def is_uncertain(self) -> bool:
@@ -239,24 +248,3 @@ class Problem(NamedTuple):
         """Return the reason why a measured quantity has no value for any values of the unknowns."""
         outcomes = self.filled().evaluate([*self.measured]).values()
         return next((outcome for outcome in outcomes if isinstance(outcome, JkrollError)), NoDependence(self))
-
-
-class Solution(NamedTuple):
-    """The values of the unknowns of a problem: numbers, or arrays with nan in the rows that have none for a reason."""
-
-    problem: Problem
-    values: Values  # by unknown
-    condition: Any  # of the logarithms of the measured values as functions of those of the unknowns
-    growths: Values  # by unknown, the largest factor by which relative errors of measured values enter it
-    failures: dict[int, JkrollError]  # by row
-    places: Any  # of two unknowns, in the coordinates in which they were sought
-
-    @property
-    def scene(self) -> Scene:
-        """The scene with these values in it."""
-        return self.problem.with_values(self.values)
-
-    @property
-    def forward(self) -> Values:
-        """The measured quantities in this scene."""
-        return self.scene.numbers(*self.problem.measured)

@@ -15,7 +15,7 @@ from ..errors import BadRequest, JkrollError
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
-from .inverse import Problem, Solution
+from .inverse import Problem
 from .scene import Scene
 from .wiring import in_order
 
@@ -133,12 +133,14 @@ Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the r
 
 
 def uncertainties(
-    scene: Scene,
+    scene: Any,
     names: Sequence[str],
     alternative: Callable[[Scene], Scene] | None = None,
     sources: Sources | None = None,
 ) -> tuple[Bars, Sources]:
     """Return the uncertainties of quantities of a scene, or of one that is made of it, and their sources.
+
+    The scene may be a solution, whose quantities are the unknowns.
 
     A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason
     why a quantity has no value at one place of the sources. `sources`: by default all that enter the quantities.
@@ -152,20 +154,8 @@ def uncertainties(
         moved = scene.replace(**place)
         return (moved if alternative is None else alternative(moved)).evaluate([*values])
 
-    return _propagated(outcomes, values, sources.entering, one_by_one=inf if scene.shape else FEW), sources
-
-
-def uncertainties_of_unknowns(solution: Solution) -> tuple[Bars, Sources]:
-    """Return the uncertainties of the unknowns that solve a problem of numbers, or of arrays, and their sources."""
-    from .unknowns import solved_near
-
-    problem, sources = solution.problem, sources_of_results(solution.problem, solution.problem.unknowns)
-
-    def outcomes(place: Place) -> Mapping[str, Any]:
-        return solved_near(problem.replace(**place), solution)
-
-    one_by_one = 0 if isinstance(solution.condition, float) else inf
-    return _propagated(outcomes, solution.values, sources.entering, one_by_one), sources
+    few = FEW if isinstance(scene, Scene) else 0  # to solve a problem takes arrays
+    return _propagated(outcomes, values, sources.entering, one_by_one=inf if scene.shape else few), sources
 
 
 def measures_of(bars: Bars) -> dict[str, Uncertain | JkrollError]:

@@ -1,9 +1,8 @@
-"""The solver of the inverse problem, of numbers and arrays: one unknown by scans, two by a grid and Newton's method."""
+"""The solver of the inverse problem, in one row or many: one unknown by a scan, two by a grid and Newton's method."""
 
-from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property
-from math import inf, nan
-from typing import Any
+from collections.abc import Callable, Sequence
+from math import hypot, inf, nan, prod, sqrt
+from typing import Any, NamedTuple
 
 import numpy
 
@@ -18,20 +17,19 @@ from .inverse import (
     NoSolution,
     Problem,
     SeveralSolutions,
-    Solution,
     Undetermined,
     Unseparated,
     Values,
     equal,
     sizes_in_words,
 )
-from .scene import LEAST, MOST
+from .scene import LEAST, MOST, Scene
 
 Rows = Any  # an array of the numbers of rows
 Failures = dict[int, JkrollError]  # by row
 
-_STEP = 1e-6  # relative, of the differences that give a slope
-_ROUNDING = 1e-12  # of a function: a change as small as this comes from rounding, and not from the variable
+_STEP = 1e-6  # of a logarithm, in the differences that give a derivative
+_ROUNDING = 1e-12  # of a quantity: a change as small as this comes from rounding
 
 # Of scans.
 _TOGETHER = 1 << 17  # values that are computed at once
@@ -54,43 +52,78 @@ _SAMPLED = 7  # cells of the grid from one to the next at which it is asked whet
 _LEFT_OPEN = 1e-4  # an exponent as small as this is none
 
 
+class Solution(NamedTuple):
+    """The values of the unknowns of a problem: numbers, or arrays with nan in the rows that have none for a reason.
+
+    Error bars take it for a scene whose quantities are the unknowns.
+    """
+
+    problem: Problem
+    values: Values  # by unknown
+    growths: Values  # by unknown, the largest factor by which relative errors of measured values enter it
+    condition: Any  # of the logarithms of the measured values as functions of those of the unknowns
+    failures: Failures
+    places: Any  # of two unknowns, in the coordinates in which they were sought
+
+    @property
+    def scene(self) -> Scene:
+        """The scene with these values in it."""
+        return self.problem.with_values(self.values)
+
+    @property
+    def forward(self) -> Values:
+        """The measured quantities in this scene."""
+        return self.scene.numbers(*self.problem.measured)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of the values."""
+        return numpy.shape(self.condition)
+
+    def replace(self, **values: Any) -> "Solution":
+        """Return the solution with other values of inputs and measured quantities.
+
+        Two unknowns in arrays are those to which Newton's method leads from these.
+        """
+        problem = self.problem.replace(**values)
+        size = len(self.condition) if self.shape else problem.size
+        return solutions(problem, size, None if size is None else self.places)
+
+    def numbers(self, *_: str) -> Values:
+        """Return the unknowns."""
+        return self.values
+
+    def evaluate(self, _: Sequence[str]) -> Values:
+        """Return the unknowns; of numbers, the error that says why there are none."""
+        return self.values if self.shape or not self.failures else dict.fromkeys(self.values, self.failures[0])
+
+
 def solution(problem: Problem) -> Solution:
     """Return the one solution of a problem of numbers. Raises why there is none, or the error of the inputs."""
-    arrays = solutions(problem, 1)
-    for error in arrays.failures.values():
+    solved = solutions(problem)
+    for error in solved.failures.values():
         raise error
-    values, growths = (
-        {name: float(column[0]) for name, column in columns.items()} for columns in (arrays.values, arrays.growths)
-    )
-    return arrays._replace(values=values, growths=growths, condition=float(arrays.condition[0]))
+    return solved
 
 
-def solutions(problem: Problem, size: int) -> Solution:
-    """Return the solutions of some rows. Raises the error of a problem that has none in any row."""
-    problem.check()
-    count = len(problem.unknowns)
-    table, places = numpy.full((2 * count + 1, size), nan), numpy.full((count, size), nan)
-    failures = _find_roots(problem, table) if count == 1 else _find_pairs(problem, table, places)
-    table[count:] = [[float(f"{number:.6g}") for number in row] for row in table[count:]]  # the rest is rounding
-    values, growths = (dict(zip(problem.unknowns, rows, strict=True)) for rows in (table[:count], table[count:-1]))
-    return Solution(problem, values, table[-1], growths, failures, places)
+def solutions(problem: Problem, size: int | None = None, start: Any = None) -> Solution:
+    """Return the solutions of some rows, by default of numbers. Raises the error of a problem that has none in any row.
 
-
-def solved_near(problem: Problem, solved: Solution) -> Mapping[str, Any]:
-    """Return the unknowns of a problem of which some values differ from those of a solved one.
-
-    An error says why a number has none. In arrays, two unknowns are those to which Newton's method leads from these.
+    `start`: the places from which Newton's method leads to two unknowns, in place of a search.
     """
-    size = max(map(numpy.size, (solved.condition, *problem.levels.values(), *problem.scene.arrays.values())))
-    if size == 1 and not numpy.ndim(solved.condition):
-        moved = solutions(problem, 1)
-        return {name: moved.failures.get(0, float(values[0])) for name, values in moved.values.items()}
-    if len(problem.unknowns) == 1:
-        return solutions(problem, size).values
-    pairs = Pairs(problem, size)
-    places, distance = pairs.improved(numpy.nan_to_num(numpy.broadcast_to(solved.places, (2, size))))
-    is_pair = (distance < inf) & (_conditions(pairs.slopes(places)[1]) <= MAX_CONDITION)
-    return {name: numpy.where(is_pair, values, nan) for name, values in pairs.values(places).items()}
+    problem.check()
+    count, failures = len(problem.unknowns), Failures()
+    table, places = numpy.full((2 * count + 1, size or 1), nan), numpy.full((count, size or 1), nan)
+    if count == 1:
+        failures = _find_roots(problem, table)
+    elif start is None:
+        failures = _find_pairs(problem, table, places)
+    else:
+        _follow_pairs(problem, table, start)
+    table[count:] = [[float(f"{number:.6g}") for number in row] for row in table[count:]]  # the rest is rounding
+    *columns, condition = table[:, 0].tolist() if size is None else table
+    values, growths = (dict(zip(problem.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
+    return Solution(problem, values, growths, condition, failures, places)
 
 
 def outcomes(problem: Problem, values: Values) -> Any:
@@ -119,9 +152,9 @@ def grid(name: str, sizes: tuple[float, float]) -> Any:
     return numpy.concatenate([-values[::-1], [0.0], values]) if name == "load" else values
 
 
-def slopes(step: float, y: Any) -> Any:
+def slopes(y: Any) -> Any:
     """Return slopes from three points a step apart; from two where y is nan at one end, and nan where it is at both."""
-    low, high = numpy.diff(y, axis=0) / step
+    low, high = numpy.diff(y, axis=0) / _STEP
     return numpy.where(numpy.isnan(low), high, numpy.where(numpy.isnan(high), low, (low + high) / 2))
 
 
@@ -144,10 +177,10 @@ def _find_roots(problem: Problem, table: Any) -> Failures:
         failures |= {row: error for row, error in {**usual, **told}.items() if numpy.isnan(table[0, row])}
     solved = numpy.flatnonzero(~numpy.isnan(table[0]))
     roots = taken(unknown, table[0, solved])
-    factors = numpy.array([[1 / (1 + _STEP)], [1.0], [1 + _STEP]])
-    y = outcomes(problem.rows(numpy.tile(solved, 3)), {unknown: (factors * roots).ravel()}).reshape(3, -1)
+    steps = numpy.exp(_STEP * numpy.array([[-1], [0], [1]]))
+    y = outcomes(problem.rows(numpy.tile(solved, 3)), {unknown: (steps * roots).ravel()}).reshape(3, -1)
     with numpy.errstate(divide="ignore", invalid="ignore"):
-        condition = abs(y[1] / slopes(numpy.log1p(_STEP), y))
+        condition = abs(y[1] / slopes(y))
     table[:, solved] = roots, condition, condition
     return failures
 
@@ -301,10 +334,18 @@ def _find_pairs(problem: Problem, table: Any, places: Any) -> Failures:
         pairs = Pairs(problem.rows(row))
         try:
             places[:, [row]] = place = pairs.pair()
-            table[:, row] = pairs.measures(place)
+            table[:, [row]] = pairs.measures(place)
         except NoResult as error:
             failures[row] = error
     return failures
+
+
+def _follow_pairs(problem: Problem, table: Any, start: Any) -> None:
+    """Put the values of two unknowns to which Newton's method leads into a table, as far as they are separated."""
+    pairs = Pairs(problem, table.shape[1])
+    places, distance = pairs.improved(numpy.nan_to_num(numpy.broadcast_to(start, (2, pairs.size))))
+    table[:] = pairs.measures(places)
+    table[:, (distance == inf) | (table[-1] > MAX_CONDITION)] = nan
 
 
 class Pairs:
@@ -319,6 +360,10 @@ class Pairs:
         self.problem, self.size = problem, size
         self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
         self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
+        self.linear = _LINEAR * abs(self.levels)  # the sizes below which quantities count as they are
+        if not self.linear.all():
+            usual = {name: numpy.full(size, sqrt(prod(SIZES[name]))) for name in problem.unknowns}
+            self.linear = numpy.where(self.levels == 0, abs(outcomes(problem, usual)), self.linear)
 
     def rows(self, rows: Any) -> "Pairs":
         """Return the same in some rows."""
@@ -334,40 +379,28 @@ class Pairs:
             values["load"] = force * numpy.expm1(places[self.load])
         return values
 
-    def residuals(self, places: Any) -> Any:
+    def residuals(self, quantities: Any) -> Any:
         """Return by how much quantities are above their measured values."""
-        return self._above(outcomes(self.problem, self.values(places)))
+        return numpy.arcsinh(quantities / self.linear) - numpy.arcsinh(self.levels / self.linear)
 
-    def _above(self, quantities: Any) -> Any:
-        return numpy.arcsinh(quantities / self._scales) - numpy.arcsinh(self.levels / self._scales)
-
-    @cached_property
-    def _scales(self) -> Any:
-        """The sizes below which quantities count as they are."""
-        scales = _LINEAR * abs(self.levels)
-        if scales.all():
-            return scales
-        usual = numpy.nanmedian(abs(self.rows([0]).on_mesh), axis=1, keepdims=True)
-        return numpy.where(scales == 0, usual, scales)
-
-    def slopes(self, places: Any) -> tuple[Any, Any]:
-        """Return the residuals at places, and a matrix of their derivatives for each: by quantity and unknown."""
+    def slopes(self, places: Any) -> tuple[Any, Any, Any, Any]:
+        """Return values and residuals at places, and the derivatives of both, in matrices with a column by unknown."""
         count = places.shape[1]
-        steps = _STEP * numpy.repeat([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]], count, axis=1)
+        steps = _STEP * numpy.array([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]])
         every = self.rows(numpy.tile(numpy.arange(count), 5))
-        residuals = every.residuals(numpy.tile(places, 5) + steps).reshape(2, 5, count).swapaxes(0, 1)
-        return residuals[0], numpy.array([slopes(_STEP, residuals[[low, 0, low + 1]]) for low in (1, 3)]).T
+        values = every.values(numpy.tile(places, 5) + steps.repeat(count, axis=1))
+        residuals = every.residuals(outcomes(every.problem, values))
+        points = numpy.array([*values.values(), *residuals]).reshape(4, 5, count).swapaxes(0, 1)
+        derivatives = numpy.array([slopes(points[[low, 0, low + 1]]) for low in (1, 3)]).T
+        return points[0, :2], points[0, 2:], derivatives[:, :2], derivatives[:, 2:]
 
-    def measures(self, place: Any) -> list[float]:
-        """Return the values of the unknowns at a place, the growths of errors there, and the condition number."""
-        _, (matrix,) = self.slopes(place)
-        steps = _STEP * numpy.eye(2)
-        values = numpy.array([*self.values(numpy.concatenate([place, place - steps, place + steps], axis=1)).values()])
-        changes = (values[:, 3:] - values[:, 1:3]) / (2 * _STEP)
-        inverse = numpy.linalg.pinv(numpy.nan_to_num(matrix), rcond=0.1 / MAX_CONDITION)
+    def measures(self, places: Any) -> Any:
+        """Return the values of the unknowns at places, the growths of errors there, and the condition numbers."""
+        values, _, changes, matrices = self.slopes(places)
+        inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.1 / MAX_CONDITION)
         with numpy.errstate(divide="ignore", invalid="ignore"):
-            growths = numpy.linalg.norm(changes @ inverse, axis=1) / abs(values[:, 0])
-        return [*values[:, 0], *growths, _conditions(matrix)]
+            growths = numpy.linalg.norm(changes @ inverse, axis=2).T / abs(values)
+        return numpy.array([*values, *growths, _conditions(matrices)])
 
     def improved(self, start: Any) -> tuple[Any, Any]:
         """Return the places to which Newton's method leads from others, and how far they are from solutions.
@@ -379,7 +412,7 @@ class Pairs:
         active = numpy.arange(start.shape[1])
         for _ in range(_ROUNDS):
             places = best[:, active] + steps[:, active]
-            residuals, matrices = self.rows(active).slopes(places)
+            _, residuals, _, matrices = self.rows(active).slopes(places)
             size = numpy.hypot(*residuals)
             is_nearer = size < distance[active]
             nearer = active[is_nearer]
@@ -400,31 +433,21 @@ class Pairs:
             is_pair &= ((values >= least * (1 - _SAME)) | (name == "load")) & (values <= most * (1 + _SAME))
         return best, numpy.where(is_pair, distance, inf)
 
-    # --- The search ---
-
-    @cached_property
-    def mesh(self) -> Any:
-        """The places of the grid."""
-        axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in self.problem.unknowns]
-        return numpy.array(numpy.meshgrid(*axes, indexing="ij"))
-
-    @cached_property
-    def on_mesh(self) -> Any:
-        """The quantities at the places of the grid."""
-        return outcomes(self.problem, self.values(self.mesh.reshape(2, -1)))
-
     def pair(self) -> Any:
         """Return the place of the one pair. Raises the reason why there is none."""
-        _, matrices = self.slopes(self.mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))
+        axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in self.problem.unknowns]
+        mesh = numpy.array(numpy.meshgrid(*axes, indexing="ij"))
+        *_, matrices = self.slopes(mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))
         known = matrices[numpy.isfinite(matrices).all(axis=(1, 2))]
         if len(known) and not (_conditions(known) <= MAX_CONDITION / 10).any():
             raise Unseparated(self.problem, self._left_open(known[len(known) // 2]))
-        places, distance = self.improved(self._in_cells())
+        quantities = outcomes(self.problem, self.values(mesh.reshape(2, -1)))
+        places, distance = self.improved(_in_cells(mesh, self.residuals(quantities).reshape(mesh.shape)))
         order = numpy.argsort(distance)[: numpy.isfinite(distance).sum()]
         if not order.size:
-            raise self._failure()
+            raise self._failure(quantities)
         places, distance = places[:, order], distance[order]
-        _, matrices = self.slopes(places)
+        *_, matrices = self.slopes(places)
         conditions = _conditions(matrices)
         worst = int(conditions.argmax())
         if conditions[worst] > MAX_CONDITION:
@@ -435,36 +458,25 @@ class Pairs:
             raise SeveralSolutions(self.problem, [dict(zip(self.problem.unknowns, row, strict=True)) for row in rows])
         return places[:, :1]
 
-    def _in_cells(self) -> Any:
-        """Return places in the cells that both measured values may cross: the centre, and one towards each corner."""
-        residuals = self._above(self.on_mesh).reshape(self.mesh.shape)
-        corners = numpy.lib.stride_tricks.sliding_window_view(residuals, (2, 2), axis=(1, 2))
-        low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
-        margin = _MARGIN * (high - low)
-        is_at_gap = numpy.isnan(corners).any(axis=(3, 4)) & numpy.isfinite(low)
-        cells = ((low - margin <= 0) & (high + margin >= 0) | is_at_gap).all(axis=0)
-        first, last = self.mesh[:, :-1, :-1][:, cells], self.mesh[:, 1:, 1:][:, cells]
-        shares = [(0.5, 0.5), *((i, j) for i in (0.2, 0.8) for j in (0.2, 0.8))]
-        return numpy.concatenate([first + numpy.reshape(share, (2, 1)) * (last - first) for share in shares], axis=1)
-
     # --- Why there is none ---
 
-    def _failure(self) -> JkrollError:
-        """Return the reason why no pair gives both measured values."""
+    def _failure(self, quantities: Any) -> JkrollError:
+        """Return the reason why no pair gives both measured values, of which `quantities` are those on the grid."""
         problem, levels = self.problem, self.problem.levels
-        if not numpy.isfinite(self.on_mesh.sum(axis=0)).any():
+        if not numpy.isfinite(quantities.sum(axis=0)).any():
             return problem.failure()
         scene = problem.filled()
         first, second = sorted(levels, key=lambda name: len({*problem.unknowns}.intersection(scene.inputs_of(name))))
-        ranges = [(name, "it", values) for name, values in zip(levels, self.on_mesh, strict=True)]
-        ranges.append((second, f"where {equal({first: levels[first]})}, {second}", self._along(first, second)))
+        every = zip(levels, quantities, strict=True)
+        ranges: list[Any] = [({name: levels[name]}, "it", name, values) for name, values in every]
+        where = f"where {equal({first: levels[first]})}, {second}"
+        ranges.append((levels, where, second, self._along(first, second)))
         sizes = f"for {sizes_in_words(problem.unknowns)}"
-        for name, subject, values in ranges:
+        for given, subject, name, values in ranges:
             low, high = float(numpy.nanmin(values, initial=inf)), float(numpy.nanmax(values, initial=-inf))
             if low <= high and not low <= levels[name] <= high:
-                given = equal({name: levels[name]} if subject == "it" else levels)
                 lies = f"{subject} lies between {amount(name, low)} and {amount(name, high)}"
-                return NoSolution(problem, f"no pair of values gives {given}; {lies} {sizes}", (low, high))
+                return NoSolution(problem, f"no pair of values gives {equal(given)}; {lies} {sizes}", (low, high))
         return NoSolution(problem, f"no pair of values gives {equal(levels)} {sizes}")
 
     def _along(self, first: str, second: str) -> Any:
@@ -478,8 +490,7 @@ class Pairs:
 
     def _left_open(self, matrix: Any) -> str:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
-        steepest = max(matrix, key=lambda slope: float(numpy.hypot(*slope)))
-        by_left, by_right = steepest.tolist()
+        by_left, by_right = max(matrix.tolist(), key=lambda slope: hypot(*slope))  # the steepest
         symbols = [NOMENCLATURE[name].symbol for name in self.problem.unknowns]
         if min(abs(by_left), abs(by_right)) <= _LEFT_OPEN * max(abs(by_left), abs(by_right)):
             return f"they leave {symbols[0] if abs(by_left) < abs(by_right) else symbols[1]} open"
@@ -487,6 +498,18 @@ class Pairs:
             symbols[self.load] = "(1 + P/P_c)"  # by whose logarithm a load counts
         left, right = symbols
         return f"both stay as they are along {left} ∝ {right}^{-by_right / by_left:.3g}"
+
+
+def _in_cells(mesh: Any, residuals: Any) -> Any:
+    """Return places in the cells of a grid that both measured values may cross: the centre, and one by each corner."""
+    corners = numpy.lib.stride_tricks.sliding_window_view(residuals, (2, 2), axis=(1, 2))
+    low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
+    margin = _MARGIN * (high - low)
+    is_at_gap = numpy.isnan(corners).any(axis=(3, 4)) & numpy.isfinite(low)
+    cells = ((low - margin <= 0) & (high + margin >= 0) | is_at_gap).all(axis=0)
+    first, last = mesh[:, :-1, :-1][:, cells], mesh[:, 1:, 1:][:, cells]
+    shares = [(0.5, 0.5), *((i, j) for i in (0.2, 0.8) for j in (0.2, 0.8))]
+    return numpy.concatenate([first + numpy.reshape(share, (2, 1)) * (last - first) for share in shares], axis=1)
 
 
 def _conditions(matrices: Any) -> Any:
