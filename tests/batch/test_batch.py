@@ -147,12 +147,6 @@ def test_empty_cells_and_several_units_are_read_together() -> None:
     assert str(values) == "[1e-09, nan, nan, 2.5e-05, nan, 3e-09, 4e-06]"
 
 
-@pytest.mark.parametrize("unit", ["nN", "N"])
-def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
-    found = Column(0, "load", "", None).numbers({"load": [f"1 {unit}".encode(), b"5", b"2 nN"]})
-    assert found.odd == [1]
-
-
 # --- Rows that go wrong -----------------------------------------------------------------------------------------------
 
 STATUS = {
@@ -198,16 +192,6 @@ def test_a_bad_row_says_why_and_spoils_no_other(run: Run, line: str) -> None:
     assert bad["contact_radius_at_load [m]"] == ""
     assert good["contact_radius_at_load [m]"] == last["contact_radius_at_load [m]"] == "3.99077763611189e-9"
     assert good["status"] == last["status"] == ""
-
-
-def test_a_material_without_a_property_gives_what_needs_none(run: Run) -> None:
-    quartz, gold = batch(
-        run, table("material,radius\nquartz,100 nm\ngold,100 nm\n"), "--quantities", "pull_off_force,contact_radius"
-    )
-    assert gold["pull_off_force [N]"] == "3.722787294503905e-7"
-    assert gold["contact_radius [m]"] == ""
-    assert gold["status"] == "needs youngs_modulus and poisson_ratio"
-    assert quartz["status"] == ""
 
 
 def test_strict_stops_with_the_line(run: Run) -> None:
@@ -364,17 +348,6 @@ def test_a_compressed_table_is_named_as_one(run: Run, kind: str, text: bytes) ->
     assert (ran.code, "a compressed one has a name such as x.csv.gz, or --format csv.gz" in ran.err) == (2, True)
 
 
-def test_options_fill_what_a_row_does_not_give(run: Run) -> None:
-    name = table("radius [nm],load [nN]\n100,\n100,3\n")
-    filled, stated = batch(run, name, "--material", "quartz", "--load", "1nN", "--quantities", "moment")
-    assert (
-        filled["yield_moment [N m]"]
-        == batch(run, table("radius [nm]\n100\n"), "--material", "quartz", "--load", "1nN")[0]["yield_moment [N m]"]
-    )
-    one_liner = rows(run("moment quartz 100nm --load 3nN --csv").out)[0]
-    assert float(stated["yield_moment [N m]"]) == float(one_liner["yield_moment [N m]"])
-
-
 def test_quantities_are_names_or_commands(run: Run) -> None:
     found = batch(run, table(GRAINS), "--quantities", "r-min,pull_off_force,mass")
     assert [*found[0]][4:] == ["pull_off_force [N]", "mass [kg]", "r_min [m]", "doubt", "status"]
@@ -383,27 +356,6 @@ def test_quantities_are_names_or_commands(run: Run) -> None:
         == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_force? jkroll quantities lists them\n"
     )
     assert run("batch", table(GRAINS), "--quantities", "load").err == "jkroll: --quantities: load is an input here\n"
-
-
-def test_what_is_named_has_a_value_in_every_row(run: Run) -> None:
-    """A command shows some quantities beside a load or an angle alone, and hides others."""
-    name = table("material,radius [nm],load [nN],rolling_angle [deg]\nquartz,100,1,\nquartz,100,,90\nquartz,100,,\n")
-    names = "yield_force_fixed_load,roll_energy_quarter_turn,pull_off_force_lennard_jones,rolling_frequency_as_printed"
-    for model in ("jkr", "maugis"):
-        found = batch(run, name, "--quantities", names, "--model", model)
-        for options, row in zip(("--load 1nN", "", ""), found, strict=True):
-            one_liner = f"report quartz 100nm {options} --model {model} --quantities {names} --csv"
-            wanted = rows(run(one_liner).out)[0]
-            for head in [head for head in wanted if head.partition(" ")[0] in names.split(",")]:
-                assert float(row[head]) == approx(float(wanted[head]), rel=1e-15), head
-            assert row["status"] == ""
-
-
-def test_the_mass_of_a_plane_is_infinite_and_no_empty_cell_without_a_reason(run: Run) -> None:
-    name = table("material,radius [nm],radius2\nquartz,100,plane\nquartz,100,100 nm\n")
-    plane, sphere = batch(run, name, "--quantities", "mass,mass2,moment_of_inertia2")
-    assert (plane["mass2 [kg]"], plane["status"]) == ("", "infinite")
-    assert (sphere["mass2 [kg]"], sphere["status"]) == (sphere["mass [kg]"], "")
 
 
 # --- What passes through ----------------------------------------------------------------------------------------------
@@ -664,13 +616,6 @@ def test_a_last_line_without_an_end_is_a_row_like_others(run: Run, text: str, de
     assert outputs[0] == outputs[1]
 
 
-def test_a_unit_without_a_number_is_no_empty_cell(run: Run) -> None:
-    Path("x.csv").write_text("material,radius\nquartz,5nm\nquartz,\nquartz,nm\n", encoding="utf-8")
-    assert run("batch x.csv --radius 1um --quantities pull_off_force --no-doubt -o out.csv").code == 1
-    *_, unit = Path("out.csv").read_text(encoding="utf-8").splitlines()
-    assert unit == "quartz,nm,,bad radius"
-
-
 def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
     from jkroll.batch.lines import SAMPLE
 
@@ -699,12 +644,3 @@ def test_the_place_of_a_column_decides_nothing(run: Run, columns: str, cells: li
         found.append([[*row.values()][3:] for row in written])
     assert found[0] == found[1]
     assert found[0][1][0] != ""
-
-
-def test_a_quantity_that_the_law_does_not_have_is_an_empty_column(run: Run) -> None:
-    words = ("--model", "dmt", "--quantities", "sticking_speed,pull_off_force")
-    (row,) = batch(run, table("radius [nm]\n100\n"), "--material", "quartz", *words)
-    (listed,) = rows(run("pull-off", "quartz", "100nm", *words, "--csv").out)
-    assert row["sticking_speed [m/s]"] == listed["sticking_speed [m/s]"] == ""
-    assert row["status"] == listed["status"] == "not in DMT"
-    assert row["pull_off_force [N]"] == listed["pull_off_force [N]"] != ""

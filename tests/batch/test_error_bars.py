@@ -105,15 +105,6 @@ def test_an_end_without_a_value_is_said(run: Run) -> None:
     assert second["status"] is None
 
 
-def test_a_status_is_short(run: Run) -> None:
-    """One clause names all inputs that are missing, whatever number of quantities lacks them."""
-    rows = [{"material": "quartz", "radius [nm]": ""}, {"material": "", "radius [nm]": "100"}]
-    assert run("batch", written(rows), "-o", "out.csv").code == 0
-    first, second = (row["status"] for row in found())
-    assert first == "needs radius"
-    assert second == "needs surface_energy, density, youngs_modulus and poisson_ratio"
-
-
 # --- Units of cells ---------------------------------------------------------------------------------------------------
 
 

@@ -258,13 +258,6 @@ def test_json_has_what_another_law_gives_in_the_unit_that_is_asked_for(run: Run)
     assert in_dyn["pull_off_force"]["over_jkr"] == value["pull_off_force"]["over_jkr"]
 
 
-def test_json_has_null_and_a_reason(run: Run) -> None:
-    data = json.loads(run("frequencies gold 100nm --json").out)
-    vertical = data["results"][0]
-    assert vertical["value"] is None
-    assert vertical["reason"] == f"needs Young's modulus and Poisson's ratio; {GOLD}"
-
-
 def test_several_scenes_are_a_json_array(run: Run) -> None:
     data = json.loads(run("pull-off quartz,iron 100nm 1um --json").out)
     assert [(one["inputs"]["material"], one["inputs"]["radius"]) for one in data] == [
@@ -739,14 +732,6 @@ def test_a_rigid_body_needs_no_poisson_ratio(run: Run) -> None:
     )
     assert run(f"{rigid} --bare").out == run(f"{rigid} --poisson 0.4 --bare").out
     assert run("contact 100nm --gamma 25mJ/m2 --young rigid --young2 1GPa").code == 2
-
-
-@pytest.mark.parametrize("name", ["yield_force_fixed_load", "rolling_frequency_as_printed", "n_roll_after_impact"])
-def test_a_quantity_that_is_asked_for_by_name_is_shown_for_any_scene(run: Run, name: str) -> None:
-    ran = run(f"report quartz 100nm --radius2 1um --quantities {name} --json")
-    (result,) = json.loads(ran.out)["results"]
-    assert result["name"] == name
-    assert result["value"] == solve(name, material="quartz", radius=1e-7, radius2=1e-6)
 
 
 def test_the_quantities_of_a_command_leave_out_its_inputs(run: Run) -> None:

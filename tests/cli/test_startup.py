@@ -46,55 +46,50 @@ def imported(*calls: str, folder: Path, terminal: bool = False, variables: dict[
     return (LIBRARIES | HEAVY) & set(names)
 
 
-def test_plain_answers_import_no_library(tmp_path: Path) -> None:
-    calls = [
-        "pull-off quartz 100nm --bare --quiet",
-        "pull-off quartz 100nm --quiet",
-        "pull-off quartz 100nm --json --quiet",
-        "pull-off quartz 100nm --csv --quiet",
-        "report quartz 100nm --radius2 plane --material2=iron --load -1nN --digits 3 --to nN,nm --quiet",
-        "pull-off R1=100nm --surface-energy 0.025 J/m2 --units nN --format json",
-        "yield-force quartz 1nm:1um:9 --bare --quiet",
-        "moment quartz 100nm --quiet",
-        "materials quartz",
-        "--version",
-    ]
-    assert imported(*calls, folder=tmp_path) == set()
+PLAIN = [
+    "pull-off quartz 100nm --bare --quiet",
+    "pull-off quartz 100nm --quiet",
+    "pull-off quartz 100nm --json --quiet",
+    "pull-off quartz 100nm --csv --quiet",
+    "report quartz 100nm --radius2 plane --material2=iron --load -1nN --digits 3 --to nN,nm --quiet",
+    "pull-off R1=100nm --surface-energy 0.025 J/m2 --units nN --format json",
+    "yield-force quartz 1nm:1um:9 --bare --quiet",
+    "moment quartz 100nm --quiet",
+    "materials quartz",
+    "--version",
+    "--help",
+    "report --help",
+]
+ERROR_BARS = [
+    "pull-off quartz 100nm --gamma 25±5mJ/m2 --quiet",
+    "report silica-dry 100nm --quiet",
+    "contact ice-cold 100nm --gamma=100mJ/m2 --quiet",
+    "contact R1=80_to_120nm --gamma=20_to_30mJ/m2 --young=54GPa --poisson=0.17 --quiet",
+]
+OWN = ["pull-off ice 100nm --bare --quiet --materials own.toml", "materials --materials own.toml"]
 
 
-def test_an_error_bar_adds_no_library(tmp_path: Path) -> None:
-    calls = [
-        "pull-off quartz 100nm --gamma 25±5mJ/m2 --quiet",
-        "report silica-dry 100nm --quiet",
-        "contact ice-cold 100nm --gamma=100mJ/m2 --quiet",
-        "contact R1=80_to_120nm --gamma=20_to_30mJ/m2 --young=54GPa --poisson=0.17 --quiet",
-    ]
-    assert imported(*calls, folder=tmp_path) & LIBRARIES == set()
-
-
-def test_an_inferred_value_adds_numpy_alone(tmp_path: Path) -> None:
-    calls = ["infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN --quiet"]
-    assert imported(*calls, folder=tmp_path) & LIBRARIES == {"numpy"}
-
-
-def test_help_imports_no_library(tmp_path: Path) -> None:
-    assert imported("--help", "report --help", "materials -h", folder=tmp_path) == set()
-
-
-def test_a_file_of_materials_adds_its_parser(tmp_path: Path) -> None:
-    own = tmp_path / "own.toml"
-    own.write_text('[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
-    calls = ["pull-off ice 100nm --bare --quiet --materials own.toml", "materials --materials own.toml"]
-    assert imported(*calls, folder=tmp_path) == {"tomllib"}
+@pytest.mark.parametrize(
+    ("calls", "kinds", "expected"),
+    [
+        (PLAIN, LIBRARIES | HEAVY, set()),
+        (ERROR_BARS, LIBRARIES, set()),
+        (["infer gamma quartz 2um --radius2 plane --measured P_c=300±20nN --quiet"], LIBRARIES, {"numpy"}),
+        (OWN, LIBRARIES | HEAVY, {"tomllib"}),
+        (["pull-off quartz 1e-14furlong --bare --quiet"], LIBRARIES, PINT),
+    ],
+    ids=["plain", "error bars", "infer", "own materials", "a unit of pint"],
+)
+def test_calls_import_no_more_than_they_use(
+    tmp_path: Path, calls: list[str], kinds: set[str], expected: set[str]
+) -> None:
+    (tmp_path / "own.toml").write_text('[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
+    assert imported(*calls, folder=tmp_path) & kinds == expected
 
 
 def test_a_table_adds_nothing(tmp_path: Path) -> None:
     calls = ["pull-off quartz 100nm --quiet", "yield-force quartz,iron 1nm:1um:3 --quiet", "materials"]
     assert not imported(*calls, folder=tmp_path, terminal=True) & LIBRARIES
-
-
-def test_a_unit_outside_the_table_adds_pint_alone(tmp_path: Path) -> None:
-    assert imported("pull-off quartz 1e-14furlong --bare --quiet", folder=tmp_path) & LIBRARIES == PINT
 
 
 def test_a_mistake_imports_no_library(tmp_path: Path) -> None:

@@ -43,18 +43,6 @@ def write(path: Path, text: str | bytes) -> Path:
     return path
 
 
-def test_aliases_in_any_case() -> None:
-    materials = Materials()
-    for word, name in {
-        "QUARTZ": "quartz",
-        "AU": "gold",
-        "fe": "iron",
-        "ps": "polystyrene",
-        "Graphite": "graphite",
-    }.items():
-        assert materials[word].name == name
-
-
 def test_a_reference_has_author_title_and_year_or_says_what_was_not_seen() -> None:
     references = tomllib.loads(Path(SHIPPED).read_text(encoding="utf-8"))["references"]
     for key, entry in references.items():
@@ -560,14 +548,6 @@ def test_every_value_of_the_other_sets_says_where_it_is_from(material: Material)
     assert not any(text.endswith("...") for text in texts)
 
 
-def test_the_nominal_value_is_in_the_properties_and_the_uncertainty_beside_it() -> None:
-    ice = Materials()["ice-warm"]
-    assert ice.properties["surface_energy"] == 0.19
-    assert ice.uncertainties["surface_energy"] == jkroll.Measured(0.19, 0.069, 0.069)
-    assert ice.uncertainties["youngs_modulus"] == jkroll.Interval(9.195e9, 9.09e9, 9.3e9)
-    assert not Materials()["quartz"].uncertainties
-
-
 def test_the_error_of_warm_ice_is_that_of_the_two_forces() -> None:
     share = ((23.8 / 114.8) ** 2 + (3.6 / 12.1) ** 2) ** 0.5
     assert Materials()["ice-warm"].uncertainties["surface_energy"].high == approx(0.19 * (1 + share), rel=1e-3)
@@ -589,15 +569,6 @@ def test_the_elastic_constants_of_ice_are_averages_of_those_of_its_crystals() ->
         ratio = (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)
         other = {"low": "high", "high": "low"}[end]
         assert getattr(ice.uncertainties["poisson_ratio"], other) == approx(ratio, rel=2e-3)
-
-
-def test_a_material_of_several_states_is_refused_with_their_list(run: Run, tmp_path: Path) -> None:
-    ran = run("pull-off ice 1um")
-    assert (ran.code, ran.out) == (2, "")
-    assert ran.err.startswith("jkroll: material 'ice' is one of several; write ice-model (370 mJ/m², ")
-    assert ran.err.endswith(" or ice-cold (2.9 mJ/m², water ice below about 175 K)\n")
-    path = write(tmp_path / "mine.toml", ICE)
-    assert run("pull-off", "ice", "1um", "--materials", str(path)).code == 0
 
 
 def test_a_name_of_several_materials_is_refused_with_their_values(run: Run, tmp_path: Path) -> None:

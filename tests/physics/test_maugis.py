@@ -14,7 +14,6 @@ from jkroll.physics import any_law, dugdale, maugis
 from jkroll.scene.wiring import parameters_of
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
-from relative import approx
 
 BOUND = 10.0  # ulp, times 1 plus the condition in the load or approach and in λ
 UNIT = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "contact_modulus": 0.75}  # in which all units are 1
@@ -157,55 +156,6 @@ def test_states_at_random_loads(count: int) -> None:
         if load > least:
             edge_ratio = ratio_at_load(transition, load)
             check(reference.at_load, transition, load, edge_ratio, "radius zone approach moment stiffness")
-
-
-@pytest.mark.parametrize("count", [12, pytest.param(400, marks=pytest.mark.slow)])
-def test_the_approach_of_a_contact_whose_load_is_known(count: int) -> None:
-    """The load takes up what cancels between a² and the span; without load, so does its absence."""
-    random.seed(count)
-    for _ in range(count):
-        transition = 10 ** random.uniform(-4, 4)
-        load = random.choice((0.0, 10 ** random.uniform(-2, 3), -random.uniform(0.01, 1.4)))
-        edge_ratio = ratio_at_load(transition, load)
-        step = mpf(10) ** -18
-        exact, *others = (
-            {"radius": a, "approach": reference.approach(a, t, x)}
-            for x, y in ((1, 1), (1 + step, 1), (1, 1 + step))
-            for a, t, x in [(*reference.at_load(mpf(transition) * x, load * mpf(y)), transition * mpf(x))]
-        )
-        found = {
-            "approach": maugis.approach_maugis_at_load(
-                load=load,
-                edge_ratio=edge_ratio,
-                zone_span=dugdale.span(transition, dugdale.shape(edge_ratio)),
-                reduced_radius=1.0,
-                contact_modulus=UNIT["contact_modulus"],
-                cohesive_stress=transition / 2,
-            )
-        }
-        bounds = {"approach": BOUND}
-        if load == 0:
-            found["radius"] = alone(maugis.unloaded_radius_maugis, transition)
-            bounds = {"approach": 6.0, "radius": 4.0}
-            unloaded = maugis.unloaded_approach_maugis(
-                unloaded_edge_ratio=maugis.unloaded_edge_ratio(transition_parameter=transition),
-                unloaded_radius_maugis=found["radius"],
-                contact_modulus=UNIT["contact_modulus"],
-                cohesive_stress=transition / 2,
-            )
-            assert unloaded == approx(found["approach"], rel=3e-15)
-        for name, value in found.items():
-            condition = float(sum(abs(other[name] / exact[name] - 1) for other in others) / step)
-            assert ulps(value, exact[name]) <= bounds[name] * (1 + condition), (name, transition, load)
-
-
-@pytest.mark.parametrize("edge_ratio", [0.3, 1.0, math.nextafter(1.0, 2.0), 1 + 1e-12, 1 + 1e-7, 1.1, 30.0])
-def test_the_approach_from_the_load_is_that_from_the_edges(edge_ratio: float) -> None:
-    """In a wide ring, in a narrow one, and where the two forms meet."""
-    state = {"edge_ratio": edge_ratio, "zone_span": 0.7, "reduced_radius": 9.0, "contact_modulus": 2.0}
-    load = maugis.load_maugis(**state, cohesive_stress=0.1)
-    found = maugis.approach_maugis_at_load(load=load, **state, cohesive_stress=0.1)
-    assert found == approx(maugis.approach_maugis(**state, cohesive_stress=0.1), rel=1e-13)
 
 
 @pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])

@@ -363,13 +363,6 @@ def test_a_number_of_an_array_that_is_refused_is_named_with_its_index(scene: dic
     assert str(refused.value) == words
 
 
-def test_pull_off_itself_can_be_reached() -> None:
-    force = solve("pull_off_force", radius=1e-7, **QUARTZ)
-    assert solve("load_factor", radius=1e-7, load=-force, **QUARTZ) == 0.5
-    with pytest.raises(Failure, match="breaks this contact"):
-        solve("load_factor", radius=1e-7, load=math.nextafter(-force, -1), **QUARTZ)
-
-
 def test_work_of_adhesion_needs_no_surface_energy_and_overrides_it() -> None:
     assert solve("pull_off_force", radius=1e-7, work_of_adhesion=0.05) == solve(
         "pull_off_force", radius=1e-7, surface_energy=0.025

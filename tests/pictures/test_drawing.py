@@ -265,14 +265,6 @@ def test_a_mark_of_a_user_is_never_refused_as_mathematics() -> None:
         MathTextParser("path").parse(typeset(text))
 
 
-def test_lines_are_broken_before_typesetting_and_not_before_a_unit() -> None:
-    assert lines("a radius ⟦R1⟧ = 100 nm of spheres", 20) == [
-        "a radius",
-        "$R_{1}$\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}100\N{NO-BREAK SPACE}nm of",
-        "spheres",
-    ]
-
-
 @pytest.mark.parametrize(
     ("text", "kept"),
     [

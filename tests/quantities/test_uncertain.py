@@ -180,11 +180,6 @@ def test_an_uncertain_value_is_copied_and_pickled(found: Measured | Interval) ->
         assert type(again) is type(found)
 
 
-def test_a_range_is_no_standard_uncertainty() -> None:
-    numbers = (2.0, 1.0, 3.0)
-    assert Measured(*numbers) != Interval(*numbers)  # type: ignore[comparison-overlap]
-
-
 @pytest.mark.parametrize("found", [Measured(0.025, 0.005, 0.005), Interval(0.025, 0.02, 0.03)])
 def test_no_array_is_made_of_an_uncertain_value_by_accident(found: tuple[object, ...]) -> None:
     assert numpy.asarray(found).dtype.kind not in "fiu"

@@ -9,7 +9,6 @@ import pytest
 from harness import Run
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
-from jkroll.errors import NoResult
 from jkroll.materials.library import known_materials
 from jkroll.scene.alternatives import by_law, factor_of_law
 from jkroll.scene.failures import TWO_RIGID_BODIES, Failure
@@ -171,15 +170,6 @@ def test_a_load_of_exactly_the_pull_off_force_is_not_stable() -> None:
     assert verdicts("yield_force", load=-0.999 * force)["load_margin"] == ""
 
 
-def test_doubts_of_arrays_are_those_of_each_scene() -> None:
-    radii = np.geomspace(2e-10, 1e-2, 200)
-    names = ["yield_force", "n_grav", "r_min", "n_roll"]
-    found = bits(Scene({**QUARTZ, "radius": radii, "speed": 0.1}), names)
-    for place, radius in enumerate(radii.tolist()):
-        here = {code for code in verdicts(*names, radius=radius, speed=0.1).values() if code}
-        assert {*codes_of(int(found[place]))} == here
-
-
 def test_a_ratio_of_forces_has_the_doubts_of_its_contact() -> None:
     """Without load, too, where nothing of the contact enters 4ξ/R1."""
     soft = {"radius": 3e-10, "surface_energy": 0.025, "youngs_modulus": 5e9, "poisson_ratio": 0.2}
@@ -229,18 +219,6 @@ def test_no_wave_runs_around_a_rigid_sphere(run: Run) -> None:
     moduli = np.array([np.inf, 54e9])
     times = solve("rayleigh_time", radius=1e-7, density=2600.0, poisson_ratio=0.17, youngs_modulus=moduli)
     assert np.isnan(times).tolist() == [True, False]
-
-
-@pytest.mark.parametrize("size", [3, 20_000])
-def test_elements_of_two_rigid_bodies_are_nan(size: int) -> None:
-    modulus = np.full(size, 54e9)
-    modulus[1] = np.inf
-    names = ["pull_off_force", "yield_force", "rolling_frequency", "stiffness"]
-    for name, values in solve(names, **{**QUARTZ, "youngs_modulus": modulus}).items():
-        assert np.flatnonzero(np.isnan(values)).tolist() == [1], name
-        assert values[0] == approx(solve(name, **QUARTZ), rel=1e-14)
-    with pytest.raises(NoResult):
-        solve("yield_force", **{**QUARTZ, "youngs_modulus": np.inf})
 
 
 # --- What is said -----------------------------------------------------------------------------------------------------
