@@ -1,6 +1,7 @@
 """Limits of the model: on which side of a threshold a number is in doubt, for what it is judged, and what is said."""
 
 import json
+import math
 from typing import Any
 
 import numpy as np
@@ -99,6 +100,20 @@ def test_every_limit_touches_what_a_command_shows() -> None:
 def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
     assert code in verdicts(name, **given).values()
     assert code in codes_of(bits(Scene({**QUARTZ, **given}), [name]))
+
+
+def test_the_order_of_two_spheres_decides_no_doubt_about_roughness() -> None:
+    """The smaller sphere decides: a plane is no sphere."""
+    for radius, radius2, is_in_doubt in (
+        (1e-6, 1e-7, False),
+        (1e-7, 1e-6, False),
+        (1e-6, 2e-6, True),
+        (2e-6, 1e-6, True),
+        (1e-6, math.inf, True),
+        (1e-7, math.inf, False),
+    ):
+        codes = verdicts("pull_off_force", radius=radius, radius2=radius2).values()
+        assert ("rough-matters" in codes) is is_in_doubt
 
 
 def test_spheres_of_a_viscous_time_are_not_held_to_bounce_as_elastic_ones_do() -> None:

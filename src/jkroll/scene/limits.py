@@ -7,7 +7,7 @@ from math import exp, inf, nan
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
-from ..physics.elementary import ln, where
+from ..physics.elementary import at_most, ln, where
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from .alternatives import factor_of_data, factor_of_law, solid_of_kind
@@ -34,7 +34,7 @@ class Limit(NamedTuple):
     applies: Callable[[Scene, Collection[str]], bool] | None = None  # to some answers of a scene; None: to all
     ends_meaning: bool = False  # a number that is said to be in doubt has no meaning
     conclusion: str = ""  # the name of what follows, if it is not that of the number
-    # Between answers and what may stand in their place, which is judged in place of the number.
+    # What is judged in place of the number, as the factor between answers and what may stand in their place.
     factor: Callable[[Scene, Collection[str]], Any] | None = None
 
     def is_beyond(self, number: Any, threshold: float) -> Any:
@@ -217,6 +217,7 @@ LIMITS = (
         "radius", "roughness", _PULLED, ">=", {1e-6: "rough-matters"},
         "rough spheres had 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
+        factor=lambda scene, _: at_most(scene["radius"], scene["radius2"]),
     ),
     Limit(
         "contact_radius_in_spacings", "few atoms", _ELASTICITY, "<", {3.0: "few-atoms"},
