@@ -5,7 +5,7 @@ from random import Random
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import COMMANDS, Option
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.quantities.unit_table import PLAIN, PREFIXABLE, PREFIXES
+from jkroll.quantities.units import PLAIN, PREFIXABLE, PREFIXES
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")

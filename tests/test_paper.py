@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from jkroll import FORMULAS, NOMENCLATURE, known_materials, solve
-from jkroll.quantities.units import si_unit
+from jkroll.quantities.units import parse_unit
 from jkroll.scene.failures import MissingInput
 from jkroll.scene.wiring import parameters_of
 from relative import approx
@@ -70,7 +70,7 @@ def si(text: str) -> float:
     """SI value of a number and a unit."""
     digits, _, unit = text.partition(" ")
     number = Fraction(digits)
-    numerator, denominator, _ = si_unit(unit)
+    numerator, denominator, _ = parse_unit(unit) if unit not in ("", "1") else (1, 1, ())
     return float(number * numerator / denominator)
 
 

@@ -17,8 +17,7 @@ from hypothesis import strategies as st
 from harness import Run
 from jkroll.batch import files
 from jkroll.output.manual import page
-from jkroll.quantities.errors import QuantityError
-from jkroll.quantities.values import unit_of
+from jkroll.quantities.values import QuantityError, unit_of
 from jkroll.rows.cells import Column
 from jkroll.rows.header import understood
 from jkroll.scene.limits import CODES, UNCHECKED

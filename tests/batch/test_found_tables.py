@@ -20,8 +20,7 @@ import pytest
 from harness import Ran, Run
 from jkroll.batch.lines import DELIMITERS, Delimited, tabbed
 from jkroll.errors import BadTable
-from jkroll.quantities.errors import QuantityError
-from jkroll.quantities.values import Uncertain
+from jkroll.quantities.values import QuantityError, Uncertain
 from jkroll.rows.cells import Column
 from jkroll.rows.header import check_inputs, stated_meanings, understood
 from relative import approx

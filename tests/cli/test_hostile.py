@@ -15,11 +15,10 @@ from hypothesis import strategies as st
 from invariants import CORPUS, TARGETS, TYPED
 from jkroll.errors import JkrollError
 from jkroll.materials.library import MAX_BYTES, MAX_DOTS, MaterialsFileError
-from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.quantities.unit_table import PREFIXABLE, PREFIXES
-from jkroll.quantities.values import parse_quantity, unit_of
+from jkroll.quantities.units import PREFIXABLE, PREFIXES, dimension_of
+from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 from jkroll.text import closest, spelled
 from material_files import read
 
@@ -185,7 +184,7 @@ PREFIXED = [
     prefix + unit
     for prefix in ("", *PREFIXES)
     for unit, (_, _, dimension) in PREFIXABLE.items()
-    if dimension == unit_of("N", "load").dimension
+    if dimension == dimension_of("N")
 ]
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
-from jkroll.quantities.errors import QuantityError
+from jkroll.quantities.values import QuantityError
 from jkroll.scene.failures import MissingInput
 from maugis_reference import mpf
 from reference import ulp_error

@@ -12,8 +12,8 @@ import pytest
 
 from jkroll import NOMENCLATURE, solve
 from jkroll.errors import JkrollError
-from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.nomenclature import OF_MAUGIS
+from jkroll.quantities.values import QuantityError
 from jkroll.scene.failures import MissingInput
 from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, takes, with_nan
 from jkroll.scene.wiring import Plan, formula_of, steps_to

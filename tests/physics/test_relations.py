@@ -18,8 +18,9 @@ from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.errors import BadRequest
 from jkroll.output.sources import docstring_fields
 from jkroll.physics import dimensions
-from jkroll.quantities.errors import QuantityError, UnknownQuantity
+from jkroll.quantities.nomenclature import UnknownQuantity
 from jkroll.quantities.units import dimension_of, kind_of
+from jkroll.quantities.values import QuantityError
 from jkroll.scene.failures import (
     Failure,
     MissingInput,

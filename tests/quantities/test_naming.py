@@ -7,8 +7,7 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.quantities.errors import UnknownQuantity
-from jkroll.quantities.nomenclature import NOMENCLATURE, named, with_symbol
+from jkroll.quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named, with_symbol
 from jkroll.text import ascii_text
 from relative import approx
 

@@ -4,8 +4,8 @@ import pytest
 
 from jkroll import solve
 from jkroll.materials.library import Material
-from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.nomenclature import NOMENCLATURE, of_sphere
+from jkroll.quantities.values import QuantityError
 
 
 def test_a_quantity_of_a_sphere_is_the_twin_of_its_twin() -> None:

@@ -12,11 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from jkroll.errors import JkrollError
-from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.formatting import Format, amount
 from jkroll.quantities.values import (
     Interval,
     Measured,
+    QuantityError,
     has_uncertainty,
     parse_quantity,
     unit_of,

@@ -4,8 +4,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from ..quantities.errors import UnknownQuantity
-from ..quantities.nomenclature import NOMENCLATURE, named
+from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
 
 
 class Question(NamedTuple):

@@ -113,7 +113,7 @@ class Converter:
         if self.strict and columns.failed:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))
-        added = [*table.said.values(), *columns_of(columns, Format({}), remarks_of(table.wanted))]
+        added = [*table.said.values(), *columns_of(columns, Format(), remarks_of(table.wanted))]
         output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
         if unknown := table.asked.infer:

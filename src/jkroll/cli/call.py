@@ -209,13 +209,13 @@ class Call:
         units: dict[str, tuple[str, Unit]] = {}
         for text in self.to.split(",") if self.to is not None else []:
             try:
-                unit = parse_unit(text)
+                _, _, dimension = unit = parse_unit(text)
             except BadUnit as error:
                 wanted = [dimension_of(NOMENCLATURE[name].unit) for name in quantities]
                 example = f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
                 raise error_about("--to", text, error, wanted, example) from None
             fitting = [
-                name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
+                name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == dimension
             ]
             if not fitting:
                 units_of_results = ", ".join(dict.fromkeys(NOMENCLATURE[name].unit for name in quantities))

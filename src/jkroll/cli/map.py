@@ -12,13 +12,12 @@ from ..pictures.curves import PANELS, curves_of_contact
 from ..pictures.figures import FIGURE_NAMES, PROFILES, options_of, paper_map
 from ..pictures.picture import STYLES, Axis, Picture, evaluate
 from ..pictures.request import PlotRequest, picture_of
-from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain, symbol
 from ..quantities.nomenclature import as_input, header
 from ..quantities.units import BadUnit, dimension_of
-from ..quantities.values import between, error_about, parse_value
+from ..quantities.values import QuantityError, between, error_about, parse_value
 from ..scene.limits import LIMITS
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on

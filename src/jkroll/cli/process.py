@@ -14,8 +14,7 @@ from functools import partial
 from typing import Any, TextIO
 
 from ..errors import BadRequest, JkrollError
-from ..quantities.errors import ALIKE, QUANTITY_SYNONYMS, nearest
-from ..quantities.nomenclature import NOMENCLATURE, named
+from ..quantities.nomenclature import ALIKE, NOMENCLATURE, QUANTITY_SYNONYMS, named, nearest
 from ..text import closest, quoted, say, say_wrapped, shown
 from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of
 

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from ..answers.questions import EVERYTHING, quantities_named, quantity_named
 from ..errors import BadRequest
 from ..materials.library import UnknownMaterial
-from ..quantities.errors import UnknownQuantity
 from ..quantities.laws import BETWEEN
+from ..quantities.nomenclature import UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..text import ascii_text, listed, quoted, say, say_wrapped, wrapped
 from .call import Call, is_table

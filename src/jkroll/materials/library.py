@@ -14,9 +14,8 @@ from typing import Any, NamedTuple
 
 from ..errors import BadRequest
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
-from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, named
-from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle, value_of
+from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
 from ..text import closest, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
@@ -73,7 +72,7 @@ class Displacement(NamedTuple):
         scale = radius / self.radius
         least, most = smaller_and_larger(scale, cbrt(scale) * cbrt(scale))
         value, low, high = self.measured.value, self.measured.low, self.measured.high
-        return Interval._make((value * sqrt(least * most), low * least, high * most, "range"))
+        return Interval.of(value * sqrt(least * most), low=low * least, high=high * most)
 
 
 class Material(NamedTuple):

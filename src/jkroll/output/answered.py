@@ -8,11 +8,10 @@ from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, question_about
 from ..answers.results import Result
 from ..materials.library import Material, Materials
-from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import other_law
-from ..quantities.nomenclature import NOMENCLATURE, named
-from ..quantities.values import Uncertain, is_uncertain, middle
+from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
+from ..quantities.values import QuantityError, Uncertain, is_uncertain, middle
 from ..scene.scene import Scene
 from ..text import json_text, say, spelled
 

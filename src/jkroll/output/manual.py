@@ -7,8 +7,7 @@ from typing import ClassVar, NamedTuple, TextIO
 
 from ..errors import BadRequest
 from ..materials.library import Material
-from ..quantities.errors import QUANTITY_SYNONYMS
-from ..quantities.nomenclature import NOMENCLATURE, named, with_symbol
+from ..quantities.nomenclature import NOMENCLATURE, QUANTITY_SYNONYMS, named, with_symbol
 from ..text import LETTERS, closest, first_of, quoted, say, terminal_width
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")

@@ -100,7 +100,7 @@ def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
 
 def _unit(name: str, values: Sequence[Any], form: Format) -> tuple[str, Unit]:
     """Return the unit that suits values, or else that of the quantity."""
-    text, unit = form.common_unit(name, values) or (form.unit(name).removeprefix("1"), Unit(1, 1, ()))
+    text, unit = form.common_unit(name, values) or (form.unit(name).removeprefix("1"), (1, 1, ()))
     return pretty(with_known_prefix(name, text)), unit
 
 

@@ -2,15 +2,11 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from math import floor, isinf, log10
-from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
 
 from ..text import first_of
 from .nomenclature import INFINITY, NOMENCLATURE, header
 from .units import RAISED, Unit, convert, power_of_ten
-
-if TYPE_CHECKING:
-    from .values import Interval, Measured, Uncertain
+from .values import Interval, Uncertain
 
 DIGITS = 6  # significant, of a rounded value
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
@@ -25,12 +21,16 @@ _SHIFTS = ("", "e1", "e2")  # of a decimal point
 PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
-class Format(NamedTuple):
+class Format:
     """Units and number of digits in which results are written."""
 
-    units: Mapping[str, tuple[str, Unit]] = MappingProxyType({})  # by quantity: the unit to convert to
-    digits: int | None = None
-    typed: Mapping[str, str] = MappingProxyType({})  # inputs as they were typed; empty for several values
+    def __init__(
+        self,
+        units: Mapping[str, tuple[str, Unit]] | None = None,  # by quantity: the unit to convert to
+        digits: int | None = None,
+        typed: Mapping[str, str] | None = None,  # inputs as they were typed; none for several values
+    ) -> None:
+        self.units, self.digits, self.typed = units or {}, digits, typed or {}
 
     def unit(self, name: str) -> str:
         """Return the unit in which a quantity is written for a program."""
@@ -49,34 +49,34 @@ class Format(NamedTuple):
         """Return a column header: name and unit."""
         return header(name, self.unit(name))
 
-    def rounded(self, name: str, value: "float | str | Uncertain") -> tuple[str, str]:
+    def rounded(self, name: str, value: float | str | Uncertain) -> tuple[str, str]:
         """Return a value, with its uncertainty if it has one, and its unit, rounded and with a suitable prefix."""
-        value = value if isinstance(value, tuple) else in_words(name, value)
+        value = value if isinstance(value, Uncertain) else in_words(name, value)
         if isinstance(value, str):
             return value, ""
-        unit = self.common_unit(name, [value]) or (NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ()))
+        unit = self.common_unit(name, [value]) or (NOMENCLATURE[name].unit.removeprefix("1"), (1, 1, ()))
         return self.in_unit(value, unit), unit[0]
 
-    def common_unit(self, name: str, values: "Sequence[float | Uncertain]") -> tuple[str, Unit] | None:
+    def common_unit(self, name: str, values: Sequence[float | Uncertain]) -> tuple[str, Unit] | None:
         """Return the unit that suits the middle one of values; None if others are long numbers in it, or it is 1."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
-        middles = (value.value if isinstance(value, tuple) else value for value in values)
+        middles = (value.value if isinstance(value, Uncertain) else value for value in values)
         sizes = sorted(abs(value) for value in middles if value and not isinf(value))
         if si in ("", "1") or not sizes:
             return None
         _, power = _scaled(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
-        scale, prefix = Unit(*power_of_ten(power), ()), _PREFIXES[power]
+        scale, prefix = (*power_of_ten(power), ()), _PREFIXES[power]
         is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
         return (prefix + si, scale) if is_short else None
 
-    def in_unit(self, value: "float | str | Uncertain", unit: tuple[str, Unit]) -> str:
+    def in_unit(self, value: float | str | Uncertain, unit: tuple[str, Unit]) -> str:
         """Return a rounded value in a unit, with its uncertainty if it has one, without the unit; a word as it is."""
         if isinstance(value, str):
             return value
-        if isinstance(value, tuple):
-            return _range(value, unit[1], self.digits) if value.kind == "range" else _plus_minus(value, unit[1])
+        if isinstance(value, Uncertain):
+            return _range(value, unit[1], self.digits) if isinstance(value, Interval) else _plus_minus(value, unit[1])
         return significant(convert(value, unit[1]), self.digits or DIGITS)
 
 
@@ -137,12 +137,12 @@ def pretty(unit: str) -> str:
 AS_USUAL = Format()
 
 
-def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL) -> str:
+def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -> str:
     """Return a value with its unit, and with its uncertainty if it has one, for a sentence; an input as it was typed.
 
     >>> amount("yield_displacement", 2e-10)
     '200 pm'
-    >>> from .values import value_of
+    >>> from jkroll.quantities.values import value_of
     >>> texts = ("25±5 mJ/m2", "25 +6/-4 mJ/m2", "20 to 30 mJ/m2")
     >>> [amount("surface_energy", value_of(text, "surface_energy")) for text in texts]
     ['25.0 ± 5.0 mJ/m²', '25.0 +6.0/-4.0 mJ/m²', '20 to 30 mJ/m²']
@@ -161,7 +161,7 @@ def span(name: str, low: float, high: float) -> str:
     >>> span("well_energy", 1e-18, 3e-18)
     '(1–3)e-18 J'
     """
-    plain = NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ())
+    plain = NOMENCLATURE[name].unit.removeprefix("1"), (1, 1, ())
     unit, scale = AS_USUAL.common_unit(name, [low, high]) or plain
     text, shown = from_to(convert(low, scale), convert(high, scale)), with_known_prefix(name, unit)
     if shown == unit:
@@ -188,7 +188,7 @@ def _shift(size: float) -> int:
     return 0 if size == 0 or 1e-3 <= size < 1e6 else floor(log10(size))
 
 
-def _range(interval: "Interval", scale: Unit, digits: int | None) -> str:
+def _range(interval: Uncertain, scale: Unit, digits: int | None) -> str:
     """Return a range, whose ends are rounded to two digits of their distance unless there is a number of digits.
 
     Both ends have as many decimals as the one that needs more. Ends that are the same in these digits are one number.
@@ -205,13 +205,13 @@ def _range(interval: "Interval", scale: Unit, digits: int | None) -> str:
     return " to ".join(dict.fromkeys(texts))
 
 
-def _plus_minus(measured: "Measured", scale: Unit) -> str:
+def _plus_minus(measured: Uncertain, scale: Unit) -> str:
     """Return a value with its standard uncertainty.
 
     An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both
     shown.
     """
-    value, minus, plus = (convert(number, scale) for number in (measured.value, measured.minus, measured.plus))
+    value, minus, plus = (convert(number, scale) for number in (measured.value, *measured.sides.values()))
     shift = _shift(abs(value))
     value, minus, plus = (number * 10.0**-shift for number in (value, minus, plus))
     place = _second_digit(min(side for side in (minus, plus) if side))
@@ -253,7 +253,7 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
         return [in_powers(value, digits) for value in values], pretty(unit)
     largest = max(map(abs, values), default=0.0)
     _, power = _scaled(largest, unit, 3)
-    scale = Unit(*power_of_ten(power), ())
+    scale = (*power_of_ten(power), ())
     without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
     return [significant(convert(value, scale), digits) for value in without_errors], pretty(_PREFIXES[power] + unit)
 

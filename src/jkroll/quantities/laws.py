@@ -14,7 +14,6 @@ from the routes.
 from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
-from typing import NamedTuple
 
 from ..errors import BadRequest
 from ..text import quoted
@@ -22,16 +21,21 @@ from ..text import quoted
 Routes = Mapping[str, str | None]
 
 
-class Law(NamedTuple):
+class Law:
     """A law of attraction, with its tables of routes by the input that has to be given for them, or `ALWAYS`."""
 
-    name: str
-    title: str
-    source: str  # as results name it, where the paper has no equation
-    reference: Mapping[str, str]  # the same as BibTeX has it
-    tables: Mapping[str, Routes]
-    omits: frozenset[str] = frozenset()  # quantities that are not shown under it
-    by_spacing: frozenset[str] = frozenset()  # quantities that the atomic spacing decides while λ is below 1
+    def __init__(
+        self,
+        name: str,
+        title: str,
+        source: str,  # as results name it, where the paper has no equation
+        reference: Mapping[str, str],  # the same as BibTeX has it
+        tables: Mapping[str, Routes],
+        omits: frozenset[str] = frozenset(),  # quantities that are not shown under it
+        by_spacing: frozenset[str] = frozenset(),  # quantities that the atomic spacing decides while λ is below 1
+    ) -> None:
+        self.name, self.title, self.source, self.reference = name, title, source, reference
+        self.tables, self.omits, self.by_spacing = tables, omits, by_spacing
 
     @property
     def is_default(self) -> bool:

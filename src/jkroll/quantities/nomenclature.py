@@ -5,20 +5,19 @@ Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 
 from collections.abc import Collection, Mapping
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
-from ..text import ascii_text
+from ..errors import JkrollError
+from ..text import ascii_text, closest, listed, quoted
 from .laws import LAWS, routes_anywhere
 
 
-class Range(NamedTuple):
+class Range:
     """An interval of values that a user may give, with the words for an error."""
 
-    low: float
-    high: float
-    low_allowed: bool
-    high_allowed: bool
-    words: str
+    def __init__(self, low: float, high: float, low_allowed: bool, high_allowed: bool, words: str) -> None:
+        self.low, self.high, self.low_allowed, self.high_allowed = low, high, low_allowed, high_allowed
+        self.words = words
 
     def admits(self, value: Any) -> Any:
         """Return whether a number, or each element of an array, lies in the range; nan lies in none."""
@@ -40,32 +39,36 @@ ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
 
 
-class Quantity(NamedTuple):
+class Quantity:
     """The meaning of a name, and the range of its values."""
 
-    symbol: str
-    unit: str  # SI; "1" for a plain number, "" for a word
-    sentence: str
-    equation: str = ""  # as the paper numbers it
-    range: Range = ANY  # of the values that a user may give
-    infinity: str = ""  # the word for an infinite value
-    option: str = ""  # of the command line
-    example: str = ""  # a value as a user types it
-    note: str = ""  # the reason why it is shown beside another quantity
-    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
-    reference: str = ""  # of a convention: the paper or code where it stands
-    may_be_zero: bool = False  # a result of exactly 0 is its value, and no underflow
-    shown_with: Collection[str] = ()  # inputs; it is shown only where one of them was stated
-    hidden_with: Collection[str] = ()  # inputs; it is not shown where one of them was stated
-    of_identical: bool = False  # shown for identical spheres only
-    variant_of: str = ""  # the quantity that it is by another formula or on another way
-    sphere: int = 0  # 1 or 2 for what belongs to one of the spheres
-    twin: str = ""  # the name of the same quantity of the other sphere
-
-    @property
-    def is_word(self) -> bool:
-        """True for what is said by a word, such as a material; False for a number."""
-        return not self.unit
+    def __init__(
+        self,
+        symbol: str,
+        unit: str,  # SI; "1" for a plain number, "" for a word
+        sentence: str,
+        equation: str = "",  # as the paper numbers it
+        range: Range = ANY,  # of the values that a user may give
+        infinity: str = "",  # the word for an infinite value
+        option: str = "",  # of the command line
+        example: str = "",  # a value as a user types it
+        note: str = "",  # the reason why it is shown beside another quantity
+        definition: str = "",  # of one among several conventions: the factor, in units that are common to them
+        reference: str = "",  # of a convention: the paper or code where it stands
+        may_be_zero: bool = False,  # a result of exactly 0 is its value, and no underflow
+        shown_with: Collection[str] = (),  # inputs; it is shown only where one of them was stated
+        hidden_with: Collection[str] = (),  # inputs; it is not shown where one of them was stated
+        of_identical: bool = False,  # shown for identical spheres only
+        variant_of: str = "",  # the quantity that it is by another formula or on another way
+        sphere: int = 0,  # 1 or 2 for what belongs to one of the spheres
+        twin: str = "",  # the name of the same quantity of the other sphere
+    ) -> None:
+        self.symbol, self.unit, self.sentence, self.equation = symbol, unit, sentence, equation
+        self.range, self.infinity, self.option, self.example = range, infinity, option, example
+        self.note, self.definition, self.reference, self.may_be_zero = note, definition, reference, may_be_zero
+        self.shown_with, self.hidden_with, self.of_identical = shown_with, hidden_with, of_identical
+        self.variant_of, self.sphere, self.twin = variant_of, sphere, twin
+        self.is_word = not unit  # such as a material
 
 
 # --- Quantities that Maugis' law alone has ----------------------------------------------------------------------------
@@ -171,37 +174,33 @@ OF_THE_PAIR = ("reduced_radius", "contact_modulus")
 STATE = frozenset({"approach_at_load", "load_factor", "load_margin", "edge_ratio"})
 STATE_OR_LOAD = STATE | {"load"}
 
-_PER_SPHERE = {
-    "radius": Quantity("R1", "m", "radius of sphere 1", range=POSITIVE, example="100nm"),
-    "surface_energy": Quantity("γ1", "J/m^2", "surface energy per surface", range=POSITIVE, option="--gamma",
-        example="25mJ/m2"),
-    "youngs_modulus": Quantity("E1", "Pa", "Young's modulus", range=UP_TO_INFINITE, infinity="rigid", option="--young",
-        example="10GPa"),
-    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range=POISSON, option="--poisson", example="0.3"),
-    "density": Quantity("ρ1", "kg/m^3", "mass density", range=POSITIVE, option="--density", example="1g/cm3"),
-    "hamaker": Quantity("A1", "J", "Hamaker constant", range=POSITIVE, option="--hamaker", example="6.5e-20J"),
-    "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range=UP_TO_INFINITE),
-    "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range=UP_TO_INFINITE),
-}  # fmt: skip
 
-
-def _of_both(name: str, quantity: Quantity) -> dict[str, Quantity]:
+def _of_both(
+    name: str, symbol: str, unit: str, sentence: str, equation: str = "", option: str = "", **more: Any
+) -> dict[str, Quantity]:
     """Return a quantity of sphere 1, and that of sphere 2."""
-    of_1 = quantity._replace(sphere=1, twin=f"{name}2")
-    of_2 = of_1._replace(
-        symbol=quantity.symbol.replace("1", "2"),
-        sentence=quantity.sentence.replace(" of sphere 1", "") + " of sphere 2",
-        option=quantity.option and f"{quantity.option}2",
-        sphere=2,
-        twin=name,
-    )
-    return {name: of_1, of_1.twin: of_2}
+    symbol2, sentence2 = symbol.replace("1", "2"), sentence.replace(" of sphere 1", "") + " of sphere 2"
+    option2 = option and f"{option}2"
+    return {
+        name: Quantity(symbol, unit, sentence, equation, option=option, sphere=1, twin=f"{name}2", **more),
+        f"{name}2": Quantity(symbol2, unit, sentence2, equation, option=option2, sphere=2, twin=name, **more),
+    }
 
 
-_BOTH_SPHERES = {name: both for of_1 in _PER_SPHERE.items() for name, both in _of_both(*of_1).items()}
-_BOTH_SPHERES["radius2"] = _BOTH_SPHERES["radius2"]._replace(
-    sentence="radius of sphere 2, or plane", range=UP_TO_INFINITE, infinity="plane", option="--radius2", example="1um"
-)
+_BOTH_SPHERES = {
+    "radius": Quantity("R1", "m", "radius of sphere 1", range=POSITIVE, example="100nm", sphere=1, twin="radius2"),
+    "radius2": Quantity("R2", "m", "radius of sphere 2, or plane", range=UP_TO_INFINITE, infinity="plane",
+        option="--radius2", example="1um", sphere=2, twin="radius"),
+    **_of_both("surface_energy", "γ1", "J/m^2", "surface energy per surface", range=POSITIVE, option="--gamma",
+        example="25mJ/m2"),
+    **_of_both("youngs_modulus", "E1", "Pa", "Young's modulus", range=UP_TO_INFINITE, infinity="rigid",
+        option="--young", example="10GPa"),
+    **_of_both("poisson_ratio", "ν1", "1", "Poisson's ratio", range=POISSON, option="--poisson", example="0.3"),
+    **_of_both("density", "ρ1", "kg/m^3", "mass density", range=POSITIVE, option="--density", example="1g/cm3"),
+    **_of_both("hamaker", "A1", "J", "Hamaker constant", range=POSITIVE, option="--hamaker", example="6.5e-20J"),
+    **_of_both("mass", "m1", "kg", "mass of sphere 1", "41", range=UP_TO_INFINITE),
+    **_of_both("moment_of_inertia", "I1", "kg m^2", "moment of inertia of sphere 1", "39", range=UP_TO_INFINITE),
+}  # fmt: skip
 
 _TRAILING = (
     "for a contact that rolls with the full lag ξ all the way, 4P_cξ in JKR; n_roll has the mean moment, half of it"
@@ -472,3 +471,75 @@ def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
 
 def _spelt(symbol: str) -> str:
     return ascii_text(symbol.casefold()).replace("_", "").replace(" ", "")
+
+
+# Words of others by the quantity that they mean. Behind ? stand those that are likely to mean it: no header is read by
+# them.
+_WORDS_OF_OTHERS = {
+    "approach_at_load": "? indentation overlap penetration",
+    "contact_modulus": "e_star reduced_modulus reduced_youngs_modulus effective_youngs_modulus",
+    "density": "mass_density",
+    "disruption_speed": "fragmentation_speed fragmentation_velocity fragmentation v_frag",
+    "energy": "impact_energy collision_energy",
+    "filling_factor": "? porosity",
+    "gravity": "gravitational_acceleration",
+    "hamaker": "hamaker_constant",
+    "load": "applied_load normal_load",
+    "poisson_ratio": "poissons poissons_ratio poisson_number",
+    "pull_off_force": "? adhesion adhesion_force f f_ad force",
+    "radius": "? diameter",
+    "reduced_radius": "effective_radius",
+    "roll_energy": "rolling_energy",
+    "sliding_force": "friction_force static_friction",
+    "speed": "velocity impact_velocity impact_speed collision_velocity collision_speed",
+    "sticking_speed": "stickiness sticking_velocity",
+    "stiffness": "spring_constant",
+    "surface_energy": "surface_free_energy ? surface_tension",
+    "tangential_stiffness": "sliding_stiffness",
+    "twisting_moment": "torsion",
+    "twisting_stiffness": "torsional_stiffness",
+    "work_of_adhesion": "w_adh adhesion_work delta_gamma ? cohesion",
+    "yield_angle": "critical_angle critical_rolling_angle",
+    "yield_displacement": "critical_rolling_displacement rolling_displacement ? critical_displacement",
+    "yield_force": "friction rolling_force rolling_friction rolling_friction_force",
+    "yield_moment": "rolling_resistance rolling_torque torque",
+    "youngs_modulus": "young_modulus youngs elastic_modulus elasticity_modulus modulus_of_elasticity e_modulus e_modul"
+        " ? elasticity modulus",
+}  # fmt: skip
+SYNONYMS = {name: words.partition("?")[0].split() for name, words in _WORDS_OF_OTHERS.items()}
+QUANTITY_SYNONYMS = {word: name for name, words in _WORDS_OF_OTHERS.items() for word in words.replace("?", "").split()}
+
+# from here on, a word may be meant for another: "moment" for "yield_moment", but not "restitution" for "friction"
+ALIKE = 0.65
+
+
+def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
+    """Return the quantity among `names` that a word is likely to mean; None if there is none.
+
+    It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose
+    name begins with the word, or else the one whose name or option resembles it most.
+    """
+    meanings = {term: meant for term, meant in {**OPTION_WORDS, **QUANTITY_SYNONYMS}.items() if meant in names}
+    meanings |= {name: name for name in names}
+    name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
+    letters = name.replace("_", "")
+    begun = (each for each in names if letters and each.replace("_", "").startswith(letters))
+    meant = next(iter(with_symbol(word, names)), None) or meanings.get(name) or next(begun, None)
+    return meant or meanings.get(closest(name, meanings, ALIKE) or "")
+
+
+class UnknownQuantity(JkrollError):
+    """Error raised for a word that does not stand for one quantity."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+    def __str__(self) -> str:
+        if self.name in NOMENCLATURE:
+            return f"{quoted(self.name)} stands for a word, not a number; jkroll quantities lists the quantities"
+        if several := with_symbol(self.name):
+            return f"{quoted(self.name)} is the symbol of {listed(several)}; write the name that is meant"
+        guess = nearest(self.name)
+        meant = f"did you mean {guess}? " if guess else ""
+        return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"

@@ -1,7 +1,7 @@
 """Units: their names and powers as exact ratios to the SI base units, and numbers converted between them.
 
 A unit is at most eight names with whole powers. pint never sees a user's text: it is asked for the meaning of a single,
-validated name, and only if the shipped table (made from pint) does not have it.
+validated name, and only if the table below does not have it. Names in the table mean what they mean to pint.
 """
 
 import re
@@ -9,10 +9,9 @@ from collections.abc import Collection, Iterable
 from functools import cache, lru_cache
 from math import gcd
 from operator import add, sub
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..text import closest, composed, quoted, shown
-from .unit_table import PLAIN, PREFIXABLE, PREFIXES
 
 MAX_TEXT = 80
 MAX_TERMS = 8
@@ -21,23 +20,85 @@ MAX_POWER = 12
 MAX_FACTOR = 10**100  # of two units; in any of these, doubles hold all results
 SIMILAR = 0.5  # least similarity of a unit that is suggested
 
-Dimension = tuple[int, ...]
+Dimension = tuple[int, ...]  # powers of BASE_UNITS
+Unit = tuple[int, int, Dimension]  # numerator and denominator of a factor, of SI base units to these powers
 Term = tuple[str, int]  # name and power
 BASE_UNITS = ("kilogram", "meter", "second", "ampere", "kelvin", "mole", "candela", "radian")
-NUMBER: Dimension = (0,) * len(BASE_UNITS)
+
+# --- The table --------------------------------------------------------------------------------------------------------
+
+NUMBER: Dimension = (0, 0, 0, 0, 0, 0, 0, 0)
+_MASS, _LENGTH, _TIME = (1, 0, 0, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0, 0, 0), (0, 0, 1, 0, 0, 0, 0, 0)
+_FORCE, _ENERGY, _PRESSURE = (1, 1, -2, 0, 0, 0, 0, 0), (1, 2, -2, 0, 0, 0, 0, 0), (1, -1, -2, 0, 0, 0, 0, 0)
+_SPEED, _ANGLE = (0, 1, -1, 0, 0, 0, 0, 0), (0, 0, 0, 0, 0, 0, 0, 1)
+_PI, _ONE = 31415926535897932384626433832795028841971693993751, 10**49  # of π = _PI/_ONE
+
+_SYMBOLS = "y z a f p n u m c d da h k M G T P E Z Y".split()
+_WORDS = "yocto zepto atto femto pico nano micro milli centi deci deca hecto kilo mega giga tera peta exa zetta yotta"
+_POWERS = (*range(-24, -3, 3), -3, -2, -1, 1, 2, *range(3, 25, 3))
+PREFIXES = dict(zip(_SYMBOLS + _WORDS.split(), _POWERS * 2, strict=True))  # powers of ten
 
 
-class Unit(NamedTuple):
-    """A unit as numerator/denominator times SI base units to the powers of `dimension`."""
-
-    numerator: int
-    denominator: int
-    dimension: Dimension
+def _by_name(meanings: dict[str, Unit]) -> dict[str, Unit]:
+    return {name: meaning for names, meaning in meanings.items() for name in names.split()}
 
 
-# The words of numbers that need a unit.
-NO_UNIT = "has no unit"
-NO_UNIT_OF_BAR = "has an uncertainty without a unit"
+PREFIXABLE = _by_name({
+    "m meter meters metre metres": (1, 1, _LENGTH),
+    "g gram grams": (1, 1000, _MASS),
+    "s sec second seconds": (1, 1, _TIME),
+    "N newton newtons": (1, 1, _FORCE),
+    "J joule joules": (1, 1, _ENERGY),
+    "Pa pascal pascals": (1, 1, _PRESSURE),
+    "Hz hertz": (1, 1, (0, 0, -1, 0, 0, 0, 0, 0)),
+    "eV electron_volt": (1602176634, 10**28, _ENERGY),
+    "W watt watts": (1, 1, (1, 2, -3, 0, 0, 0, 0, 0)),
+    "bar": (100000, 1, _PRESSURE),
+    "dyn dyne dynes": (1, 100000, _FORCE),
+    "erg ergs": (1, 10000000, _ENERGY),
+    "rad radian radians": (1, 1, _ANGLE),
+    "A ampere": (1, 1, (0, 0, 0, 1, 0, 0, 0, 0)),
+    "K kelvin": (1, 1, (0, 0, 0, 0, 1, 0, 0, 0)),
+    "V volt": (1, 1, (1, 2, -3, -1, 0, 0, 0, 0)),
+})  # fmt: skip
+PLAIN = _by_name({
+    "Å angstrom angstroms": (1, 10**10, _LENGTH),
+    "micron microns": (1, 10**6, _LENGTH),
+    "in inch inches": (254, 10**4, _LENGTH),
+    "ft foot feet": (3048, 10**4, _LENGTH),
+    "yd yard": (9144, 10**4, _LENGTH),
+    "mile miles": (1609344, 1000, _LENGTH),
+    "min minute minutes": (60, 1, _TIME),
+    "h hr hour hours": (3600, 1, _TIME),
+    "day days": (86400, 1, _TIME),
+    "yr year years": (31557600, 1, _TIME),
+    "deg degree degrees °": (_PI, 180 * _ONE, _ANGLE),
+    "arcmin": (_PI, 10800 * _ONE, _ANGLE),
+    "arcsec": (_PI, 648000 * _ONE, _ANGLE),
+    "turn turns revolution cycle": (2 * _PI, _ONE, _ANGLE),
+    "rpm": (_PI, 30 * _ONE, (0, 0, -1, 0, 0, 0, 0, 1)),
+    "lb pound pounds": (45359237, 10**8, _MASS),
+    "oz ounce": (45359237, 16 * 10**8, _MASS),
+    "t tonne tonnes": (1000, 1, _MASS),
+    "u amu Da": (166053906892, 10**38, _MASS),
+    "lbf": (44482216152605, 10**13, _FORCE),
+    "kgf": (980665, 10**5, _FORCE),
+    "bars": (100000, 1, _PRESSURE),
+    "psi": (44482216152605 * 10**8, 10**13 * 254**2, _PRESSURE),
+    "atm": (101325, 1, _PRESSURE),
+    "torr": (101325, 760, _PRESSURE),
+    "mmHg": (133322387415, 10**9, _PRESSURE),
+    "Gal": (1, 100, (0, 1, -2, 0, 0, 0, 0, 0)),
+    "standard_gravity": (980665, 10**5, (0, 1, -2, 0, 0, 0, 0, 0)),
+    "percent %": (1, 100, NUMBER),
+    "mph": (1609344, 3600000, _SPEED),
+    "kph kmph kmh": (1000, 3600, _SPEED),
+    "knot knots": (1852, 3600, _SPEED),
+    "fps": (3048, 10**4, _SPEED),
+    "hbar": (662607015 * _ONE, 2 * 10**42 * _PI, (1, 2, -1, 0, 0, 0, 0, 0)),  # and no hectobar
+})  # fmt: skip
+
+# --- Texts to units ---------------------------------------------------------------------------------------------------
 
 
 class BadUnit(Exception):
@@ -57,7 +118,7 @@ class BadUnit(Exception):
 
 
 class UnknownUnit(BadUnit):
-    """Error raised for a name that neither the shipped table nor pint knows."""
+    """Error raised for a name that neither the table nor pint knows."""
 
     def __init__(self, name: str, terms: Iterable[Term]) -> None:
         super().__init__(f"has an unknown unit {quoted(name)}")
@@ -67,7 +128,7 @@ class UnknownUnit(BadUnit):
         """Suggest a similar unit with which the whole text would have one of these dimensions."""
         power = sum(power for name, power in self.terms if name == self.name)
         try:
-            others = _product([term for term in self.terms if term[0] != self.name]).dimension
+            _, _, others = _product(term for term in self.terms if term[0] != self.name)
         except BadUnit:
             return ""
         lacking = [tuple(map(sub, wanted, others)) for wanted in dimensions]
@@ -106,14 +167,14 @@ def normalized(text: str) -> str:
 def parse_unit(text: str) -> Unit:
     """Read unit names with whole powers, joined by `*`, `/` or a space.
 
-    >>> parse_unit("mJ/m2").numerator, parse_unit("mJ/m2").denominator
-    (1, 1000)
+    >>> parse_unit("mJ/m2")
+    (1, 1000, (1, 0, -2, 0, 0, 0, 0, 0))
     """
     return _product(_terms(normalized(text)))
 
 
 def is_in_table(text: str) -> bool:
-    """Return whether a text is a unit of which the shipped table has all names, so that pint is not asked."""
+    """Return whether a text is a unit of which the table has all names, so that pint is not asked."""
     try:
         return all(_in_table(name) for name, _ in _terms(normalized(text)))
     except BadUnit:
@@ -121,14 +182,8 @@ def is_in_table(text: str) -> bool:
 
 
 def dimension_of(unit: str) -> Dimension:
-    """Return the dimension of an SI unit as the nomenclature writes it, such as "N m" or "1"."""
-    return si_unit(unit).dimension
-
-
-@cache
-def si_unit(unit: str) -> Unit:
-    """Read a unit of the nomenclature."""
-    return Unit(1, 1, NUMBER) if unit in ("1", "") else parse_unit(unit)
+    """Return the dimension of a unit; of a number, as the nomenclature writes it, "1" or nothing."""
+    return NUMBER if unit in ("1", "") else parse_unit(unit)[2]
 
 
 def kind_of(dimension: Dimension) -> str:
@@ -152,11 +207,11 @@ def _kinds() -> dict[Dimension, str]:
 def convert(value: float, unit: Unit) -> float:
     """Express an SI value in another unit, rounded once.
 
-    >>> convert(0.25, si_unit("N"))
-    0.25
+    >>> convert(0.25, parse_unit("mN"))
+    250.0
     """
     numerator, denominator = value.as_integer_ratio()
-    return numerator * unit.denominator / (denominator * unit.numerator)
+    return numerator * unit[1] / (denominator * unit[0])
 
 
 def power_of_ten(exponent: int) -> tuple[int, int]:
@@ -174,8 +229,9 @@ def exponent_of(unit: Unit) -> int | None:
     >>> exponent_of(parse_unit("nm")), exponent_of(parse_unit("ft"))
     (-9, None)
     """
-    common = gcd(unit.numerator, unit.denominator)
-    above, below = str(unit.numerator // common), str(unit.denominator // common)
+    numerator, denominator, _ = unit
+    common = gcd(numerator, denominator)
+    above, below = str(numerator // common), str(denominator // common)
     return len(above) - len(below) if above.rstrip("0") == below.rstrip("0") == "1" else None
 
 
@@ -188,7 +244,7 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
     """
     for place in range(1, len(word)):  # two units written as one word
         first, second = _in_table(word[:place]), _in_table(word[place:])
-        if first and second and tuple(map(add, first.dimension, second.dimension)) in dimensions:
+        if first and second and tuple(map(add, first[2], second[2])) in dimensions:
             return f"{word[:place]} {word[place:]}"
     prefixed = {
         prefix + unit: meaning
@@ -239,36 +295,34 @@ def _product(terms: Iterable[Term]) -> Unit:
     terms = list(terms)
     numerator, denominator, dimension = 1, 1, NUMBER
     for name, power in terms:
-        factor = _in_table(name) or lookup(name)
-        if factor is None:
+        unit = _in_table(name) or lookup(name)
+        if unit is None:
             raise UnknownUnit(name, terms)
-        up, down = (factor.numerator, factor.denominator) if power > 0 else (factor.denominator, factor.numerator)
+        above, below, powers = unit
+        up, down = (above, below) if power > 0 else (below, above)
         numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)
-        dimension = tuple(map(add, dimension, (power * exponent for exponent in factor.dimension)))
+        dimension = tuple(map(add, dimension, (power * exponent for exponent in powers)))
     if max(numerator, denominator) > MAX_FACTOR * min(numerator, denominator):
         raise BadUnit("has a unit beyond 1e-100 to 1e100 of that of the SI")
-    return Unit(numerator, denominator, dimension)
+    return numerator, denominator, dimension
 
 
 def _in_table(name: str) -> Unit | None:
-    """Return the meaning of a unit name, with or without a prefix, in the shipped table."""
-    entry = PLAIN.get(name) or PREFIXABLE.get(name)
-    if entry is not None:
-        return Unit(*entry)
+    """Return the meaning of a unit name, with or without a prefix, in the table."""
+    if unit := PLAIN.get(name) or PREFIXABLE.get(name):
+        return unit
     for length in range(1, len(name)):
-        exponent = PREFIXES.get(name[:length])
-        entry = PREFIXABLE.get(name[length:])
-        if exponent is not None and entry is not None:
-            numerator, denominator, dimension = entry
+        exponent, unit = PREFIXES.get(name[:length]), PREFIXABLE.get(name[length:])
+        if exponent is not None and unit is not None:
+            numerator, denominator, dimension = unit
             above, below = power_of_ten(exponent)
-            return Unit(numerator * above, denominator * below, dimension)
+            return numerator * above, denominator * below, dimension
     return None
 
 
 # --- Names of pint ----------------------------------------------------------------------------------------------------
 
 _DIGITS = 60
-_SPEED = (0, 1, -1, 0, 0, 0, 0, 0)
 # Not the astronomical unit, the grain and the short ton, nor lengths: a radius (rod), (chain) or (pp) is of a thing.
 _OTHER_WORDS = frozenset(
     """au gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
@@ -296,7 +350,7 @@ def lookup(name: str) -> Unit | None:
     the yarn count Nm, the px of a screen, and words with another meaning in this field or for most people.
 
     >>> lookup("nm")
-    Unit(numerator=1, denominator=1000000000, dimension=(0, 1, 0, 0, 0, 0, 0, 0))
+    (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
     """
     if len(name) > MAX_NAME:
         return None
@@ -324,5 +378,4 @@ def lookup(name: str) -> Unit | None:
         if is_misread or (prefix and dimension == _SPEED and unit_name != "meter_per_second"):
             return None
         factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))
-    numerator, denominator = factor.as_integer_ratio()
-    return Unit(numerator, denominator, tuple(int(power) for power in dimension))
+    return *factor.as_integer_ratio(), tuple(int(power) for power in dimension)

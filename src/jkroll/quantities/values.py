@@ -6,19 +6,16 @@ mJ/m2. There are lists and ranges of values: "1nm,1um" and "1nm:1um:50".
 """
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 from math import isnan, nan
-from typing import Any, Literal, NamedTuple, Self, TypeGuard
+from typing import Any, Self, TypeGuard
 
-from ..errors import BadRequest
+from ..errors import BadRequest, JkrollError
 from ..text import quoted
-from .errors import QuantityError
 from .nomenclature import INFINITY, NOMENCLATURE
 from .units import (
     MAX_TEXT,
-    NO_UNIT,
-    NO_UNIT_OF_BAR,
     RAISED,
     SUPERSCRIPTS,
     BadUnit,
@@ -31,102 +28,168 @@ from .units import (
     power_of_ten,
 )
 
+# --- Values that a quantity does not have -----------------------------------------------------------------------------
+
+NO_UNIT = "has no unit"
+NO_UNIT_OF_BAR = "has an uncertainty without a unit"
+
+
+class QuantityError(JkrollError):
+    """Error raised when a text or a number is not a value of the quantity that it was given for."""
+
+    def __init__(self, name: str, value: object, reason: str, remedy: str = "", place: Sequence[int] = ()) -> None:
+        """`reason` follows the value; `remedy` says what to type instead, by default an example of the quantity.
+
+        `place`: the index of a number in an array.
+        """
+        super().__init__(name, value, reason, remedy, tuple(place))
+        self.name, self.value, self.reason, self.remedy, self.place = name, value, reason, remedy, tuple(place)
+        self.phrase = f"bad {name}"
+
+    @property
+    def is_bare(self) -> bool:
+        """True for a number without a unit where one is needed."""
+        return self.reason in (NO_UNIT, NO_UNIT_OF_BAR)
+
+    def problem(self) -> str:
+        """Return what is wrong and, of a text, what to type instead, without the name and the value."""
+        remedy = self.remedy or (f"expected {_expectation(self.name)}" if isinstance(self.value, str) else "")
+        return f"{self.reason}; {remedy}" if remedy else self.reason
+
+    def __str__(self) -> str:
+        value = quoted(self.value) if isinstance(self.value, str) else repr(self.value)
+        where = f" at index {', '.join(map(str, self.place))}" if self.place else ""
+        return f"{self.name}: {value}{where} {self.problem()}"
+
+
+def _expectation(name: str) -> str:
+    """Return the kind of value that a quantity takes, with an example or with its unit.
+
+    >>> _expectation("radius2"), _expectation("stiffness")
+    ('a length such as 1um, or plane', 'a value in N/m')
+    """
+    quantity = NOMENCLATURE[name]
+    kind = "a number" if quantity.unit == "1" else f"a value in {quantity.unit}"
+    if quantity.example:
+        kind = f"{kind_of(dimension_of(quantity.unit))} such as {quantity.example}"
+    return kind + (f", or {quantity.infinity}" if quantity.infinity else "")
+
+
 # --- Values with an uncertainty ---------------------------------------------------------------------------------------
 
 
-class _Measured(NamedTuple):
-    value: float
-    minus: float
-    plus: float
-    kind: Literal["standard"] = "standard"
+class Uncertain:
+    """A value in SI units with an uncertainty, whose numbers stand in `sides` by their names."""
+
+    kind = ""
+    value: Any
+    sides: dict[str, Any]
+
+    @classmethod
+    def of(cls, value: Any, **sides: Any) -> Self:
+        """Return an uncertain value of numbers, or of arrays, that need no check."""
+        uncertain = cls.__new__(cls)
+        uncertain.value, uncertain.sides = value, sides
+        return uncertain
+
+    @property
+    def low(self) -> Any:
+        """The lower end."""
+        return self.sides["low"]
+
+    @property
+    def high(self) -> Any:
+        """The upper end."""
+        return self.sides["high"]
+
+    @property
+    def spread(self) -> Any:
+        """The standard deviation of smaller values; 0 for a range, beyond whose ends nothing lies."""
+        return self.sides.get("minus", 0.0)
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and vars(other) == vars(self)
+
+    def __hash__(self) -> int:
+        return hash((self.value, *self.sides.values()))
+
+    def __repr__(self) -> str:
+        sides = ", ".join(f"{side}={number!r}" for side, number in self.sides.items())
+        return f"{type(self).__name__}(value={self.value!r}, {sides})"
 
 
-class Measured(_Measured):
+class Measured(Uncertain):
     """A value in SI units with one standard uncertainty on each side; both are the same where one is given.
 
     >>> Measured(0.025, 0.005)
-    Measured(value=0.025, minus=0.005, plus=0.005, kind='standard')
+    Measured(value=0.025, minus=0.005, plus=0.005)
     """
 
-    __slots__ = ()
+    kind = "standard"
 
-    def __new__(cls, value: float, minus: float | None = None, plus: float | None = None) -> Self:
+    def __init__(self, value: float, minus: float | None = None, plus: float | None = None) -> None:
         """Raise BadRequest for what is no number, and for an uncertainty that is negative or missing."""
         if minus is None and plus is None:
             raise BadRequest("Measured: the uncertainty is missing; write Measured(0.025, 0.005)")
         given = (value, plus if minus is None else minus, minus if plus is None else plus)
-        value, minus, plus = (_checked_number("Measured", each) for each in given)
-        if min(minus, plus) < 0:
-            raise BadRequest(f"Measured: {min(minus, plus)!r} is a negative uncertainty")
-        return super().__new__(cls, value, minus, plus)
-
-    def __getnewargs__(self) -> tuple[float, float, float]:
-        return self.value, self.minus, self.plus
+        self.value, below, above = (_checked_number("Measured", each) for each in given)
+        if min(below, above) < 0:
+            raise BadRequest(f"Measured: {min(below, above)!r} is a negative uncertainty")
+        self.sides = {"minus": below, "plus": above}
 
     @property
-    def low(self) -> float:
+    def minus(self) -> Any:
+        """The uncertainty below the value."""
+        return self.sides["minus"]
+
+    @property
+    def plus(self) -> Any:
+        """The uncertainty above the value."""
+        return self.sides["plus"]
+
+    @property
+    def low(self) -> Any:
         """The value less its uncertainty."""
         return self.value - self.minus
 
     @property
-    def high(self) -> float:
+    def high(self) -> Any:
         """The value plus its uncertainty."""
         return self.value + self.plus
 
-    @property
-    def sides(self) -> dict[str, float]:
-        """The uncertainty on each side."""
-        return {"minus": self.minus, "plus": self.plus}
 
-    @property
-    def spread(self) -> float:
-        """The standard deviation of smaller values."""
-        return self.minus
-
-
-class _Interval(NamedTuple):
-    value: float
-    low: float
-    high: float
-    kind: Literal["range"] = "range"
-
-
-class Interval(_Interval):
+class Interval(Uncertain):
     """A range in SI units of which any value is possible, and a value inside it.
 
     >>> Interval(0.025, 0.02, 0.03).sides
     {'low': 0.02, 'high': 0.03}
     """
 
-    __slots__ = ()
+    kind = "range"
 
-    def __new__(cls, value: float, low: float, high: float) -> Self:
+    def __init__(self, value: float, low: float, high: float) -> None:
         """Raise BadRequest for what is no number, for ends in the wrong order, and for a value outside them."""
-        value, low, high = (_checked_number("Interval", each) for each in (value, low, high))
-        if not low <= value <= high:
+        self.value, low, high = (_checked_number("Interval", each) for each in (value, low, high))
+        if not low <= self.value <= high:
             raise BadRequest(f"Interval: {value!r} does not lie in the range from {low!r} to {high!r}")
-        return super().__new__(cls, value, low, high)
-
-    def __getnewargs__(self) -> tuple[float, float, float]:
-        return self.value, self.low, self.high
-
-    @property
-    def sides(self) -> dict[str, float]:
-        """Both ends."""
-        return {"low": self.low, "high": self.high}
-
-    @property
-    def spread(self) -> float:
-        """No standard deviation: nothing lies beyond the ends."""
-        return 0.0
+        self.sides = {"low": low, "high": high}
 
 
-Uncertain = Measured | Interval
+def _checked_number(owner: str, value: object) -> float:
+    """Return a number as a float; raise BadRequest for anything else."""
+    may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
+    try:
+        number = nan if isinstance(value, str | bytes) or may_have_unit else float(value)  # type: ignore[arg-type]
+        if not isnan(number):
+            return number
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise BadRequest(f"{owner}: {quoted(str(value))} is not a number in SI units; a text with a unit needs no {owner}")
 
 
 def is_uncertain(value: Any) -> TypeGuard[Uncertain]:
     """Return whether a value has an uncertainty."""
-    return isinstance(value, (Measured, Interval))
+    return isinstance(value, Uncertain)
 
 
 def middle(value: Any) -> Any:
@@ -142,28 +205,13 @@ def ends_of(value: Any) -> tuple[Any, Any]:
 def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
     """Return a value with the numbers of its uncertainty by side; nan stands for none."""
     known = {side: number for side, number in sides.items() if not isnan(number)}
-    if not known:
-        return value
-    if "low" in known:
-        return Interval(value, known["low"], known["high"])
-    return Measured(value, known["minus"], known["plus"])
-
-
-def _checked_number(owner: str, value: object) -> float:
-    """Return a number as a float; raise BadRequest for anything else."""
-    may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
-    try:
-        number = nan if isinstance(value, str | bytes) or may_have_unit else float(value)  # type: ignore[arg-type]
-        if not isnan(number):
-            return number
-    except (TypeError, ValueError, OverflowError):
-        pass
-    raise BadRequest(f"{owner}: {quoted(str(value))} is not a number in SI units; a text with a unit needs no {owner}")
+    return (Interval if "low" in known else Measured)(value, **known) if known else value
 
 
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
 
-UnitIn = Callable[[str], Unit]  # the unit that a text means; for an empty text that of texts without one
+_Decimal = tuple[int, int]  # an integer and a power of ten
+_UnitIn = Callable[[str], Unit]  # the unit that a text means; for an empty text that of texts without one
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
 
@@ -186,9 +234,9 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
     """Read the value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units.
 
     >>> value_of("25±5 mJ/m2", "surface_energy")
-    Measured(value=0.025, minus=0.005, plus=0.005, kind='standard')
+    Measured(value=0.025, minus=0.005, plus=0.005)
     >>> value_of("20 to 30 nm", "radius")
-    Interval(value=2.5e-08, low=2e-08, high=3e-08, kind='range')
+    Interval(value=2.5e-08, low=2e-08, high=3e-08)
 
     `unit`: of a text that has none. Raises a `QuantityError` that names the quantity, quotes the text and shows the
     right form.
@@ -269,7 +317,7 @@ def parse_value(text: str, dimension: Dimension) -> float:
     return _value(written(text), partial(_unit_in, dimension=dimension))
 
 
-def _value(text: str, unit_in: UnitIn) -> float:
+def _value(text: str, unit_in: _UnitIn) -> float:
     """Read a number with a unit."""
     number, unit_text = split_number(text)
     return rounded(*ratio(number, unit_in(unit_text)))
@@ -282,8 +330,8 @@ def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> 
     if not text and any(dimension):
         raise BadUnit(NO_UNIT)
     unit = _unit_meant(text, dimension)
-    if unit.dimension != dimension:
-        raise BadUnit(f"is {kind_of(unit.dimension)}")
+    if unit[2] != dimension:
+        raise BadUnit(f"is {kind_of(unit[2])}")
     return unit
 
 
@@ -305,9 +353,6 @@ def error_about(
     """
     remedy = error.remedy(dimensions or [dimension_of(NOMENCLATURE[name].unit)])
     return QuantityError(name, text[:MAX_TEXT], str(error), remedy or expected)
-
-
-_Decimal = tuple[int, int]  # an integer and a power of ten
 
 
 def split_number(text: str) -> tuple[_Decimal, str]:
@@ -357,8 +402,9 @@ def _unit_as_written(unit: str) -> str:
 def ratio(number: _Decimal, unit: Unit) -> tuple[int, int]:
     """Return numerator and denominator of a number with a unit, in SI units."""
     mantissa, exponent = number
+    numerator, denominator, _ = unit
     above, below = power_of_ten(exponent)
-    return mantissa * unit.numerator * above, unit.denominator * below
+    return mantissa * numerator * above, denominator * below
 
 
 def rounded(numerator: int, denominator: int) -> float:
@@ -382,30 +428,13 @@ _LAST_DIGITS = rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER}{_UNIT}"  # 25.0(50) mJ/m2
 _TWO_SIDES = rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_UNIT}"  # 25 +6/-4 mJ/m2
 
 
-def _read(text: str, unit_in: UnitIn) -> float | Uncertain:
+def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
     """Read a value alone or in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2."""
     if not has_uncertainty(text):
         return _value(text, unit_in)
-    if "(" in text and (value := _with_brackets(text, unit_in)):
-        return value
-    if "+" in text and (match := re.fullmatch(_TWO_SIDES, text)):
-        number, plus, minus, unit = match.groups()
-        return _measured(_decimal(number), unit_in(unit), _decimal(minus), _decimal(plus))
-    left, _, right = text.partition("±")
-    if left and right and "±" not in right and not {"(", ")"}.intersection(text):
-        return _plus_minus(left, right, unit_in)
-    if " to " in text:
-        return _interval(text, unit_in)
-    if "(" in text and re.search(r"[^\d\s]\s*\(", text):
-        raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
-    raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
-
-
-def _with_brackets(text: str, unit_in: UnitIn) -> Measured | None:
-    """Read a text in one of the forms with brackets; None for any other."""
     if match := re.fullmatch(_IN_BRACKETS, text):
-        value, uncertainty, power, unit = match.groups()
-        return _measured(_decimal(value, power), unit_in(unit), _decimal(uncertainty, power))
+        value, bar, power, unit = match.groups()
+        return _measured(_decimal(value, power), unit_in(unit), _decimal(bar, power))
     if match := re.fullmatch(_LAST_DIGITS, text):
         value, digits, power, unit = match.groups()
         places = len(value.partition(".")[2])
@@ -413,10 +442,20 @@ def _with_brackets(text: str, unit_in: UnitIn) -> Measured | None:
             plain = f"{value}±{int(digits) / 10**places:.{places}f}"
             raise BadUnit(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
         return _measured(_decimal(value, power), unit_in(unit), _decimal(f"{digits}e-{places}", power))
-    return None
+    if match := re.fullmatch(_TWO_SIDES, text):
+        number, plus, minus, unit = match.groups()
+        return _measured(_decimal(number), unit_in(unit), _decimal(minus), _decimal(plus))
+    left, _, right = text.partition("±")
+    if left and right and "±" not in right and not {"(", ")"}.intersection(text):
+        return _plus_minus(left, right, unit_in)
+    if " to " in text:
+        return _interval(text, unit_in)
+    if re.search(r"[^\d\s]\s*\(", text):
+        raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
+    raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
 
 
-def _plus_minus(left: str, right: str, unit_in: UnitIn) -> Measured:
+def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
     """Read a value, with or without a unit, and its uncertainty with a unit or in percent of the value."""
     value, unit_text = split_number(left)
     uncertainty, unit_of_error = split_number(right)
@@ -431,7 +470,7 @@ def _plus_minus(left: str, right: str, unit_in: UnitIn) -> Measured:
     return _measured(value, unit_in(unit_text) if unit_text else other, uncertainty, other=other)
 
 
-def _interval(text: str, unit_in: UnitIn) -> Interval:
+def _interval(text: str, unit_in: _UnitIn) -> Interval:
     """Read a range of which the first end may leave its unit to the second."""
     left, _, right = text.partition(" to ")
     first, first_unit = split_number(left)
@@ -509,41 +548,30 @@ def spreads_of(text: str, name: str) -> list[Spread]:
         items = [f"{item}.0" for item in text.strip().split(",")]
         remedy = f"a list of numbers without a unit has decimal points, {','.join(items)}, and a number has no comma"
         raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
-    spreads: list[Spread] = []
     items = text.split(",")
-    for item in items:
-        try:
-            spreads.append((_range if ":" in item else _single)(item, name))
-        except QuantityError as error:
-            if error.is_bare and len(items) > 1:
-                reason = "has a comma where a number has a point, or a number without a unit"
-                raise QuantityError(name, text, reason) from None
-            raise
-    return spreads
+    try:
+        return [_spread(item, name) for item in items]
+    except QuantityError as error:
+        if error.is_bare and len(items) > 1:
+            reason = "has a comma where a number has a point, or a number without a unit"
+            raise QuantityError(name, text, reason) from None
+        raise
 
 
-def _single(text: str, name: str) -> Spread:
-    """Read a value, with its uncertainty if it states one."""
+def _spread(text: str, name: str) -> Spread:
+    """Read a value, with its uncertainty if it states one, or a range."""
+    if ":" in text:
+        return between(*text.split(":"), name=name, text=text)
     value = value_of(text, name)
-    if isinstance(value, float):
-        return Spread(value, value)
-    return Spread(value.value, value.value, uncertainty=value)
+    return Spread(middle(value), middle(value), uncertainty=value if is_uncertain(value) else None)
 
 
-def _range(text: str, name: str) -> Spread:
-    """Read a range."""
-    first, last, *rest = text.split(":")
-    if not 1 <= len(rest) <= 2:
-        raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, with :lin for equal steps")
-    return between(first, last, *rest, name=name, text=text)
-
-
-def between(first: str, last: str, count: str, scale: str = "", *, name: str, text: str) -> Spread:
+def between(first: str, last: str, count: str = "", scale: str = "", *more: str, name: str, text: str) -> Spread:
     """Return the range between two values; an error quotes its text.
 
     Without a scale, "lin" or "log", the steps are of equal ratios, or equal if an end is not positive.
     """
-    if not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
+    if more or not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
         raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, with :lin for equal steps")
     if len(count) > 10 or not 2 <= (size := int(count)) <= MAX_VALUES:
         raise QuantityError(name, text, f"needs a count from 2 to {MAX_VALUES}")

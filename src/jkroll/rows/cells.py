@@ -18,10 +18,9 @@ import orjson
 
 from ..errors import JkrollError
 from ..materials.library import Material, Materials
-from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import Unit, dimension_of, exponent_of
-from ..quantities.values import Uncertain, has_uncertainty, is_uncertain, middle, unit_of, value_of
+from ..quantities.values import QuantityError, Uncertain, has_uncertainty, is_uncertain, middle, unit_of, value_of
 from ..scene.alternatives import measured_solid
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
@@ -208,7 +207,7 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
         unit = None if not text or has_uncertainty(text) else unit_of(text, name)
     except (QuantityError, UnicodeDecodeError):
         return None
-    return exponent_of(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
+    return exponent_of(unit) if unit and unit[2] == dimension_of(NOMENCLATURE[name].unit) else None
 
 
 def cell_of(value: object, name: str) -> str:

@@ -14,12 +14,11 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import BadRequest, BadTable
-from ..quantities.errors import QuantityError
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
 from ..quantities.units import is_in_table
-from ..quantities.values import unit_of, value_of
+from ..quantities.values import QuantityError, unit_of, value_of
 from ..text import ascii_text, composed, first_of, listed, quoted, shown
 from . import words
 from .cells import Column, has_no_value, is_number

@@ -9,9 +9,8 @@ import numpy
 
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Material, Materials
-from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import PROPERTIES, named
-from ..quantities.values import Spread, is_uncertain, middle
+from ..quantities.values import QuantityError, Spread, is_uncertain, middle
 from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Problem, inputs_named
 from ..scene.limits import bits_of, doubts

@@ -131,4 +131,4 @@ def _values(column: Numbers, rows: Indices, kind: int) -> Any:
         return values
     uncertain: list[Any] = [column.uncertain[row] for row in rows.tolist()]
     sides = {side: numpy.array([value.sides[side] for value in uncertain]) for side in uncertain[0].sides}
-    return uncertain[0]._replace(value=values, **sides)
+    return type(uncertain[0]).of(values, **sides)

@@ -5,9 +5,8 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
-from ..quantities.errors import SYNONYMS
-from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
-from ..quantities.units import SUPERSCRIPTS, BadUnit, dimension_of, is_in_table, parse_unit
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, SYNONYMS
+from ..quantities.units import SUPERSCRIPTS, BadUnit, dimension_of, is_in_table
 from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
@@ -203,7 +202,7 @@ def fits(unit_text: str, name: str) -> bool:
     if unit == "1" and unit_text in ("1", "-"):
         return True
     try:
-        return bool(unit and unit_text) and parse_unit(unit_text).dimension == dimension_of(unit)
+        return bool(unit and unit_text) and dimension_of(unit_text) == dimension_of(unit)
     except BadUnit:
         return False
 

@@ -149,7 +149,7 @@ def _measured(scene: Scene) -> Interval:
     displacement = _OF_POLYSTYRENE
     if solid_of_kind(scene) == SIO2:
         low, high = displacements_where_measured(scene)
-        displacement = Displacement(Interval._make(((low + high) / 2, low, high, "range")), ROLLED["radius"])
+        displacement = Displacement(Interval.of((low + high) / 2, low=low, high=high), ROLLED["radius"])
     return displacement.scaled(2 * scene["reduced_radius"])
 
 
@@ -253,7 +253,7 @@ def _between(first: Any, second: Any, is_near: Any) -> Any:
     ends = (*ends_of(first), *ends_of(second))
     low, high = reduce(at_most, ends), reduce(at_least, ends)
     value = where(is_near, (middle(first) + middle(second)) / 2, nan)
-    return value if isinstance(low, NUMBER) and low == high else Interval._make((value, low, high, "range"))
+    return value if isinstance(low, NUMBER) and low == high else Interval.of(value, low=low, high=high)
 
 
 # --- The size of a doubt about the law --------------------------------------------------------------------------------

@@ -9,9 +9,8 @@ from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError, NoResult
 from ..physics.elementary import NUMBER
-from ..quantities.errors import nearest
 from ..quantities.formatting import DIGITS, Format, amount
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, nearest, of_sphere
 from ..quantities.values import is_uncertain, middle
 from ..text import listed, quoted
 from .failures import MAX_DIGITS, MissingInput

@@ -15,10 +15,18 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
-from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, of_sphere
-from ..quantities.values import Interval, Uncertain, is_uncertain
+from ..quantities.nomenclature import (
+    INFINITY,
+    NOMENCLATURE,
+    PROPERTIES,
+    STATE,
+    UP_TO_INFINITE,
+    XI,
+    UnknownQuantity,
+    of_sphere,
+)
+from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain
 from ..text import listed
 from .failures import (
     RESTS_ON_SPACING,

@@ -8,9 +8,8 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..physics.elementary import NUMBER
-from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.nomenclature import NOMENCLATURE, as_input, named
-from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
+from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, as_input, named
+from ..quantities.values import Measured, QuantityError, Uncertain, checked, is_uncertain, value_of
 from .failures import NO_END, reason_of, without_value
 from .scene import Scene
 

@@ -193,9 +193,9 @@ def _propagated(outcomes: Outcomes, values: Mapping[str, Any], sources: Sequence
         if not isinstance(is_still, bool):
             still = value if is_range else 0.0
             sides = {side: where(is_still, still, end) for side, end in sides.items()}
-            bars[name] = Propagated(given._replace(value=value, **sides), {})
+            bars[name] = Propagated(type(given).of(value, **sides), {})
         elif not is_still:
-            bars[name] = Propagated(given._replace(value=value, **sides), _shares(sources, parts))
+            bars[name] = Propagated(type(given).of(value, **sides), _shares(sources, parts))
     return bars
 
 

@@ -12,9 +12,8 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..physics import FORMULAS
-from ..quantities.errors import UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Routes, law_of, routes, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, of_sphere
+from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, UnknownQuantity, of_sphere
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
 OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
