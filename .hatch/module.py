@@ -9,15 +9,7 @@ from types import MappingProxyType as mappingproxy
 from ..quantities import values
 from .library import SHIPPED, Material
 
-
-def Interval(**fields):
-    return values.Interval._make(fields.values())
-
-
-def Measured(**fields):
-    return values.Measured._make(fields.values())
-
-
+Interval, Measured = values.Interval.of, values.Measured.of
 '''
 
 
