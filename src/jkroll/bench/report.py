@@ -12,9 +12,8 @@ import numpy
 
 from .. import __version__
 from ..output.writers import Cell, write_records
-from ..physics.contact import pull_off_force
+from ..physics.contact import pull_off_force, reduced_radius
 from ..physics.jkr import FOLD_APPROACH
-from ..physics.pair import reduced_radius
 from ..pictures.picture import Axis, Curve, Mark, Panel, Picture
 from ..quantities.formatting import significant
 from ..text import say

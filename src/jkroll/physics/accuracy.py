@@ -10,7 +10,11 @@ OTHERS = {
     "unloaded_moment_of_radius": "4 ulp",
     "pull_off_force_lennard_jones": "3 ulp of the fit",
     "pull_off_force_rough": "4 ulp",
+    "profile_error": "6 ulp",
     # contact
+    "reduced_radius": "1.5 ulp; exact for identical spheres and on a plane",
+    "mass": "3.5 ulp",
+    "rolling_mass": "5 ulp",
     "load_margin": "1.5 ulp, for the two forces as they are given",
     "approach_at_load": "4 ulp of the larger term",
     "stiffness": "3 ulp for s ≥ 0; beyond, 2 + 3s cancels towards the fold",
@@ -63,10 +67,6 @@ OTHERS = {
     "rayleigh_time": "4 ulp",
     "viscosity_number": "3.5 ulp",
     "sticking_speed_viscous": "12 ulp of the fit, which is within 1e-10, times 1 plus its condition in T*",
-    # pair
-    "reduced_radius": "1.5 ulp; exact for identical spheres and on a plane",
-    "mass": "3.5 ulp",
-    "rolling_mass": "5 ulp",
     # rolling
     "yield_force": "3.5 ulp",
     "yield_force_fixed_load": "2 ulp of the larger term",
@@ -77,8 +77,6 @@ OTHERS = {
     "shear_strength": "3.5 ulp",
     "twisting_stiffness": "4 ulp",
     "twisting_moment": "3.5 ulp",
-    # validity
-    "profile_error": "6 ulp",
 }
 
 

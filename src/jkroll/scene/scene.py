@@ -13,8 +13,8 @@ from typing import Any
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
+from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..physics.pair import reduced_radius
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import (
     INFINITY,
