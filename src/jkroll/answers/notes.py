@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 from ..errors import JkrollError
@@ -150,10 +149,10 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values: what happens in a collision, what a contact is, what gives way first in it."""
     if "hamaker" in scene.inputs_of(*names):
         cutoff = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
-        works = (amount("work_of_adhesion", each["work_of_adhesion"]) for each in (scene, scene.replace(cutoff=cutoff)))
-        here, there = (f"w = {work}" for work in works)
-        spacing = amount("atomic_spacing", scene["atomic_spacing"])
-        yield Note("result", f"{here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)}, {there}")
+        here, there = (
+            amount("work_of_adhesion", each["work_of_adhesion"]) for each in (scene, scene.replace(cutoff=cutoff))
+        )
+        yield Note("result", f"w = {here}, and {there} at D0 = {amount('cutoff', cutoff)} (--cutoff)")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("result", _STICKING)
     if unlike := [name for name in names if NOMENCLATURE[name].of_identical and not scene.is_identical]:
@@ -190,18 +189,15 @@ def _first_to_yield(scene: Scene) -> Note:
 # --- What is missing --------------------------------------------------------------------------------------------------
 
 
-def about_limits(found: Iterable[Doubt]) -> list[Note]:
-    """Return a note for the limits of the model that could not be judged, by the inputs that they need."""
-    subjects: dict[str, dict[str, None]] = {}
-    for doubt in found:
-        if doubt.error is not None:
-            subjects.setdefault(doubt.error.options(), {})[doubt.limit.subject] = None
-    return [Note("unchecked", f"not checked (give {give}): {', '.join(words)}") for give, words in subjects.items()]
+def about_limits(every: Iterable[Doubt]) -> list[Note]:
+    """Return notes on the limits of the model that could not be judged, by the inputs that they need."""
+    errors = {doubt.limit.name: doubt.error for doubt in every if doubt.error is not None}
+    return about_missing(errors, "not checked: ", "unchecked")
 
 
-def about_missing(errors: Mapping[str, JkrollError], lead: str = "") -> list[Note]:
+def about_missing(errors: Mapping[str, JkrollError], lead: str = "", kind: Kind = "missing") -> list[Note]:
     """Return a note for each reason why there are no values, behind a lead, with the names of all that it concerns."""
-    return [Note("missing", f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
+    return [Note(kind, f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
 
 
 def about_uncertainties(bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:
@@ -273,25 +269,14 @@ class OfRows:
         from ..rows.reasons import Tally
 
         self._kinds = [*kinds]
+        self.assumed, self._idle = given_of_kinds(self._kinds)  # the assumptions are by name, with their options
         self.tally = Tally()
-        self.failure: JkrollError | None = None  # the first
 
     def watch(self, blocks: "Iterable[Columns]") -> "Iterator[Columns]":
         """Iterate over columns, and count what is to be said of them."""
         for columns in blocks:
             self.tally = self.tally.plus(self.tally.of(columns, first_symbols))
-            if columns.failed and self.failure is None:
-                self.failure = columns.failure(min(columns.failed))
             yield columns
-
-    @cached_property
-    def _given(self) -> tuple[dict[str, str], list[str]]:
-        return given_of_kinds(self._kinds)
-
-    @property
-    def assumed(self) -> dict[str, str]:
-        """The assumptions about rows, each with the option that sets it, by name."""
-        return self._given[0]
 
     def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:
         """Return the lines to print; `has_table`: whether they are below a table.
@@ -302,7 +287,7 @@ class OfRows:
         notes = [*about_rows(self.tally, told, "jkroll guide models")]
         if not quiet:
             notes += dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
-            notes += [*about_idle(self._given[1]), *about_assumed(self.assumed)]
+            notes += [*about_idle(self._idle), *about_assumed(self.assumed)]
         return _lines(notes, has_head=has_table, quiet=quiet)
 
 

@@ -144,10 +144,10 @@ def _ended(call: Call, notes: OfRows, lines: Iterable[str]) -> int:
     """Print the notes on rows, and how many of them failed, if any did; return the exit code."""
     for line in lines:
         say_wrapped(line, sys.stderr)
-    return _failed(call, notes.tally.failed, notes.tally.rows, notes.failure)
+    return _failed(call, notes.tally.failed, notes.tally.rows)
 
 
-def _failed(call: Call, failed: int, count: int, first: JkrollError | None) -> int:
+def _failed(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
     if not failed:
         return 0
     options = [NOMENCLATURE[name].option for name in call.inputs]

@@ -5,8 +5,9 @@ With `--tex` it writes a paragraph for the Methods section of a paper, which cit
 
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from math import inf, isfinite, log, nan
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from math import inf, isfinite
 from typing import Any, TextIO
 
 from .. import __version__
@@ -159,35 +160,24 @@ def power_law(scene: Scene, name: str) -> str:
 
 
 def _power(scene: Scene, name: str, given: str) -> str:
-    """Return an input to the power with which a quantity depends on it, as text; empty if it does not."""
+    """Return an input to the power with which a quantity depends on it, as text; empty if it does not.
+
+    It is "?" where the quantity is 0, or has no other value on either side.
+    """
     value, base = scene.values[given], NOMENCLATURE[given].symbol
     if not isinstance(value, float) or not isfinite(value) or value == 0:
         return ""
-    exponent = logarithmic_slope(lambda changed: scene.replace(**{given: changed})[name], value)
-    text = _fraction_or_number(exponent) if isfinite(exponent) else "?"
-    if text == "0":
-        return ""
-    if text == "1":
-        return base
-    return f"{base}^({text})" if "/" in text else f"{base}^{text}"
-
-
-def logarithmic_slope(outcome: Callable[[float], float], value: float) -> float:
-    """Return d ln(outcome)/d ln(value) by central differences, or one-sided ones where the outcomes end.
-
-    It is infinite where the outcome is zero, and nan where there is no outcome on either side.
-    """
     points = []
-    for factor in (1 / (1 + _STEP), 1.0, 1 + _STEP):
-        try:
-            points.append((log(factor), outcome(value * factor)))
-        except JkrollError:
-            continue
-    if len(points) < 2:
-        return nan
+    for factor in (1 - _STEP, 1, 1 + _STEP):
+        with suppress(JkrollError):  # a range ends here
+            points.append((factor, scene.replace(**{given: value * factor})[name]))
     (first, low), (last, high) = points[0], points[-1]
-    middle = outcome(value)
-    return (high - low) / (last - first) / middle if middle else inf
+    change = scene[name] * (last - first)
+    exponent = (high - low) / change if change else inf
+    text = _fraction_or_number(exponent) if isfinite(exponent) else "?"
+    if text in ("0", "1"):
+        return base if text == "1" else ""
+    return f"{base}^({text})" if "/" in text else f"{base}^{text}"
 
 
 def _fraction_or_number(exponent: float) -> str:

@@ -49,11 +49,6 @@ class MissingInput(JkrollError):
             lead = "name a material, such as quartz, or " if {*self.missing} <= {*PROPERTIES} else ""
         return f"{verb} {_in_words(self.missing)}; {lead}{give}"
 
-    def options(self) -> str:
-        """Return the options by which the missing inputs are given, and that a material has them."""
-        options = listed(NOMENCLATURE[name].option or "a radius" for name in self.missing)
-        return options if self.lacking or not {*self.missing} <= {*PROPERTIES} else f"{options}, or a material"
-
 
 class NotInLaw(MissingInput):
     """Error raised for a quantity that a law of attraction does not have: this one, or one that it follows from."""

@@ -26,7 +26,6 @@ class Limit(NamedTuple):
     """
 
     name: str
-    subject: str  # what is judged
     touches: frozenset[str]
     sign: Literal["<", "<=", ">", ">="]
     codes: Mapping[float, str]  # by threshold
@@ -137,53 +136,53 @@ def _is_stated(names: Collection[str]) -> Callable[[Scene, Collection[str]], boo
 # The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
 LIMITS = (
     Limit(
-        "tabor_parameter", "law of attraction", _ELASTICITY, ">",
+        "tabor_parameter", _ELASTICITY, ">",
         {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
         "another law differs",
         factor=factor_of_law,
     ),
     Limit(
-        "load_margin", "pull-off", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
+        "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
         "only fixed grips hold this state",
         _is_stated(STATE_OR_LOAD),
         ends_meaning=True,
     ),
     Limit(
-        "displacement_ratio", "size of ξ", _DISPLACEMENT, ">=", {1.0: "xi-over-limit"},
+        "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "xi-over-limit"},
         "ξ is too large for the formula",
         ends_meaning=True,
     ),
     Limit(
-        "displacement_over_contact_radius", "size of ξ", _DISPLACEMENT, ">", {1.0: "xi-over-contact"},
+        "displacement_over_contact_radius", _DISPLACEMENT, ">", {1.0: "xi-over-contact"},
         "ξ is larger than the contact",
         ends_meaning=True,
     ),
     Limit(
-        "rolling_over_sliding", "sliding", frozenset({"yield_force"}), ">=", {1.0: "slides-first"},
+        "rolling_over_sliding", frozenset({"yield_force"}), ">=", {1.0: "slides-first"},
         "the contact slides or peels off before it rolls",
         ends_meaning=True,
     ),
     Limit(
-        "peeling_over_sliding", "peeling", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
+        "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
         "the contact peels off before it slides, if it is brittle",
     ),
     Limit(
-        "yield_angle", "angle of rolling", frozenset({"yield_angle", "r_min"}), ">", {1.0: "large-angle"},
+        "yield_angle", frozenset({"yield_angle", "r_min"}), ">", {1.0: "large-angle"},
         "angles are small in the model",
     ),
     Limit(
-        "r_min_over_radius", "bend below a sphere", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
+        "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
         "no chain bends within one of its spheres",
         ends_meaning=True,
     ),
     Limit(
-        "n_grav", "weight of one sphere", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
+        "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
         "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         ends_meaning=True,
     ),
     *(
         Limit(
-            "energy_over_yield", "energy to roll", frozenset({turns}), "<=", {least: code},
+            "energy_over_yield", frozenset({turns}), "<=", {least: code},
             f"with {energy} the contact springs back",
             ends_meaning=True,
         )
@@ -194,48 +193,48 @@ LIMITS = (
         )
     ),
     Limit(
-        "energy_over_sticking", "bouncing", _TURNS, ">", {1.0: "bounces"},
+        "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
         "after a head-on impact on a held body 2, elastic spheres do not stick",
         lambda scene, names: _is_stated(IMPACT)(scene, names) and "viscous_time" not in scene.stated,
         ends_meaning=True,
     ),
     Limit(
-        "hysteresis_ratio", "source of the moment", _MOMENT, ">", {1.0: "moment-unexplained"},
+        "hysteresis_ratio", _MOMENT, ">", {1.0: "moment-unexplained"},
         "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
     ),
     Limit(
-        "tabor_parameter", "sticking", _STICKING, "<", {JUMP: "sticking-unsure"},
+        "tabor_parameter", _STICKING, "<", {JUMP: "sticking-unsure"},
         "the contact forms and opens smoothly; adhesion alone loses almost no energy",
         conclusion="has_jump",
     ),
     Limit(
-        "viscosity_number", "viscous time", frozenset({"viscous_time"}), ">", {0.0: "fitted-elsewhere"},
+        "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "fitted-elsewhere"},
         "the viscous time was fitted at one size, and v_stick holds there alone; one code has 31.6 ps for silica of "
         "0.76 µm and 7.35 ps for 0.25 µm, and the damping is for T* well below 1",
     ),
     Limit(
-        "radius", "roughness", _PULLED, ">=", {1e-6: "rough-matters"},
+        "radius", _PULLED, ">=", {1e-6: "rough-matters"},
         "rough spheres had 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda scene, _: at_most(scene["radius"], scene["radius2"]),
     ),
     Limit(
-        "contact_radius_in_spacings", "few atoms", _ELASTICITY, "<", {3.0: "few-atoms"},
+        "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
         "contact radius below 3 atoms",
     ),
     Limit(
-        "hertz_pressure_over_modulus", "yielding", _ELASTICITY, ">", {0.1: "may-yield"},
+        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
         "even a solid without flaws yields under less; no plasticity is modelled",
     ),
     Limit(
-        "profile_error", "wide contact", _ELASTICITY, ">", {0.01: "wide-contact"},
+        "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
         "contact too wide for the formulas",
     ),
 )  # fmt: skip
 
 # Of an answer about one pair alone, without a code: rows of several solids are judged together, and have no name.
 ASSUMED_DISPLACEMENT = Limit(
-    XI, "ξ", _DISPLACEMENT, ">", {DATA_MATTER: ""},
+    XI, _DISPLACEMENT, ">", {DATA_MATTER: ""},
     "ξ is assumed, and forces measured on the same solid mean another",
     lambda scene, _: bool(solid_of_kind(scene)) and not scene.missing(["reduced_radius"]),
     factor=factor_of_data,
