@@ -8,7 +8,7 @@ from ..errors import JkrollError
 from ..quantities.formatting import in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, XI
-from ..scene.alternatives import factor_of_law, in_place_of
+from ..scene.alternatives import factor_of_law, in_place_of, uses_law
 from ..scene.failures import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
@@ -35,7 +35,7 @@ from .notes import (
     idle_of,
 )
 from .questions import Question
-from .results import Note, Result, model_error, over_spacing, with_law
+from .results import Note, Result, equation_of, model_error, over_spacing
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -92,14 +92,18 @@ class Answer:
     @cached_property
     def results(self) -> tuple[Result, ...]:
         """The quantities that are shown, with the reasons of those that have no value."""
-        results = tuple(map(self._result, self.shown))
-        return results if self.scene.law.is_default else tuple(with_law(result, self.scene) for result in results)
+        return tuple(map(self._result, self.shown))
 
     def _result(self, name: str) -> Result:
+        """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
+        law = "" if self.scene.law.is_default else self.scene.law.name
         if name in self.errors:
-            return Result(name, None, reason_of(name, self.errors[name]))
-        error = model_error(name, self.scene)
-        return Result(name, self.outcomes[name], error=error, propagated=self._propagated(name))
+            return Result(name, None, reason_of(name, self.errors[name]), law=law)
+        error, propagated = model_error(name, self.scene), self._propagated(name)
+        result = Result(name, self.outcomes[name], error=error, propagated=propagated)
+        if not law or not uses_law(self.scene, name):
+            return result
+        return result._replace(law=law, of_law=equation_of(self.scene, name))
 
     def _error(self, name: str, error: JkrollError) -> JkrollError:
         """Return why a quantity has no value: of one that the atomic spacing decides on, with its values."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.alternatives import at_half_spacing, uses_law
+from ..scene.alternatives import at_half_spacing
 from ..scene.scene import Scene
 
 if TYPE_CHECKING:
@@ -99,18 +99,6 @@ def by_importance(notes: Iterable[Note]) -> list[Note]:
 
 
 _KINDS = get_args(Kind)
-
-
-def with_law(result: Result, scene: Scene) -> Result:
-    """Return a result of a law other than JKR with its name and its source.
-
-    A result without a value has no source: the definition of JKR is not what it lacks.
-    """
-    if result.value is None:
-        return result._replace(law=scene.law.name)
-    if not uses_law(scene, result.name):
-        return result
-    return result._replace(law=scene.law.name, of_law=equation_of(scene, result.name))
 
 
 def equation_of(scene: Scene, name: str) -> str:

@@ -187,16 +187,10 @@ class Answered:
     @cached_property
     def doubts(self) -> tuple[Exceeded, ...]:
         """The limits of the model that do not hold, the one that is exceeded most first."""
+        about, exceeded = self._answer.about, self._answer.exceeded
         return tuple(
-            Exceeded(
-                self._answer.about(doubt),
-                doubt.code,
-                doubt.limit.name,
-                doubt.value,
-                doubt.limit.threshold,
-                doubt.factor,
-            )
-            for doubt in self._answer.exceeded
+            Exceeded(about(doubt), doubt.code, doubt.limit.name, doubt.value, doubt.limit.threshold, doubt.factor)
+            for doubt in exceeded
         )
 
     @cached_property
@@ -218,10 +212,7 @@ class Answered:
         return self.values[named(name, self.values)]
 
     def __repr__(self) -> str:
-        texts = (
-            f"{NOMENCLATURE[name].symbol} = {'no value' if value.value is None else value}"
-            for name, value in self.values.items()
-        )
+        texts = (f"{NOMENCLATURE[name].symbol} = {result}" for name, result in self.values.items())
         return f"<Answered: {', '.join(texts)}>"
 
     def __str__(self) -> str:

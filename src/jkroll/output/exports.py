@@ -288,9 +288,7 @@ class Program(NamedTuple):
     lines: Callable[[Scene], Iterator[str]]
     quantities: tuple[str, ...]
     models: tuple[str, ...] = (DEFAULT_LAW,)
-    about: Callable[[Scene], Iterator[str]] | None = (
-        None  # notes on an input without comments: all that is said goes to stderr
-    )
+    about: Callable[[Scene], Iterator[str]] | None = None  # notes on an input that has no comments
 
 
 PROGRAMS: Mapping[str, Program] = {
