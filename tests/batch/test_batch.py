@@ -249,17 +249,6 @@ def test_other_separators_and_line_ends_are_named(run: Run) -> None:
         assert (ran.code, message in ran.err) == (2, True)
 
 
-@pytest.mark.parametrize("jobs", ["1", "2"])
-def test_a_truncated_input_makes_no_output(run: Run, jobs: str) -> None:
-    import gzip
-
-    text = gzip.compress(random_table(2000, 1).encode())
-    Path("grains.csv.gz").write_bytes(text[: len(text) // 2])
-    ran = run("batch", "grains.csv.gz", "-o", "out.csv", "--jobs", jobs)
-    assert (ran.code, ran.err) == (2, "jkroll: 'grains.csv.gz' is not what its name says, or its end is missing\n")
-    assert not Path("out.csv").exists()
-
-
 def test_lines_of_a_record_without_end_are_rows_that_failed(run: Run) -> None:
     """Quotes stand around the separators, not around the cells: each ends in the next line, but for the last."""
     name = table(GRAINS + 'a","quartz","100","0\n' * 3)

@@ -696,10 +696,7 @@ def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, s
     [
         ("radius R1 (nm),gamma (mJ/m2)\n100,25\n", 'read: radius [nm] from "radius R1 (nm)", surface'),
         ("radius [nm],gamma_sv (mJ/m2)\n100,25\n", "may be surface_energy"),
-        ("radius [nm],gama2 (mJ/m2)\n100,25\n", "=surface_energy2 [mJ/m2]'"),
-        ("R1,gamma\n[nm],[mJ/m2]\n100,25\n", "the first row has units"),
         ("Radius,Surface energy\n(nm),(mJ/m2)\n100,25\n", "the first row has units"),
-        ("Durchmesser (um),gamma (mJ/m2)\n100,25\n", "a radius is half of a diameter"),
         ("R1 (nm),gamma (mJ/m2),gamma_sem (mJ/m2)\n100,25,2\n", '± "gamma_sem (mJ/m2)"'),
         ("R1 (nm),SEM,gamma (mJ/m2)\n100,image1.tif,25\n", "passed through: SEM"),
         ("R1 (nm),SEM,gamma (mJ/m2)\n100,5,25\n", "± SEM"),

@@ -161,21 +161,6 @@ def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.Mon
     assert whole("forces") == whole("whole")
 
 
-def test_no_file_stays_open(run: Run) -> None:
-    import gzip
-
-    Path("grains").mkdir()
-    for place in range(5):
-        Path(f"grains/{place}.csv").write_text("radius [nm]\n100\n")
-        Path(f"grains/{place}.csv.gz").write_bytes(gzip.compress(b"radius [nm]\n100\n"))
-    run("batch", "grains/*", "-o", "first/", "--material", "quartz")  # multiprocessing keeps one for itself
-    before = os.listdir("/proc/self/fd")
-    for jobs in ("1", "2"):
-        ran = run("batch", "grains/*", "-o", "forces/", "--material", "quartz", "--jobs", jobs)
-        assert (ran.code, ran.out, ran.err.splitlines()[0]) == (0, "", "read: radius [nm]")
-    assert len(os.listdir("/proc/self/fd")) <= len(before)
-
-
 def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
     message = "jkroll: several tables need a directory for the results: -o DIRECTORY/\n"
     for output in ([], ["-o", grains[0]], ["-o", f"{grains[0]}/"]):

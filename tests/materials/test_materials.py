@@ -646,12 +646,6 @@ def test_a_name_goes_before_words(run: Run) -> None:
     assert "'steel' is one of several; write steel-304 (30.5 mJ/m², stainless, " in run("materials steel").err
 
 
-def test_glass_is_soda_lime_in_air_and_says_so(run: Run) -> None:
-    assert run("pull-off glass 10um", terminal=True).out.startswith(
-        "glass-soda-lime-air (γ = 75 mJ/m² per surface), R1 = R2 = 10 µm"
-    )
-
-
 def test_no_plain_name_stands_for_a_clean_or_cleaved_surface_or_for_a_guess(run: Run) -> None:
     for material in SECOND:
         note = material.notes.get("surface_energy", "")

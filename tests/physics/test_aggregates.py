@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from jkroll import NOMENCLATURE, solve
+from jkroll import solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.quantities.values import QuantityError
 from jkroll.scene.failures import MissingInput
@@ -14,7 +14,6 @@ from reference import ulp_error
 from scenes import QUARTZ
 
 AGGREGATE: dict[str, Any] = {**QUARTZ, "monomers": 1000, "filling_factor": 0.1}
-KINDS = ["restructuring", "disruption"]
 SPEEDS = [name for name in QUESTIONS["aggregates"].quantities if "speed" in name]
 
 
@@ -76,12 +75,6 @@ def test_strengths_as_phantom_codes_them() -> None:
     assert math.isclose(own / pressure, half / quarter, rel_tol=4e-4)
     tension = solve("tensile_strength", surface_energy=gamma, radius=radius, filling_factor=phi)
     assert math.isclose(tension, 0.6 * phi**1.8 * gamma / radius, rel_tol=1e-14)
-
-
-def test_every_row_has_a_definition_and_a_source() -> None:
-    for name in QUESTIONS["aggregates"].quantities:
-        assert NOMENCLATURE[name].definition, name
-        assert NOMENCLATURE[name].reference, name
 
 
 @pytest.mark.parametrize("below", [1e-2, 1e-4, 1e-8, 1e-12])

@@ -112,7 +112,7 @@ def test_rolling_energies_as_codes_have_them() -> None:
 
 
 def test_every_row_has_a_definition_and_a_source() -> None:
-    for name in QUESTIONS["energies"].quantities:
+    for name in (*QUESTIONS["energies"].quantities, *QUESTIONS["aggregates"].quantities):
         quantity = NOMENCLATURE[name]
         assert quantity.definition, name
         assert quantity.equation or quantity.reference, name

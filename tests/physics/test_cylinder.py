@@ -5,15 +5,14 @@
 import inspect
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, get_type_hints
+from typing import Any
 
-import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import MPContext  # type: ignore[import-untyped]
 
-from jkroll.physics import cylinder, dimensions
+from jkroll.physics import cylinder
 from scenes import strip_contacts
 
 Values = Mapping[str, Any]
@@ -183,14 +182,3 @@ def test_the_leading_edge_is_pressed_where_the_shift_is_too_large(values: Values
 
 
 # --- Dimensions -------------------------------------------------------------------------------------------------------
-
-UREG: Any = pint.application_registry
-
-
-@pytest.mark.parametrize("name", FORMULAS)
-def test_dimensions(name: str) -> None:
-    hints = get_type_hints(FORMULAS[name], localns=vars(dimensions), include_extras=True)
-    units = {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
-    wanted = units.pop("return")
-    quantities = {parameter: UREG.Quantity(strip_contacts(1)[0][parameter], unit) for parameter, unit in units.items()}
-    assert UREG.Quantity(of(name, quantities)).is_compatible_with(UREG.Quantity(1.0, wanted))

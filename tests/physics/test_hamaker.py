@@ -1,29 +1,19 @@
 """A Hamaker constant in place of a surface energy."""
 
 import math
-from functools import partial
 from itertools import product
-from random import Random
 from typing import Any
 
 import numpy as np
 import pytest
 
-from accuracy import check_accuracy
 from jkroll import solve
 from jkroll.errors import BadRequest
-from jkroll.physics import any_law
 from jkroll.scene.failures import MissingInput
-from maugis_reference import digits, mpf, pi, sqrt
-from reference import ulp_error
-from scenes import QUARTZ, log_uniform
+from scenes import QUARTZ
 
 ELASTIC: dict[str, Any] = {name: value for name, value in QUARTZ.items() if name != "surface_energy"}
 SILICA: dict[str, Any] = {**ELASTIC, "hamaker": 6.5e-20}
-EXACT = {
-    "work_of_adhesion_of_hamaker": lambda hamaker, hamaker2, cutoff: sqrt(hamaker * hamaker2) / (12 * pi * cutoff**2),
-    "atomic_spacing_of_cutoff": lambda cutoff: cutoff * sqrt(mpf(3)) / 2,
-}
 
 
 def test_silica() -> None:
@@ -69,16 +59,3 @@ def test_it_excludes_a_surface_energy_but_not_that_of_a_material() -> None:
     with pytest.raises(MissingInput, match="Hamaker constant; give --hamaker "):
         solve("pull_off_force", material="quartz", radius=1e-7, hamaker2=1e-19)
     assert solve("work_of_adhesion", material="quartz", hamaker=6.5e-20) == solve("work_of_adhesion", **SILICA)
-
-
-@pytest.mark.parametrize("name", EXACT)
-def test_accuracy(name: str) -> None:
-    random = Random(937)
-    names = {"hamaker": (1e-30, 1e-10), "hamaker2": (1e-30, 1e-10), "cutoff": (1e-12, 1e-6)}
-    values = [{each: log_uniform(random, *ends) for each, ends in names.items()} for _ in range(500)]
-
-    def error(given: Any, value: float, exact: Any) -> float:
-        return ulp_error(value, exact(**{each: mpf(number) for each, number in given.items()}))
-
-    assert digits.dps >= 50
-    check_accuracy(getattr(any_law, name), values, partial(error, exact=EXACT[name]))
