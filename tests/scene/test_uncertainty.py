@@ -16,7 +16,7 @@ import pytest
 from harness import Run
 from jkroll import Interval, Material, Materials, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest
-from jkroll.quantities.values import QuantityError, Uncertain
+from jkroll.quantities.values import QuantityError, Uncertain, value_of
 from jkroll.scene.failures import BEYOND_PULL_OFF, Failure
 from jkroll.scene.scene import Scene
 from jkroll.scene.uncertainty import (
@@ -269,6 +269,27 @@ def test_a_quantity_without_a_value_at_an_end_says_so(run: Run) -> None:
     )
 
 
+@pytest.mark.parametrize(("load", "gamma"), [("-10±1nN", "25mJ/m2"), ("-9nN", "25±4mJ/m2"), ("-9±0.8nN", "25±3mJ/m2")])
+def test_draws_without_a_contact_are_told(run: Run, load: str, gamma: str) -> None:
+    """Both ends of each uncertainty hold, and a tenth or so of all values between and beyond do not."""
+    words = ["contact", "quartz", "100nm", "--load", load, "--gamma", gamma]
+    random = Random(f"{load} {gamma}")
+
+    def draw(name: str, text: str) -> list[float]:
+        value = value_of(text, name)
+        middle, spread = (value, 0.0) if isinstance(value, float) else (value.value, value.high - value.value)
+        return [random.gauss(middle, spread) for _ in range(20_000)]
+
+    drawn: dict[str, Any] = {"load": draw("load", load), "surface_energy": draw("surface_energy", gamma)}
+    radii = solve("contact_radius_at_load", material="quartz", radius=1e-7, **drawn)
+    part = numpy.isnan(radii).mean()
+    notes = json.loads(run(*words, "--json").out)["notes"]
+    (note,) = [note for note in notes if "beyond pull-off" in note]
+    assert float(note.partition(" % ")[0].split()[-1]) == approx(100 * part, rel=0.2)
+    farther = [words[0], "quartz", "100nm", "--load", "-5±1nN", "--json"]
+    assert not any("beyond pull-off" in note for note in json.loads(run(*farther).out)["notes"])
+
+
 def test_every_format_has_the_uncertainty(run: Run) -> None:
     words = ["pull-off", "quartz", "100nm", "--gamma", "25±5mJ/m2", "--quiet"]
     answer = json.loads(run(*words, "--json").out)
@@ -313,7 +334,7 @@ def test_measurements_of_pint_are_read_in_any_unit() -> None:
     given: dict[str, Any] = {"radius": "2 um", "radius2": "plane"}
     found = infer("gamma", measured={"pull_off_force": units.Measurement(300, 20, "nN")}, **given)
     again = infer("gamma", measured={"pull_off_force": "300±20 nN"}, **given)
-    assert found[:3] == approx(again[:3], rel=1e-14)
+    assert [found.value, *found.sides.values()] == approx([again.value, *again.sides.values()], rel=1e-14)
 
 
 @pytest.mark.filterwarnings("ignore:This function will be removed:DeprecationWarning")  # pint's own, in its texts

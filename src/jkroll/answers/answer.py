@@ -27,6 +27,7 @@ from .notes import (
     about_given,
     about_idle,
     about_limits,
+    about_lost_contacts,
     about_missing,
     about_uncertainties,
     about_values,
@@ -211,7 +212,10 @@ class Answer:
             *about_missing(self.errors),
             *about_limits(self.validity),
         )
-        return notes if sources is None else (*notes, *about_uncertainties(bars, sources))
+        if sources is None:
+            return notes
+        lost = about_lost_contacts(scene, bars, sources) if "load" in self.inputs else ()
+        return (*notes, *about_uncertainties(bars, sources), *lost)
 
     @cached_property
     def failure(self) -> JkrollError | None:

@@ -2,12 +2,14 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from math import erfc, hypot, sqrt
 from typing import TYPE_CHECKING
 
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_beside, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
+from ..quantities.values import Measured
 from ..scene.alternatives import assumes_displacement, rolled_solid, rolling, solid_of_kind
 from ..scene.failures import NO_END, grouped
 from ..scene.limits import ENDING_MEANING, EVERY_DOUBT, NOT_JUDGED, OF_LAW, Doubt, doubts, touched
@@ -42,6 +44,7 @@ _STICKING = (
 _OF_SPINNING = ("n_roll", "n_roll_energy_balance")  # of a sphere that spins from the start
 _OF_TURNING = {"yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment"}
 
+_LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
 _MAX_NOTES = 2  # below results, with the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
 _MAX_CODES = 4  # of doubts about rows, which are named
@@ -211,6 +214,20 @@ def about_left_out(sources: "Iterable[Source]") -> list[Note]:
     symbols = dict.fromkeys(symbol_of(source.names[0]) for source in sources)
     text = f"error bars: ± and ranges do not go together; {', '.join(symbols)} left out"
     return [Note("error bars", text)] if symbols else []
+
+
+def about_lost_contacts(scene: Scene, bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:
+    """Return a note where a part of the uncertain values, taken as normally distributed, lies beyond pull-off."""
+    from ..scene.uncertainty import measures_of, uncertainties
+
+    forces = scene.numbers("load", "pull_off_force")
+    if len(forces) < 2 or any(isinstance(bar, JkrollError) for bar in bars.values()):
+        return []
+    measures = measures_of(uncertainties(scene, [*forces], sources=sources)[0]).values()
+    spread = hypot(*(measure.minus for measure in measures if isinstance(measure, Measured)))
+    part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
+    text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
+    return [Note("error bars", f"error bars are of contacts that hold: {text}")] if part >= _LOST else []
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------

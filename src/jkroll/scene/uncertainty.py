@@ -8,7 +8,7 @@ value among the places along the edges of their box: within 1 % of the distance 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import product
-from math import fsum, inf, isfinite
+from math import fsum, isfinite
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError
@@ -114,9 +114,6 @@ def sides_of_results(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
 
 # --- Error bars -------------------------------------------------------------------------------------------------------
 
-Place = Mapping[str, Any]  # values of inputs; the others have the middles of their uncertainties
-Outcomes = Callable[[Place], Mapping[str, Any]]  # quantities at a place, or the errors that say why they have no value
-
 
 class Propagated(NamedTuple):
     """The uncertainty of a result, and the part that each source has in it.
@@ -128,7 +125,6 @@ class Propagated(NamedTuple):
     shares: Mapping[str, float]  # of numbers, by the first input of a source: in the variance, or width of a range
 
 
-_Bar = tuple[Mapping[str, Any], Sequence[Any]]  # the sides of an error bar, and how far each source moves the value
 Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the reason why there is none
 
 
@@ -140,22 +136,44 @@ def uncertainties(
 ) -> tuple[Bars, Sources]:
     """Return the uncertainties of quantities of a scene, or of one that is made of it, and their sources.
 
-    The scene may be a solution, whose quantities are the unknowns.
-
-    A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason
-    why a quantity has no value at one place of the sources. `sources`: by default all that enter the quantities.
+    The scene may be a solution, whose quantities are the unknowns. A quantity without a finite value, or one on which
+    no source has an influence, is left out. An error is the reason why a quantity has no value at one place of the
+    sources. `sources`: by default all that enter the quantities.
     """
     middle = scene if alternative is None else alternative(scene)
     numbers = middle.numbers(*names)
     values = {name: value for name, value in numbers.items() if not isinstance(value, float) or isfinite(value)}
-    sources = sources or sources_of_results(middle, names)
+    bars, sources = Bars(), sources or sources_of_results(middle, names)
+    if not (sources.entering and values):
+        return bars, sources
 
-    def outcomes(place: Place) -> Mapping[str, Any]:
+    def outcomes(place: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Return the quantities at a place, which are values of some inputs; the others have their middles."""
         moved = scene.replace(**place)
         return (moved if alternative is None else alternative(moved)).evaluate([*values])
 
+    givens = [source.given for source in sources.entering]
+    is_range = isinstance(givens[0], Interval)
+    places = [
+        {name: value for source, value in zip(sources.entering, ends, strict=True) for name in source.names}
+        for ends in (_on_edges if is_range else _at_ends)(givens)
+    ]
     few = FEW if isinstance(scene, Scene) else 0  # to solve a problem takes arrays
-    return _propagated(outcomes, values, sources.entering, one_by_one=inf if scene.shape else few), sources
+    columns = (_one_by_one if scene.shape or len(places) <= few else _as_arrays)(outcomes, places)
+    for name, value in values.items():
+        if errors := [outcome for outcome in columns[name] if isinstance(outcome, JkrollError)]:
+            bars[name] = errors[0]
+            continue
+        size = len(places) // len(givens)
+        of_sources = [columns[name][start : start + size] for start in range(0, len(places), size)]
+        sides, parts = (_range if is_range else _quadrature)(value, of_sources)
+        is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
+        if is_still is not True:
+            still = value if is_range else 0.0
+            sides = {side: where(is_still, still, end) for side, end in sides.items()}
+            shares = {} if is_still is not False else _shares(sources.entering, parts)
+            bars[name] = Propagated(type(givens[0]).of(value, **sides), shares)
+    return bars, sources
 
 
 def measures_of(bars: Bars) -> dict[str, Uncertain | JkrollError]:
@@ -163,43 +181,13 @@ def measures_of(bars: Bars) -> dict[str, Uncertain | JkrollError]:
     return {name: bar.uncertainty if isinstance(bar, Propagated) else bar for name, bar in bars.items()}
 
 
-def _propagated(outcomes: Outcomes, values: Mapping[str, Any], sources: Sequence[Source], one_by_one: float) -> Bars:
-    """Return the uncertainties of numbers or arrays, from sources of one kind.
-
-    `one_by_one`: so many places are computed one by one, more of them as an array.
-    """
-    if not (sources and values):
-        return {}
-    given = sources[0].given
-    is_range = isinstance(given, Interval)
-    places = [
-        {name: value for source, value in zip(sources, ends, strict=True) for name in source.names}
-        for ends in (_on_edges if is_range else _at_ends)([source.given for source in sources])
-    ]
-    size = len(places) // len(sources)
-    if len(places) <= one_by_one:
-        rows = [*map(outcomes, places)]
-        columns = {name: [row[name] for row in rows] for name in values}
-    else:
-        columns = _as_arrays(outcomes, places)
-    bars: Bars = {}
-    for name, value in values.items():
-        if errors := [outcome for outcome in columns[name] if isinstance(outcome, JkrollError)]:
-            bars[name] = errors[0]
-            continue
-        of_sources = [columns[name][start : start + size] for start in range(0, len(places), size)]
-        sides, parts = (_range if is_range else _quadrature)(value, of_sources)
-        is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
-        if not isinstance(is_still, bool):
-            still = value if is_range else 0.0
-            sides = {side: where(is_still, still, end) for side, end in sides.items()}
-            bars[name] = Propagated(type(given).of(value, **sides), {})
-        elif not is_still:
-            bars[name] = Propagated(type(given).of(value, **sides), _shares(sources, parts))
-    return bars
+def _one_by_one(outcomes: Callable[[Any], Any], places: Sequence[Any]) -> dict[str, list[Any]]:
+    """Return quantities at places that are computed one by one."""
+    rows = [*map(outcomes, places)]
+    return {name: [row[name] for row in rows] for name in rows[0]}
 
 
-def _as_arrays(outcomes: Outcomes, places: Sequence[Place]) -> dict[str, list[Any]]:
+def _as_arrays(outcomes: Callable[[Any], Any], places: Sequence[Any]) -> dict[str, list[Any]]:
     """Return quantities at places that are computed together; the first one without a value has the reason."""
     import numpy
 
@@ -224,7 +212,7 @@ def _at_ends(given: Sequence[Uncertain]) -> Iterator[Sequence[Any]]:
             yield [*middles[:axis], end, *middles[axis + 1 :]]
 
 
-def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
+def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str, Any], Sequence[Any]]:
     """Return a standard uncertainty, whose changes at both ends add in quadrature, and the size of these by source."""
     changes = [(low - value, high - value) for low, high in of_sources]
     minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
@@ -252,7 +240,7 @@ def _on_edges(given: Sequence[Uncertain]) -> Iterator[Sequence[Any]]:
                 yield [*corner[:axis], value, *corner[axis:]]
 
 
-def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> _Bar:
+def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str, Any], Sequence[Any]]:
     """Return the least and the largest value on the edges of a box of ranges, and mean widths along sources."""
     ends, parts = [value], []
     for outcomes in of_sources:
