@@ -195,7 +195,7 @@ def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ..
 def test_infer_says_how_a_table_is_read(run: Run) -> None:
     ran = run("infer gamma forces.csv --measured pull_off_force=1nN")
     assert (ran.code, ran.err.replace("\n  ", " ")) == (
-        2, "jkroll: infer reads no tables; write jkroll batch forces.csv --infer gamma --measured pull_off_force\n"
+        2, "jkroll: infer reads no tables; jkroll batch forces.csv --infer INPUT --measured QUANTITY does\n"
     )  # fmt: skip
 
 

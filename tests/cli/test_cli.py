@@ -146,10 +146,7 @@ MESSAGES = {
         2,
         "no such option '--diameter'; a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     ),
-    "pull-off quartz 100nm --quantities=": (
-        2,
-        "--quantities is empty; name some, such as --quantities pull_off_force,r_min",
-    ),
+    "pull-off quartz 100nm --quantities=": (2, "'' is not a quantity; jkroll quantities lists them"),
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (
         2,

@@ -301,13 +301,12 @@ def _unreadable(path: Path) -> None:
 
 
 BROKEN = {
-    "a directory": (_directory, "is not a regular file"),
-    "a pipe": (os.mkfifo, "is not a regular file"),
+    "a directory": (_directory, "Is a directory"),
     "no UTF-8": (_not_utf8, "is not UTF-8"),
     "2 MB": (_huge, "is larger than 64 kB"),
     "a loop": (_loop, "Too many levels of symbolic links"),
     "a link to nothing": (_dangling, "No such file or directory"),
-    "/dev/zero": (_endless, "is not a regular file"),
+    "/dev/zero": (_endless, "is larger than 64 kB"),
     "unreadable": (_unreadable, "Permission denied"),
 }
 

@@ -93,10 +93,7 @@ class Call:
         text = self.inputs.get("model")
         if text is None:
             return [None]
-        names = [law_named(word).name for word in text.split(",")]
-        if len(set(names)) < len(names):
-            raise BadRequest(f"--model: {quoted(text)} names a law more than once")
-        return names
+        return [*dict.fromkeys(law_named(word).name for word in text.split(","))]
 
     @cached_property
     def values(self) -> dict[str, str]:

@@ -9,10 +9,12 @@ import io
 import os
 import sys
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
-from typing import Any, TextIO
+from typing import Any
 
+from .. import __version__
 from ..errors import BadRequest, JkrollError
 from ..quantities.nomenclature import ALIKE, NOMENCLATURE, QUANTITY_SYNONYMS, named, nearest
 from ..text import closest, quoted, say, say_wrapped, shown
@@ -70,8 +72,8 @@ MAX_OTHERS = 3  # commands that are named
 _DASHES = ("–", "—")  # as word processors make them of hyphens
 
 
-def main(arguments: Sequence[str] | None = None, reader: Callable[[Sequence[str]], Action] | None = None) -> int:
-    """Run what a command line is read as, by `reader` if there is one, and return the exit code."""
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run what a command line is read as, and return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     is_debugged = DEBUG.flag in words
     words = [word for word in words if word != DEBUG.flag]
@@ -84,11 +86,10 @@ def main(arguments: Sequence[str] | None = None, reader: Callable[[Sequence[str]
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
         _check(words)
-        code = (reader or read)(words)()
+        code = read(words)()
         sys.stdout.flush()
         return code
     except BrokenPipeError:
-        _discard(sys.stdout)
         return BROKEN_PIPE
     except Exception as error:
         if is_debugged:
@@ -121,25 +122,13 @@ def _report(error: Exception, words: Sequence[str]) -> int:
     elif isinstance(error, OSError):
         file = f" {quoted(str(error.filename))}" if error.filename else ""
         message, code = f"cannot write{file}: {error.strerror or error}", CANNOT_WRITE
-        _discard(sys.stdout)
     else:
         problem = f"{type(error).__name__}: {shown(str(error))}"
         message = f"{problem}; this is a bug in jkroll: run it with {DEBUG.flag} to see where"
         code = UNFORESEEN
-    try:
+    with suppress(OSError):
         say_wrapped(f"jkroll: {message}", sys.stderr)
-    except OSError:
-        _discard(sys.stderr)
     return code
-
-
-def _discard(stream: TextIO) -> None:
-    """Send what a stream still holds nowhere, so that the interpreter does not fail to write it once more."""
-    try:
-        with open(os.devnull, "wb") as nothing:
-            os.dup2(nothing.fileno(), stream.fileno())
-    except (OSError, ValueError, AttributeError):  # it was closed from the start, or it is no file
-        pass
 
 
 # --- Words and options ------------------------------------------------------------------------------------------------
@@ -160,7 +149,7 @@ def read(words: Sequence[str]) -> Action:
     if HELP.name in given:
         return partial(_print_help, None)
     if VERSION.name in given:
-        return print_version
+        return partial(_print, f"jkroll {__version__}")
     raise BadRequest(f"{first} stands alone: jkroll {first}")
 
 
@@ -185,15 +174,11 @@ def _print_help(name: str | None) -> int:
     """Print the help of a command, or of the program."""
     from .help import help_of
 
-    say(help_of(name), sys.stdout)
-    return 0
+    return _print(help_of(name))
 
 
-def print_version() -> int:
-    """Print the version."""
-    from .. import __version__
-
-    say(f"jkroll {__version__}", sys.stdout)
+def _print(text: str) -> int:
+    say(text, sys.stdout)
     return 0
 
 
@@ -322,31 +307,30 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
     if _is_negative(flag):
         remedy = "a negative value follows the option that takes it: --load -5nN"
         return BadRequest(f"{quoted(flag)} begins with a hyphen, as options do; {remedy}")
-    name, flags = flag.lstrip("-").replace("-", "_").casefold(), flags_of(command)
-    everywhere = [each for taker in COMMANDS.values() for each in taker.flags()]
+    flags = flags_of(command)
+    everywhere = {each: option for taker in COMMANDS.values() for each, option in taker.flags().items()}
     problem = f"no such option {quoted(flag)}"
     if flag in everywhere:
         problem, flags = f"{command or 'jkroll without a command'} takes no {quoted(flag)}", {}
     if hint := HINTS.get(f"{command} {flag}") or HINTS.get(flag):
         return BadRequest(f"{problem}; {hint}")
-    if by_symbol := _option(f"--{flag.lstrip('-')}", flags):
-        return BadRequest(f"{problem}; did you mean {by_symbol.flag}?")
-    if guess := _meant(name, flags):
+    if guess := _meant(flag, flags):
         return BadRequest(f"{problem}; did you mean {guess}?")
-    if guess := _meant(name, everywhere):
+    if guess := _meant(flag, everywhere):
         takers = [taker.name for taker in COMMANDS.values() if guess in taker.flags()]
         more = ", ..." if len(takers) > MAX_OTHERS else ""
         return BadRequest(f"{problem}; {guess} is an option of {', '.join(takers[:MAX_OTHERS])}{more}")
     return BadRequest(f"{problem}; see {' '.join(filter(None, ['jkroll', command]))} --help")
 
 
-def _meant(name: str, flags: Iterable[str]) -> str | None:
-    """Return the option that a name stands for, begins or resembles; None if there is none."""
-    known = {flag.lstrip("-").replace("-", "_"): flag for flag in flags}
-    if (synonym := SYNONYMS.get(f"--{name}")) in known.values():
-        return synonym
-    quantity = NOMENCLATURE.get(QUANTITY_SYNONYMS.get(name, name))
-    if quantity is not None and quantity.option in known.values():
-        return quantity.option
+def _meant(flag: str, flags: Mapping[str, Option]) -> str | None:
+    """Return the option that a word stands for, begins or resembles, in our words or others'; None if there is none."""
+    name = flag.lstrip("-").replace("-", "_").casefold()
+    if option := _option(f"--{flag.lstrip('-')}", flags):
+        return option.flag
+    known = {spelling.lstrip("-").replace("-", "_"): option for spelling, option in flags.items()}
+    of_quantities = {option.name: option for option in flags.values()}
+    known |= {word: of_quantities[meant] for word, meant in QUANTITY_SYNONYMS.items() if meant in of_quantities}
     begun = [word for word in known if name and word.startswith(name)]
-    return known.get(min(begun, key=len) if begun else closest(name, known, ALIKE) or "")
+    option = known.get(min(begun, key=len) if begun else closest(name, known, ALIKE) or "")
+    return option.flag if option else None

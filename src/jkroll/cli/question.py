@@ -76,8 +76,6 @@ def question_of(call: Call, usual: Question) -> Question:
     """Return the question about the quantities that `--quantities` lists, or the usual one without it."""
     if call.quantities is None:
         return usual
-    if not call.quantities.strip():
-        raise BadRequest("--quantities is empty; name some, such as --quantities pull_off_force,r_min")
     return question_about(call.quantities)
 
 

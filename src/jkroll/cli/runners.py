@@ -67,11 +67,7 @@ def run_infer(call: Call) -> int:
     if call.alternatives:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
     for word in filter(is_table, call.words):
-        quantity = (call.measured[0] if call.measured else "QUANTITY").partition("=")[0]
-        remedy = f"write jkroll batch {word} --infer {call.subject} --measured {quantity}"
-        if len(names) > 1:
-            remedy = "and batch infers one input only; write the rows as lists (1nm,2nm) or ranges (1nm:1um:5)"
-        raise BadRequest(f"infer reads no tables{',' if len(names) > 1 else ';'} {remedy}")
+        raise BadRequest(f"infer reads no tables; jkroll batch {word} --infer INPUT --measured QUANTITY does")
     measured = _measured(call.measured, names)
     check_format(call)
     form = call.form(names)

@@ -6,7 +6,6 @@ reader.
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial
 from importlib import import_module
 from typing import Any
 
@@ -23,14 +22,9 @@ from .help import TITLE
 
 
 def main() -> int:
-    """Answer a shell that completes, or teach it to; return the exit code."""
-    return process.main(reader=lambda words: partial(_exit_code, words))
-
-
-def _exit_code(words: Sequence[str]) -> int:
-    """Run the application, which ends the program, and return the exit code."""
+    """Answer a shell that completes, or teach it to, by the application, which ends the program; return the code."""
     try:
-        app(words, prog_name="jkroll")
+        app(prog_name="jkroll")
     except SystemExit as end:
         return JkrollError.exit_code if end.code else 0
     return 0

@@ -8,7 +8,6 @@ import copyreg
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from stat import S_ISREG
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -140,8 +139,6 @@ class Malformed(Exception):
 def data_of(path: str) -> Mapping[str, Any]:
     """Return the content of a TOML file; raise Malformed if it cannot be read or exceeds the limits above."""
     try:
-        if not S_ISREG(os.stat(path).st_mode):
-            raise Malformed("is not a regular file")
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:  # a NUL makes no path
@@ -202,12 +199,7 @@ def materials_in(path: str) -> list[Material]:
             raise Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
         title = texts(data.get("title", shown(path)), str, "title")
         tables, references = (checked(data.get(key, {}), dict, key) for key in ("materials", "references"))
-        materials = []
-        for name, table in tables.items():
-            aliases = texts(checked(table, dict, f"materials.{name}").get("aliases", []), list, f"{name}.aliases")
-            source = shown(str(table.get("source", title)))
-            empty = read_only({})
-            materials.append(_read(Material(name, empty, aliases, empty, (), (), source, path), table, references))
+        materials = [_read(name, table, title, path, references) for name, table in tables.items()]
         names = {material.name.casefold(): material.name for material in reversed(materials)}
         for material in materials:
             for key, word in material.words.items():
@@ -221,12 +213,13 @@ def materials_in(path: str) -> list[Material]:
     return materials
 
 
-def _read(material: Material, table: Mapping[str, Any], references: Mapping[str, Any]) -> Material:
-    """Return a material with what its table says, or with what is wrong with it."""
-    name, values, origins = material.name, {}, {}
+def _read(name: str, table: Any, title: str, path: str, references: Mapping[str, Any]) -> Material:
+    """Return a material with what its table says, or with what is wrong with it. `title`: of the set, by default."""
+    material, values, origins = Material(name, read_only({}), (), read_only({}), (), (), title, path), {}, {}
     try:
+        aliases = texts(checked(table, dict, f"materials.{name}").get("aliases", []), list, f"{name}.aliases")
+        material = material._replace(aliases=aliases, title=texts(table.get("source", title), str, f"{name}.source"))
         _refuse_unknown_keys(name, table, (*PROPERTIES, XI, "aliases", "notes", "references", "state", "source"))
-        texts(table.get("source", ""), str, f"{name}.source")
         for key in (key for key in (*PROPERTIES, XI) if key in table):
             where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
             given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
@@ -309,8 +302,8 @@ class Materials:
         self._materials: dict[str, Material] = {}  # by name, case folded
         self._meanings: dict[str, list[Material]] = {}  # of a name or alias, case folded
         is_path = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
-        taking = [*map(_decoded, [paths] if is_path else paths)]  # type: ignore[arg-type]
-        for path in dict.fromkeys((SHIPPED, *map(_decoded, added), *taking)):
+        taking = [*map(os.fsdecode, [paths] if is_path else paths)]  # type: ignore[arg-type]
+        for path in dict.fromkeys((SHIPPED, *map(os.fsdecode, added), *taking)):
             self._add(shipped() if path == SHIPPED else materials_in(path), takes=path in taking)
 
     def _add(self, materials: Sequence[Material], *, takes: bool) -> None:
@@ -411,14 +404,6 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
     return UnclearMaterial(f"material {quoted(word)} is one of several; write {choice}", "unclear material")
 
 
-def _decoded(path: Path) -> str:
-    """Return a path as a text; raise MaterialsFileError for what is none."""
-    try:
-        return os.fsdecode(path)
-    except TypeError:
-        raise MaterialsFileError(path, "is not a path") from None
-
-
 def known_materials(*paths: Path) -> Materials:
     """Return the shipped materials, which are read once, and those of `paths`, which are read anew."""
     return Materials(paths) if paths else _shipped()
@@ -436,10 +421,10 @@ def materials_of_user(option: str | None) -> Materials:
     By rising precedence these are the files of the configuration directory and of the environment, which may add
     materials but change no shipped one, and that of the option, which may.
     """
-    if option == "":
-        raise BadRequest("--materials is empty")
     configuration = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
     path = os.path.join(configuration, "jkroll", "materials.toml")
     added = [path] if os.path.lexists(path) else []
     added += filter(None, [os.environ.get("JKROLL_MATERIALS")])
-    return Materials(option or (), added=added) if added or option else known_materials()
+    if option is not None:
+        return Materials(option, added=added)
+    return Materials(added=added) if added else known_materials()

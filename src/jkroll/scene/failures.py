@@ -5,7 +5,7 @@ Below: the numbers for which the physics gives a formula no result, with the err
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isinf
-from operator import ge
+from operator import ge, gt, le
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
@@ -213,15 +213,10 @@ class Rule(NamedTuple):
     numbers: Callable[[Given], Sequence[float]] = lambda _: ()
 
 
-def _above(kind: Kind, least: Callable[[Given], Any]) -> Rule:
-    """Return the rule of a contact, which holds what is above a least value: rounding may put that beyond the end."""
+def _where(kind: Kind, is_beyond: Callable[[Any, Any], bool], limit: Callable[[Given], Any]) -> Rule:
+    """Return the rule of an argument that a limit rules out: a contact also at it, where rounding may have put it."""
     name = kind.name
-    return Rule(kind, lambda given: given[name] <= least(given), lambda given: (given[name], least(given)))
-
-
-def _at_most(kind: Kind, most: Callable[[Given], Any]) -> Rule:
-    name = kind.name
-    return Rule(kind, lambda given: given[name] > most(given), lambda given: (given[name], most(given)))
+    return Rule(kind, lambda given: is_beyond(given[name], limit(given)), lambda given: (given[name], limit(given)))
 
 
 def _is_held_by_grips_alone(given: Given) -> bool:
@@ -229,18 +224,10 @@ def _is_held_by_grips_alone(given: Given) -> bool:
     return bool(given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
 
 
-def _of_formula(name: str, given: Given) -> Any:
-    """Return what another formula makes of the arguments."""
+def _value(name: str, given: Given) -> Any:
+    """Return what a formula makes of the arguments of another."""
     formula = FORMULAS[name]
     return formula(**{parameter: given[parameter] for parameter in parameters_of(formula)})
-
-
-def _pull_off_dmt(given: Given) -> Any:
-    return -_of_formula("pull_off_force_dmt", given)
-
-
-def _fold(given: Given) -> Any:
-    return _of_formula("approach_at_fold", given)
 
 
 def _fitted(_: Given) -> float:
@@ -250,16 +237,16 @@ def _fitted(_: Given) -> float:
 
 
 RULES: Mapping[str, Rule] = {  # by formula
-    "load_margin": _above(BEYOND_PULL_OFF, lambda given: -given["pull_off_force"]),
-    "edge_ratio_at_load": _above(BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),
-    "contact_radius_dmt": _above(BEYOND_PULL_OFF, _pull_off_dmt),
-    "adhesive_force_dmt": _above(BEYOND_PULL_OFF, _pull_off_dmt),
-    "load_factor_at_approach": _above(BEYOND_FOLD, _fold),
-    "load_margin_at_approach": _above(BEYOND_FOLD, _fold),
-    "edge_ratio_at_approach": _above(BEYOND_FOLD, lambda given: given["fold_approach_maugis"]),
-    "contact_radius_dmt_at_approach": _above(BEYOND_FOLD, lambda _: 0.0),
-    "yield_displacement_at_hysteresis": _at_most(TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
-    "sticking_speed_viscous": _at_most(STICKS_ALWAYS, _fitted),
+    "load_margin": _where(BEYOND_PULL_OFF, le, lambda given: -given["pull_off_force"]),
+    "edge_ratio_at_load": _where(BEYOND_PULL_OFF, le, lambda given: -given["pull_off_force_maugis"]),
+    "contact_radius_dmt": _where(BEYOND_PULL_OFF, le, lambda given: -_value("pull_off_force_dmt", given)),
+    "adhesive_force_dmt": _where(BEYOND_PULL_OFF, le, lambda given: -_value("pull_off_force_dmt", given)),
+    "load_factor_at_approach": _where(BEYOND_FOLD, le, lambda given: _value("approach_at_fold", given)),
+    "load_margin_at_approach": _where(BEYOND_FOLD, le, lambda given: _value("approach_at_fold", given)),
+    "edge_ratio_at_approach": _where(BEYOND_FOLD, le, lambda given: given["fold_approach_maugis"]),
+    "contact_radius_dmt_at_approach": _where(BEYOND_FOLD, le, lambda _: 0.0),
+    "yield_displacement_at_hysteresis": _where(TOO_MUCH_HYSTERESIS, gt, lambda given: given["work_of_adhesion"]),
+    "sticking_speed_viscous": _where(STICKS_ALWAYS, gt, _fitted),
     "r_min": Rule(NO_CHAIN, lambda given: given["radius2"] == INFINITY),
     "vertical_frequency": Rule(NOT_HELD, _is_held_by_grips_alone),
     "peeling_force": Rule(NOT_HELD, _is_held_by_grips_alone),
