@@ -17,7 +17,7 @@ from ..output.manual import topics
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import ANY, NOMENCLATURE, OPTION_WORDS
 from . import process
-from .commands import COMMANDS, DEBUG, HELP, VERSION, Command, Option
+from .commands import COMMANDS, DEBUG, HELP, VERSION, Option
 from .help import TITLE
 
 
@@ -38,7 +38,7 @@ class _Program(TyperGroup):
 
     def get_params(self, ctx: Any) -> list[Any]:
         """Return the options before a command: ours, and those of typer for completion."""
-        return [*map(_option, (VERSION, DEBUG, HELP)), *super().get_params(ctx)]
+        return [*map(_Option, (VERSION, DEBUG, HELP)), *super().get_params(ctx)]
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Run the words, unless a shell completes them or is taught to."""
@@ -54,13 +54,26 @@ class _Command(TyperCommand):
         """Return the words and options."""
         if not self.params:
             command = COMMANDS[str(self.name)]
-            words = [_argument(command)] if command.words else []
-            self.params = [*words, *map(_option, (*command.options(), HELP))]
+            count, completed = 1 if command.most_words == 1 else -1, _completed(command.kinds)
+            words = TyperArgument(param_decls=["words"], nargs=count, metavar=command.words, autocompletion=completed)
+            self.params = [*([words] if command.words else []), *map(_Option, (*command.options(), HELP))]
         return self.params
 
 
 class _Option(TyperOption):
-    """An option whose values are also completed in the form --option=value."""
+    """An option as typer has it, whose values are also completed in the form --option=value."""
+
+    def __init__(self, option: Option) -> None:
+        is_flag = not option.metavar
+        super().__init__(
+            param_decls=[option.name, *option.flags],
+            is_flag=is_flag,
+            default=False if is_flag else None,
+            metavar=option.metavar or None,
+            help=option.sentence(),
+            hidden=option.hidden,
+            autocompletion=_completed([option.name]),
+        )
 
     def shell_complete(self, ctx: Any, incomplete: str) -> list[Any]:
         """Return the candidates; with the option before them for zsh and fish, which replace the whole word."""
@@ -72,39 +85,11 @@ class _Option(TyperOption):
         return items
 
 
-def _option(option: Option) -> TyperOption:
-    """Return an option as typer has it."""
-    is_flag = not option.metavar
-    return _Option(
-        param_decls=[option.name, *option.flags],
-        is_flag=is_flag,
-        default=False if is_flag else None,
-        metavar=option.metavar or None,
-        help=option.sentence(),
-        hidden=option.hidden,
-        autocompletion=_completed([option.name]),
-    )
-
-
-def _argument(command: Command) -> TyperArgument:
-    """Return the words of a command as typer has them."""
-    return TyperArgument(
-        param_decls=["words"],
-        nargs=1 if command.most_words == 1 else -1,
-        metavar=command.words,
-        autocompletion=_completed(command.kinds),
-    )
-
-
-def _nothing() -> None:
-    """Do nothing: our reader has run the command before typer would."""
-
-
 app = typer.Typer(cls=_Program, help=TITLE, add_help_option=False, rich_markup_mode=None)
 for _command in COMMANDS.values():
     app.command(
         _command.name, cls=_Command, help=_command.sentence, short_help=_command.sentence, add_help_option=False
-    )(_nothing)
+    )(lambda: None)  # our reader has run the command before typer would
 
 
 # --- Candidates -------------------------------------------------------------------------------------------------------
@@ -137,10 +122,8 @@ def _completed(kinds: Sequence[str]) -> Callable[[object, object, str], list[str
 def _candidates(kind: str, begun: str) -> Iterable[str]:
     """Return words of a kind, or values of an option: names, which may stand in a list, or a number with each unit."""
     head, comma, word = begun.rpartition(",")
-    if kind in _OF_MATERIALS:
-        return [head + comma + name for name in _materials(word)]
     if kind in _NAMES:
-        return [head + comma + name for name in _NAMES[kind]()]
+        return [head + comma + name for name in _NAMES[kind](word)]
     name = "radius" if kind == "RADIUS" else kind
     if name not in NOMENCLATURE:
         return []
@@ -162,39 +145,23 @@ def _materials(begun: str) -> list[str]:
     return names or [name for name in materials.aliases if name.startswith(begun)]
 
 
-def _results() -> list[str]:
-    """Return the quantities that a formula gives, without variants and without what is only an input."""
-    return [
-        name
-        for name, quantity in NOMENCLATURE.items()
-        if not quantity.is_word and not quantity.variant_of and (quantity.equation or quantity.range is ANY)
-    ]
-
-
-def _inputs() -> list[str]:
+def _inputs(_: str) -> list[str]:
     """Return the inputs that can be inferred, by their names and the words of their options."""
     from ..scene.inverse import SIZES
 
     return [*SIZES, *(word for word, name in OPTION_WORDS.items() if name in SIZES)]
 
 
-def _axes() -> list[str]:
-    """Return the quantities that an axis can have, each with the sign before its range."""
-    return [f"{name}=" for name, quantity in NOMENCLATURE.items() if quantity.range is not ANY]
-
-
-# By the kind of a word, or the name of an option.
-_OF_MATERIALS = ("MATERIAL", "material", "material2", "mark")
-_NAMES: Mapping[str, Callable[[], Iterable[str]]] = {
-    "FIGURE": lambda: import_module("..pictures.figures", __package__).FIGURE_NAMES,
+_QUANTITIES = [name for name, quantity in NOMENCLATURE.items() if not (quantity.is_word or quantity.variant_of)]
+# The names that a begun word may become, by its kind, or by the name of the option whose value it is.
+_NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
+    **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
+    **dict.fromkeys(("NAME", "QUANTITY", "quantities"), lambda _: _QUANTITIES),
+    **dict.fromkeys("xy", lambda _: [f"{name}=" for name in _QUANTITIES if NOMENCLATURE[name].range is not ANY]),
+    "FIGURE": lambda _: import_module("..pictures.figures", __package__).FIGURE_NAMES,
     "INPUT": _inputs,
-    "NAME": lambda: NOMENCLATURE,
-    "PROGRAM": lambda: import_module("..output.exports", __package__).PROGRAMS,
-    "QUANTITY": _results,
-    "TOPIC": topics,
-    "measured": lambda: [f"{name}=" for name in _results()],
-    "model": lambda: LAWS,
-    "quantities": _results,
-    "x": _axes,
-    "y": _axes,
+    "PROGRAM": lambda _: import_module("..output.exports", __package__).PROGRAMS,
+    "TOPIC": lambda _: topics(),
+    "measured": lambda _: [f"{name}=" for name in _QUANTITIES],
+    "model": lambda _: LAWS,
 }

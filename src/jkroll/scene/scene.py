@@ -92,13 +92,6 @@ def is_answer(name: str, value: Any) -> Any:
     return (size >= SMALLEST) & ((size < INFINITY) | (name in _OF_A_PLANE)) | is_zero
 
 
-def with_nan(name: str, values: Any) -> Any:
-    """Return an array with nan in place of the elements that are no answer."""
-    if values.size and values.min() >= SMALLEST and values.max() < INFINITY:  # as of nearly all quantities
-        return values
-    return where(is_answer(name, values), values, nan)
-
-
 # --- Scenes -----------------------------------------------------------------------------------------------------------
 
 IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # what says where rolling begins
@@ -475,7 +468,8 @@ class Scene:
         if isinstance(value, NUMBER):
             is_usual = SMALLEST <= value < INFINITY  # as nearly always
             return value if is_usual or is_answer(name, value) else failure_of(name, given, value)
-        numbers = with_nan(name, value)
+        is_usual = value.size and value.min() >= SMALLEST and value.max() < INFINITY
+        numbers = value if is_usual else where(is_answer(name, value), value, nan)
         for source in self._gaps.intersection(argument.name for _, argument in plan.arguments):
             numbers = where(self.values[source] == self.values[source], numbers, nan)
         if numbers is not value:

@@ -79,7 +79,8 @@ def solve(
     >>> {name: round(value, 1) for name, value in solve(["n_grav"], material="quartz", radius=1e-7).items()}
     {'n_grav': 939.4}
     """
-    names = [named(str(name)) for name in (wanted if _is_list(wanted) else [wanted])]
+    is_list = isinstance(wanted, Iterable) and not isinstance(wanted, str)
+    names = [named(str(name)) for name in (wanted if is_list else [wanted])]
     described, registry = in_si(given)
     scene = Scene(described, *materials_of(material, material2, materials), model=model)
     results = values_of(scene, names)
@@ -90,11 +91,7 @@ def solve(
         results = with_uncertainties(results, uncertainties(scene, names)[0])
     elif registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
-    return results if _is_list(wanted) else results[names[0]]
-
-
-def _is_list(wanted: Any) -> bool:
-    return isinstance(wanted, Iterable) and not isinstance(wanted, str)
+    return results if is_list else results[names[0]]
 
 
 def materials_of(
