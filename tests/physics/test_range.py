@@ -15,7 +15,7 @@ from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.quantities.values import QuantityError
 from jkroll.scene.failures import MissingInput
-from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, takes, with_nan
+from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, is_answer, takes
 from jkroll.scene.wiring import Plan, formula_of, steps_to
 from maugis_reference import Exact, digits, mpf
 from reference import BOUND, conditions, exact, exact_results, ulp_error
@@ -239,7 +239,8 @@ def _elements(given: Mapping[str, Any], plans: Mapping[str, Plan]) -> dict[str, 
     with np.errstate(all="ignore"):
         for name, step in steps_to(plans.values()).items():
             known = {parameter: values[argument.name] for parameter, argument in step.arguments}
-            values[name] = with_nan(name, step.formula(**known))
+            elements = step.formula(**known)
+            values[name] = np.where(is_answer(name, elements), elements, math.nan)
     return {name: value.item() for name, value in values.items()}
 
 

@@ -180,18 +180,20 @@ _FURTHER = (*_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio", "adhe
 
 
 @cache
-def input_options(quantities: tuple[str, ...], *, any_input: bool = False) -> tuple[Option, ...]:
-    """Return the options for the inputs that quantities depend on, and with `any_input` for all others, too.
+def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option, ...]:
+    """Return the options for the inputs that quantities depend on, or for all inputs where any may be asked for.
 
-    The properties of a material are taken by every command, but shown only where they are used.
+    The properties of a material are taken by every command, but shown only where they are used. Of all inputs, those of
+    the report are shown.
     """
     from ..quantities.laws import LAWS, differs
     from ..scene.wiring import depends_on
 
-    depends = depends_on(quantities, LAWS)
-    if any(map(differs, depends_on(quantities))):
+    of_results = quantities or QUESTIONS["report"].quantities
+    depends = depends_on(of_results, LAWS)
+    if any(map(differs, depends_on(of_results))):
         depends |= {"model"}
-    names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if any_input or name in depends)))
+    names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if not quantities or name in depends)))
     shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
     return tuple(
         Option(name, quantity.option, metavar=quantity.example, hidden=name not in shown)
@@ -256,21 +258,12 @@ def _options_of_table() -> tuple[Option, ...]:
 _SCENE = "[MATERIAL] [RADIUS]..."
 
 
-def _any_input() -> tuple[Option, ...]:
-    """Return the options of commands of which any quantity may be asked: those of the report are shown."""
-    return input_options(QUESTIONS["report"].quantities, any_input=True)
-
-
 def _question(
     name: str, job: str, sentence: str, example: str, *others: Option, runner: str = "question:run_question"
 ) -> Command:
     """Return the command of a question: it takes inputs, options of its own, and those of the output."""
-
-    def options() -> tuple[Option, ...]:
-        inputs = _any_input() if name == "report" else input_options(QUESTIONS[name].quantities)
-        return (*inputs, *others, *OUTPUT)
-
-    return Command(name, sentence, _SCENE, options, runner, example, job)
+    quantities = () if name == "report" else QUESTIONS[name].quantities
+    return Command(name, sentence, _SCENE, lambda: (*input_options(quantities), *others, *OUTPUT), runner, example, job)
 
 
 _COMMANDS = (
@@ -295,12 +288,12 @@ _COMMANDS = (
     Command("export", "Input of LAMMPS, LIGGGHTS, DustSimulation or DustCollider.", "PROGRAM [MATERIAL] [RADIUS]",
         _options_of_export, "runners:run_export", "lammps quartz 100nm --model dmt", DEM),
     Command("infer", "Inputs from measured values.", "INPUT [MATERIAL] [RADIUS]...",
-        lambda: (MEASURED, *_any_input(), *_OUTPUT), "runners:run_infer",
+        lambda: (MEASURED, *input_options(), *_OUTPUT), "runners:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN", CONTACT),
     Command("batch", "Results for each row of a table.", "IN",
         _options_of_table, "runners:run_batch", "grains.csv -o forces.csv", ALL),
     Command("map", "Draw a quantity over two inputs as a map, or over one as curves.",
-        "QUANTITY [MATERIAL] [RADIUS]...", lambda: (*AXES, *_any_input(), *PICTURE), "map:run_map",
+        "QUANTITY [MATERIAL] [RADIUS]...", lambda: (*AXES, *input_options(), *PICTURE), "map:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2"),
     Command("figure", "Draw a figure of the paper from its equations.", "FIGURE",
         lambda: (AS_PRINTED, *PICTURE), "map:run_figure", "3a --mark quartz@100nm"),

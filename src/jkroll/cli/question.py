@@ -2,7 +2,6 @@
 
 import sys
 from collections.abc import Callable, Iterable, Iterator
-from functools import partial
 from itertools import islice
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
@@ -29,19 +28,18 @@ def run_question(call: Call) -> int:
     """Answer the question of a command for every scene that was described; return the exit code."""
     check_format(call)
     question = question_of(call, QUESTIONS[call.command])
-    if call.kind == "bare":
-        question = question._replace(quantities=question.headline)
     form = call.form(question.quantities)
-    if call.quantities:
-        _refuse_inputs(question, call.sweep)
-    return write(call, call.sweep, question, form, partial(_answer, question))
+    for name in question.named:
+        scene = call.sweep.kinds[0]
+        if name in scene.stated or (name in scene.values and formula_of(name) is None):
+            raise BadRequest(f"--quantities: {name} is an input here")
 
+    def answer(row: Scene) -> "Answer":
+        from ..answers.answer import Answer  # of which rows that are written with fewer words need nothing
 
-def _answer(question: Question, scene: Scene) -> "Answer":
-    """Return the answer to a question of a scene; rows that are written with fewer words import nothing of it."""
-    from ..answers.answer import Answer
+        return Answer(question, row)
 
-    return Answer(question, scene)
+    return write(call, call.sweep, question, form, answer)
 
 
 def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: "Callable[[Any], Answer]") -> int:
@@ -73,18 +71,9 @@ def check_format(call: Call) -> None:
 
 
 def question_of(call: Call, usual: Question) -> Question:
-    """Return the question about the quantities that `--quantities` lists, or the usual one without it."""
-    if call.quantities is None:
-        return usual
-    return question_about(call.quantities)
-
-
-def _refuse_inputs(question: Question, sweep: Sweep) -> None:
-    """Raise BadRequest for a quantity that was named and is not a result of the scenes, but one of their inputs."""
-    scene = sweep.kinds[0]
-    for name in question.named:
-        if name in scene.stated or (name in scene.values and formula_of(name) is None):
-            raise BadRequest(f"--quantities: {name} is an input here")
+    """Return the question about the quantities that `--quantities` lists, or the usual one; bare, its headline."""
+    question = usual if call.quantities is None else question_about(call.quantities)
+    return question._replace(quantities=question.headline) if call.kind == "bare" else question
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
@@ -233,8 +222,7 @@ def _write_curve(call: Call) -> int:
     if call.kind in ("explain", "cite"):
         raise BadRequest(f"--curve and --{call.kind} exclude each other")
     question = question_of(call, FORCE_CURVE)
-    shown = question.headline if call.kind == "bare" else question.quantities
-    form = call.form(shown)
+    form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
     samples = [*at_states(sweep.kinds, loads)]
     failures = (AtState(sample, question).failure for sample in samples)
@@ -244,8 +232,9 @@ def _write_curve(call: Call) -> int:
     if call.kind == "json":
         every = [*states]
         return _write_answers(call, (AtState(state, question) for state in every), len(every), form)
-    bare = OfCurve(shown, named=shown, doubts=False)
-    wanted = bare if call.kind == "bare" else OfCurve.of(samples, shown)
+    wanted = OfCurve.of(samples, question.quantities)
+    if call.kind == "bare":
+        wanted = wanted._replace(inputs=(), doubts=False)
     is_table = call.kind == "table" and call.target is None
     size = None if is_table else CURVE_BLOCK
 
