@@ -193,7 +193,7 @@ def test_a_pair_of_rigid_bodies_is_left_out(run: Run) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("", "export: which program? write jkroll export lammps quartz 100nm"),
+        ("", "export: '' is not among the programs: lammps, liggghts, dust-collider, dust-simulation"),
         (
             "yade quartz 100nm",
             "export: 'yade' is not among the programs: lammps, liggghts, dust-collider, dust-simulation",

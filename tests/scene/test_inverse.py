@@ -428,7 +428,7 @@ def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run:
     ("words", "code", "message"),
     [
         ("infer", 2, "infer needs an input: one of surface_energy, "),
-        ("infer gamma quartz 1um", 2, "infer needs what was measured: --measured pull_off_force=300nN"),
+        ("infer gamma quartz 1um", 2, "infer needs a measured quantity for each input, 1 in all: --measured pull"),
         ("infer gamma quartz 1um --measured 3nN", 2, "--measured: write a quantity and its value"),
         ("infer gamma quartz 1um --measured pull_off_force=3nm", 2, "pull_off_force: '3nm' is a length; "),
         (

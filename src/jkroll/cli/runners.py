@@ -25,10 +25,7 @@ def run_export(call: Call) -> int:
     from ..answers.questions import Question
     from ..output.exports import PROGRAMS
 
-    if not call.subject:
-        raise BadRequest("export: which program? write jkroll export lammps quartz 100nm")
-    known = {name.replace("-", ""): program for name, program in PROGRAMS.items()}
-    program = known.get(call.subject.casefold().replace("-", ""))
+    program = PROGRAMS.get(call.subject.casefold())
     if program is None:
         raise BadRequest(f"export: {quoted(call.subject)} is not among the programs: {', '.join(PROGRAMS)}")
     if (count := len(call.sweep)) != 1:
@@ -80,9 +77,6 @@ def run_infer(call: Call) -> int:
 
 def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spread]]:
     """Read the measured quantities and their values: as many as inputs are sought."""
-    example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)
-    if not texts:
-        raise BadRequest(f"infer needs what was measured: {example}")
     measured: dict[str, list[Spread]] = {}
     for text in texts:
         word, has_value, value = text.partition("=")
@@ -93,9 +87,8 @@ def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spre
             raise BadRequest(f"--measured: {quantity} is given twice; several values have commas")
         measured[quantity] = spreads_of(value, quantity)
     if len(measured) != len(names):
-        wanted = ("an input needs one measured quantity", "two inputs need two measured quantities")[len(names) - 1]
-        are = "is" if len(measured) == 1 else "are"
-        raise BadRequest(f"{wanted}, and {len(measured)} {are} given: {example}")
+        example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)
+        raise BadRequest(f"infer needs a measured quantity for each input, {len(names)} in all: {example}")
     return measured
 
 
