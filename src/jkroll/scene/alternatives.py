@@ -91,11 +91,8 @@ SIO2, POLYSTYRENE = "SiO2", "polystyrene"
 FORCES = 0.85e-9, 1.21e-9
 ROLLED = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
 _OF_POLYSTYRENE = Displacement(Interval(42e-9, 42e-9, 42e-9), 1e-5)  # spheres of 5 µm on a plane: Sümer & Sitti
-_SIZES = {
-    SIO2: (1e-7, 3e-6),
-    POLYSTYRENE: (3e-6, 1e-4),
-}  # of identical pairs, to which it is scaled
-_ENERGIES = {SIO2: (0.02, 0.025), POLYSTYRENE: (0.0, INFINITY)}  # that these spheres may have
+# The radii of identical pairs to which it is scaled, and the surface energies that these spheres may have.
+_NEAR = {SIO2: ((1e-7, 3e-6), (0.02, 0.025)), POLYSTYRENE: ((3e-6, 1e-4), (0.0, INFINITY))}
 
 
 def measured_solid(material: Material) -> str:
@@ -129,7 +126,7 @@ def rolled_solid(scene: Scene) -> str:
 def _is_near(scene: Scene, solid: str) -> Any:
     """Return whether spheres of a solid have the size and γ of those that were rolled, by element for arrays."""
     known = scene.numbers("work_of_adhesion", "reduced_radius")
-    (least, most), (low, high) = _SIZES[solid], _ENERGIES[solid]
+    (least, most), (low, high) = _NEAR[solid]
     radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
     return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
 
