@@ -192,8 +192,9 @@ def _read(
     rest = deque(words)
     while rest:
         word = rest.popleft()
-        if "RADIUS" in kinds and (spelt := _named_value(word, flags)):
-            word = spelt
+        name, has_value, _ = word.partition("=")
+        if "RADIUS" in kinds and has_value and not word.startswith("-") and _option(f"--{name}", flags):
+            word = f"--{word}"  # gamma=25mJ/m2
         elif word[:1] in _DASHES and word[1:2].isalpha() and "IN" not in kinds:
             raise BadRequest(f"{quoted(word)} begins with a dash; options begin with hyphens: --{word[1:]}")
         elif not word.startswith("-") or word == "-" or ("IN" in kinds and _is_negative(word)):
@@ -267,12 +268,6 @@ def _with_unit(number: str, rest: deque[str]) -> str:
 def _is_negative(text: str) -> bool:
     """Return whether a text begins as a negative value does."""
     return len(text) > 1 and text[0] == "-" and text[1] in "0123456789."
-
-
-def _named_value(word: str, flags: Mapping[str, Option]) -> str | None:
-    """Return a word such as gamma=25mJ/m2 as an option."""
-    name, has_value, _ = word.partition("=")
-    return f"--{word}" if has_value and not word.startswith("-") and _option(f"--{name}", flags) else None
 
 
 def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
