@@ -190,7 +190,7 @@ def test_what_is_not_written_into_a_file_of_json(run: Run) -> None:
     for option in ("--csv", "--bare", "--cite"):
         assert (
             run(f"pull-off quartz 100nm -o x.json {option}").err
-            == f"jkroll: -o 'x.json' and {option} exclude each other\n"
+            == f"jkroll: -o 'x.json' and {option} exclude each other; redirect the output: > FILE\n"
         )
     assert run("pull-off quartz 100nm -o x.json --resume").code == 2
     assert run("pull-off quartz 1nm:1um:2000000 -o x.json").code == 2
@@ -200,8 +200,7 @@ def test_what_is_not_written_into_a_file_of_json(run: Run) -> None:
 
 def test_what_a_file_of_rows_is_not(run: Run) -> None:
     for form in ("json", "bare", "explain", "cite"):
-        remedy = "name the file x.json" if form == "json" else "redirect the output: > FILE"
-        message = f"jkroll: -o and --{form} exclude each other; {remedy}\n"
+        message = f"jkroll: -o 'x.csv' and --{form} exclude each other; redirect the output: > FILE\n"
         assert run(f"pull-off quartz 1nm:1um:3 -o x.csv --{form}") == (2, "", message)
     too_many = "jkroll: --json: 2000000 pairs are more than 1000000; --csv writes any number\n"
     assert run("pull-off quartz 1nm:1um:2000000 --json") == (2, "", too_many)

@@ -557,8 +557,8 @@ def test_rows_of_a_curve_fill_its_loads(run: Run, model: str, first: str, last: 
     ("line", "message"),
     [
         ("contact quartz 100nm -o contact.svg", "add --curve"),
-        ("contact quartz 100nm --curve -o contact.jpg", "does not end in .svg, .pdf or .png; --csv > FILE writes"),
-        ("pull-off quartz 100nm -o contact.jpg", "'contact.jpg' is a picture"),
+        ("contact quartz 100nm --curve -o contact.jpg", "a table is not written as jpg; name the file 'contact.csv'"),
+        ("pull-off quartz 100nm -o contact.svg", "'contact.svg' is a picture"),
         ("contact quartz 100nm --curve -o contact.xlsx", "a table is not written as xlsx; name the file 'contact.csv'"),
         ("contact quartz 100nm --curve --csv -o contact.svg", "-o and --csv exclude each other"),
         ("contact quartz 100nm --curve -o contact.svg --to nN", "-o and --to exclude each other"),

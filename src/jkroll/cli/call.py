@@ -188,18 +188,19 @@ class Call:
         chosen = [name for name in FORMATS if getattr(self, name)]
         if len(chosen) > 1:
             raise BadRequest(f"--{chosen[0]} and --{chosen[1]} exclude each other")
-        if self.target is not None and ending(self.target) == "json":
-            if chosen and chosen != ["json"]:
-                raise BadRequest(f"-o {quoted(self.target)} and --{chosen[0]} exclude each other")
-            return "json"
-        if chosen:
-            return chosen[0]
-        return "table" if sys.stdout.isatty() else "plain"
+        is_json = self.target is not None and ending(self.target) == "json"
+        if not chosen:
+            usual = "table" if sys.stdout.isatty() else "plain"
+            return "json" if is_json else usual
+        if self.target is not None and chosen[0] != ("json" if is_json else "csv"):
+            remedy = "redirect the output: > FILE"
+            raise BadRequest(f"-o {quoted(self.target)} and --{chosen[0]} exclude each other; {remedy}")
+        return chosen[0]
 
     @property
     def names_picture(self) -> bool:
-        """True if the name of the output file is that of a picture, be it one that is drawn or not."""
-        return self.target is not None and ending(self.target) in (*PICTURES, *OTHER_PICTURES)
+        """True if the name of the output file is that of a picture."""
+        return self.target is not None and ending(self.target) in PICTURES
 
     def form(self, quantities: Sequence[str]) -> Format:
         """Return the format of results; each unit of `--to` applies to the quantities of its dimension."""
@@ -227,7 +228,6 @@ class Call:
 OPTIONS = frozenset(Call.__annotations__)  # names of options that are no inputs
 FORMATS = ("bare", "json", "csv", "explain", "cite")
 PICTURES = ("svg", "pdf", "png")
-OTHER_PICTURES = ("jpg", "jpeg", "gif", "tif", "tiff", "eps", "ps", "svgz", "bmp", "webp")  # are not drawn
 
 
 def is_table(word: str) -> bool:

@@ -14,7 +14,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.sweep import Sweep
 from ..scene.scene import Scene
 from ..scene.wiring import formula_of
-from ..text import ending, quoted, say_wrapped
+from ..text import quoted, say_wrapped
 from .call import Call, worded
 
 if TYPE_CHECKING:
@@ -64,10 +64,6 @@ def check_format(call: Call) -> None:
     if call.names_picture:
         remedy = "add --curve to contact, or see jkroll map --help"
         raise BadRequest(f"-o: {quoted(call.target or '')} is a picture; {remedy}")
-    is_json = call.target is not None and ending(call.target) == "json"
-    if call.target is not None and not is_json and call.kind in ("bare", "json", "explain", "cite"):
-        remedy = "name the file x.json" if call.kind == "json" else "redirect the output: > FILE"
-        raise BadRequest(f"-o and --{call.kind} exclude each other; {remedy}")
 
 
 def question_of(call: Call, usual: Question) -> Question:
