@@ -2,17 +2,12 @@
 
 from collections.abc import Callable, Mapping
 from functools import cache
-from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
 from ..text import capitalized, quoted
-
-if TYPE_CHECKING:
-    from .call import Call
 
 MAX_DIGITS = 9  # of a number
 
@@ -230,12 +225,6 @@ class Command:
     def flags(self) -> dict[str, Option]:
         """Return the options by their spellings."""
         return {flag: option for option in (*self.options(), HELP) for flag in option.flags}
-
-    def runner_function(self) -> "Callable[[Call], int]":
-        """Return the function that answers a call."""
-        module, _, function = self.runner.partition(":")
-        run: Callable[[Call], int] = getattr(import_module(f".{module}", __package__), function)
-        return run
 
 
 def _options_of_export() -> tuple[Option, ...]:

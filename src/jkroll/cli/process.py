@@ -12,6 +12,7 @@ from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
+from importlib import import_module
 from typing import Any
 
 from .. import __version__
@@ -167,7 +168,9 @@ def _action(command: Command, words: Sequence[str]) -> Action:
         raise BadRequest(f"{extra} is one word too many: jkroll {command.name} {command.words}".rstrip())
     from .call import Call
 
-    return partial(command.runner_function(), Call(command, arguments, options))
+    module, _, function = command.runner.partition(":")
+    run = getattr(import_module(f".{module}", __package__), function)
+    return partial(run, Call(command, arguments, options))
 
 
 def _print_help(name: str | None) -> int:
