@@ -93,7 +93,10 @@ class Call:
         text = self.inputs.get("model")
         if text is None:
             return [None]
-        return [*dict.fromkeys(law_named(word).name for word in text.split(","))]
+        names = [law_named(word).name for word in text.split(",")]
+        if len(set(names)) < len(names):
+            raise BadRequest(f"--model: {quoted(text)} names a law more than once")
+        return names
 
     @cached_property
     def values(self) -> dict[str, str]:
