@@ -212,7 +212,8 @@ class Answered:
         return self.values[named(name, self.values)]
 
     def __repr__(self) -> str:
-        texts = (f"{NOMENCLATURE[name].symbol} = {result}" for name, result in self.values.items())
+        shown = {name: "no value" if result.value is None else result for name, result in self.values.items()}
+        texts = (f"{NOMENCLATURE[name].symbol} = {result}" for name, result in shown.items())
         return f"<Answered: {', '.join(texts)}>"
 
     def __str__(self) -> str:
