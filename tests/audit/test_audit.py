@@ -61,27 +61,6 @@ def test_how_far_off_it_is(equation: str, verdict: Verdict, ratio: float) -> Non
     assert row.printed / row.follows == approx(ratio, rel=1e-3)
 
 
-# --- What a verdict means --------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("printed", "verdict"),
-    [
-        ((2.0, -3.0), "holds"),
-        ((2.002, -3.0), "holds"),
-        ((2.0, 3.0), "sign"),
-        ((2.0, -1.5), "approximate"),
-        ((2.0, -1.0), "wrong"),
-        ((2.0, -9.0), "wrong"),
-    ],
-)
-def test_a_verdict(printed: Terms, verdict: Verdict) -> None:
-    check = Check("0", "a claim", "holds", "", printed=printed, follows=(2.0, -3.0), within=0.001, hedge=2)
-    assert check.verdict == verdict
-    if verdict in ("approximate", "wrong"):
-        assert check._replace(restated=(2.0, -3.0)).verdict == "misprint"
-
-
 @pytest.mark.parametrize(
     ("equation", "verdict", "mended", "becomes"),
     [

@@ -152,10 +152,6 @@ def test_a_comma_in_a_number_without_a_unit_is_refused(run: Run, words: str) -> 
     assert (ran.code, "may be a list or a number with a comma" in ran.err) == (2, True)
 
 
-def test_a_list_of_numbers_without_a_unit_has_points(run: Run) -> None:
-    assert len(run("n-roll quartz 1um --energy-ratio 1.0,5.0 --bare").out.splitlines()) == 2
-
-
 def test_a_power_behind_an_error_bar_alone_is_refused(run: Run) -> None:
     ran = run("pull-off 100nm --gamma 2.5±0.5e-2J/m2")
     assert (ran.code, "can be read as (2.5±0.5)e-2 or as 2.5±(0.5e-2)" in ran.err) == (2, True)

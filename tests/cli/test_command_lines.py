@@ -77,12 +77,3 @@ def test_the_corpus_has_every_command_option_and_law() -> None:
 
 def test_every_command_is_drawn() -> None:
     assert {*WEIGHTS} == {*COMMANDS}
-
-
-def test_no_line_is_run_outside_of_a_directory_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """All that is not among the input files is deleted there."""
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "kept").write_text("x", encoding="utf-8")
-    with pytest.raises(RuntimeError, match="is no directory of among_input_files"):
-        run(lines()[0])
-    assert (tmp_path / "kept").exists()

@@ -119,7 +119,11 @@ def test_every_number_is_rounded_once(value: Decimal, other: Decimal, unit: str)
         assert interval == Interval(float((value + other) * Decimal(factor) / 2), low, high)
 
 
-@given(st.text(alphabet="0123456789.eE+-±()/% nmto", max_size=30) | st.text(max_size=90))
+@given(
+    st.text(alphabet="0123456789.eE+-±()/% nmto", max_size=30)
+    | st.text(max_size=90)
+    | st.from_regex(r"[-+]?\d{1,5}(\.\d+)?(e-?\d{1,4})? ?([a-zA-Z]{1,8}[\^*/ ]{0,2}-?\d{0,3}){0,9}", fullmatch=True)
+)
 def test_nothing_but_the_declared_errors_escapes(text: str) -> None:
     try:
         found = value_of(text, "radius")
