@@ -107,7 +107,12 @@ def compressed(block: Any, compression: str) -> Any:
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
     """Iterate over the decompressed bytes of a file, some at a time. Raises BadTable for a damaged file."""
     problem = BadTable(f"{quoted(path)} is not what its name says, or its end is missing")
-    begin, damaged = _decompressor(compression)
+    begin: Callable[[], Any] = partial(zlib.decompressobj, zlib.MAX_WBITS | 16)
+    damaged: type[Exception] = zlib.error
+    if compression == "zstd":
+        with missing_extra("zstd"):
+            from zstandard import ZstdDecompressor, ZstdError
+        begin, damaged = ZstdDecompressor().decompressobj, ZstdError
     frame = begin()
     try:
         for piece in iter(partial(file.read, FEED), b""):
@@ -121,15 +126,6 @@ def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]
         raise problem from None
     if not frame.eof:
         raise problem
-
-
-def _decompressor(compression: str) -> tuple[Callable[[], Any], type[Exception]]:
-    """Return the maker of what decompresses files, one or several behind each other, and the error of a damaged one."""
-    if compression == "gzip":
-        return partial(zlib.decompressobj, zlib.MAX_WBITS | 16), zlib.error
-    with missing_extra("zstd"):
-        from zstandard import ZstdDecompressor, ZstdError
-    return ZstdDecompressor().decompressobj, ZstdError
 
 
 # --- The input --------------------------------------------------------------------------------------------------------
