@@ -119,12 +119,18 @@ class Wanted(_Request):
 
         return sources_of_results(scene, [*(self.names if names is None else names)])
 
-    def left_out(self, sources: "Sources") -> BadRequest | None:
-        """Return the remark on uncertainties that have no columns, if there are some."""
+    def bars(
+        self, scene: Any, names: Collection[str], sources: "Sources | None"
+    ) -> tuple[dict[str, Any], BadRequest | None]:
+        """Return the uncertainties of values by their keys, or the remark that the table has no columns for them."""
+        if sources is None:
+            return {}, None
+        from ..scene.uncertainty import measures_of, uncertainties
+
         if sources.sides <= {side for name in self.names for side in self.sides_of(name)}:
-            return None
+            return measures_of(uncertainties(scene, [*names], sources=sources)[0]), None
         problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
-        return BadRequest(f"{listed(sources.given)}: {problem}", "error bars left out")
+        return {}, BadRequest(f"{listed(sources.given)}: {problem}", "error bars left out")
 
     def work(self, scene: Any) -> int:
         """Return the cost of a row that is computed by itself, counted in formulas."""
@@ -135,21 +141,30 @@ class Wanted(_Request):
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
         outcomes = scene.outcomes(self.names, self.named)
-        reasons = reasons_of(outcomes)
-        values = {name: value for name, value in outcomes.items() if name not in reasons}
-        measures = self.numbers_beside(scene, outcomes)
-        numbers: dict[str, float] = {**values, **{key: middle(value) for key, value in measures.items()}}
+        values = [name for name, value in outcomes.items() if not isinstance(value, JkrollError)]
         inputs = scene.echo(scene.inputs_used(self.names, self.names)) if self.inputs else {}
-        if (sources := self.sources_in(scene, outcomes)) is not None:
-            from ..scene.uncertainty import measures_of, uncertainties
+        bits = bits_of(doubts(scene, values)) if self.doubts and values else 0
+        sources, others = self.sources_in(scene, outcomes), self.numbers_beside(scene, outcomes)
+        return self.row_of(scene, outcomes | others, inputs, sources, bits)
 
+    def row_of(
+        self, scene: Any, outcomes: Mapping[str, Any], inputs: dict[str, Any], sources: "Sources | None", bits: int
+    ) -> "Row":
+        """Return the row of outcomes, by key."""
+        reasons = reasons_of(outcomes)
+        values = {key: value for key, value in outcomes.items() if key not in reasons}
+        numbers = {key: middle(value) for key, value in values.items()}
+        bars, remark = self.bars(scene, [name for name in self.names if name in outcomes], sources)
+        if remark is not None:
+            reasons[UNCERTAINTY] = remark
+        for key, value in (values | bars).items():
+            for side, of_side in self.sides_of(key).items():
+                if isinstance(value, JkrollError):
+                    reasons[of_side] = value
+                elif is_uncertain(value) and side in value.sides:
+                    numbers[of_side] = value.sides[side]
+        if sources is not None:
             inputs |= {name: given for name, given in sources.given.items() if name in inputs}
-            if (remark := self.left_out(sources)) is not None:
-                reasons[UNCERTAINTY] = remark
-            else:
-                measures |= measures_of(uncertainties(scene, [*outcomes], sources=sources)[0])
-        fill_sides(self, measures, numbers, reasons)
-        bits = bits_of(doubts(scene, [*values])) if self.doubts and values else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
     def columns(self, scene: Any, rows: Sequence[int], scene_of: Callable[[int], Any]) -> tuple["Columns", Any]:
@@ -169,14 +184,10 @@ class Wanted(_Request):
         if self.doubts and values:
             columns.doubts[...] = _doubts(scene, columns, [*values])
         again = _explain(columns, scene, is_shown, lambda row: scene_of(rows[row]))
-        if (sources := self.sources_in(scene, outcomes)) is not None:
-            from ..scene.uncertainty import measures_of, uncertainties
-
-            if (remark := self.left_out(sources)) is not None:
-                columns.add_remark(remark)
-            else:
-                measures |= measures_of(uncertainties(scene, [*values], sources=sources)[0])
-        return columns, again | columns.put_sides(measures)
+        bars, remark = self.bars(scene, values, self.sources_in(scene, outcomes))
+        if remark is not None:
+            columns.add_remark(remark)
+        return columns, again | columns.put_sides(measures | bars)
 
 
 class Row(NamedTuple):
@@ -198,18 +209,6 @@ def reasons_of(outcomes: Mapping[str, Any]) -> dict[str, JkrollError]:
     if not outcomes:
         return {ROW: Failure(OF_IDENTICAL_SPHERES)}
     return {name: outcome for name, outcome in outcomes.items() if isinstance(outcome, JkrollError)}
-
-
-def fill_sides(
-    wanted: Wanted, measures: Mapping[str, Any], numbers: dict[str, float], reasons: dict[str, JkrollError]
-) -> None:
-    """Add the columns of uncertainties of values to the numbers of a row, or the reasons why they have none."""
-    for key, value in measures.items():
-        for side, of_side in wanted.sides_of(key).items():
-            if isinstance(value, JkrollError):
-                reasons[of_side] = value
-            elif is_uncertain(value) and side in value.sides:
-                numbers[of_side] = value.sides[side]
 
 
 class Columns:

@@ -7,7 +7,7 @@ from typing import Any, overload
 
 import numpy
 
-from ..errors import BadRequest, JkrollError, NoResult
+from ..errors import BadRequest, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
@@ -16,11 +16,10 @@ from ..scene.inverse import SIZES, Problem, inputs_named
 from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
-from ..scene.uncertainty import measures_of, sources_of_results, uncertainties
+from ..scene.uncertainty import sources_of_results, uncertainties
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
-from .columns import Columns, Row, Wanted, fill_sides
-from .reasons import UNCERTAINTY
+from .columns import Columns, Row, Wanted
 from .sweep import Sweep
 
 _WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
@@ -41,20 +40,14 @@ class Unknowns(Wanted):
 
     def row(self, scene: Problem) -> Row:
         """Return the row of measured numbers."""
-        sources = self.sources_in(scene)
-        inputs = scene.echo() | ({} if sources is None else sources.given)
+        sources, inputs = self.sources_in(scene), scene.echo()
         try:
             solved = solution(scene)
         except (MissingInput, NoResult) as error:
-            return Row(inputs, [nan] * len(self.keys), 0, dict.fromkeys(self.names, error))
-        numbers, reasons = dict(solved.values), dict[str, JkrollError]()
-        if sources is not None:
-            if (remark := self.left_out(sources)) is not None:
-                reasons[UNCERTAINTY] = remark
-            else:
-                fill_sides(self, measures_of(uncertainties(solved, self.names, sources=sources)[0]), numbers, reasons)
+            given = {} if sources is None else sources.given
+            return Row({**inputs, **given}, [nan] * len(self.keys), 0, dict.fromkeys(self.names, error))
         bits = bits_of(doubts(solved.scene, [*scene.measured])) if self.doubts else 0
-        return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
+        return self.row_of(solved, solved.values, inputs, sources, bits)
 
     def columns(self, scene: Problem, rows: Sequence[int], scene_of: Any) -> tuple[Columns, Any]:  # noqa: ARG002
         """Return the columns of arrays of measured values, and the rows that floats are to compute."""
@@ -63,7 +56,7 @@ class Unknowns(Wanted):
             # Solids of many rows have no name: each row by itself says.
             raise BadRequest("of which spheres an unknown is")
         size = len(rows)
-        solved, sources, columns = solutions(scene, size), self.sources_in(scene), Columns.empty(self, size)
+        solved, columns = solutions(scene, size), Columns.empty(self, size)
         columns.repeat(scene.echo())
         columns.reasons = {row: dict.fromkeys(self.names, error) for row, error in solved.failures.items()}
         for name, values in solved.values.items():
@@ -72,12 +65,10 @@ class Unknowns(Wanted):
             values = {name: numpy.nan_to_num(values, nan=SIZES[name][1]) for name, values in solved.values.items()}
             columns.doubts[...] = bits_of(doubts(scene.with_values(values), [*scene.measured]))
             columns.doubts[[*solved.failures]] = 0
-        if sources is not None and (remark := self.left_out(sources)) is not None:
+        bars, remark = self.bars(solved, self.names, self.sources_in(scene))
+        if remark is not None:
             columns.add_remark(remark)
-        elif sources is not None:
-            bars, _ = uncertainties(solved, self.names, sources=sources)
-            return columns, columns.put_sides(measures_of(bars))
-        return columns, numpy.zeros(size, dtype=bool)
+        return columns, columns.put_sides(bars)
 
 
 class Problems(Sweep):
