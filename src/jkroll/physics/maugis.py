@@ -175,14 +175,8 @@ def approach_maugis_at_load(
     narrow = at_least(edge_ratio, 1.0)
     of_load = 3 / 4 * load / (contact_modulus * zone_span * narrow)
     of_narrow = of_load + depth * (3 / 2 * (narrow + 1 / narrow) * arctan(1 / narrow) - 1 / 2)
-    of_wide = approach_maugis(
-        edge_ratio=edge_ratio,
-        zone_span=zone_span,
-        reduced_radius=reduced_radius,
-        contact_modulus=contact_modulus,
-        cohesive_stress=cohesive_stress,
-    )
-    return where(edge_ratio > 1, of_narrow, of_wide)
+    a = edge_ratio * zone_span
+    return where(edge_ratio > 1, of_narrow, a * a / reduced_radius - 2 * depth)
 
 
 def load_maugis(

@@ -12,7 +12,7 @@ import numpy
 from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
-from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment
+from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
 from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
@@ -179,23 +179,20 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
     a = float(unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size))
     shift = float(Scene(SIZE).values["yield_displacement"])
-    unloaded = {**size, "load_constant": 0.0}
-
-    def pressure_at(position: Any, half_width: float, lag: float = 0.0) -> Any:
-        return asymmetric_pressure(
-            position_in_strip=position, contact_half_width=half_width, yield_displacement=lag, **unloaded
-        )
-
+    size["load_constant"] = 0.0
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
     left, right = across(-a - shift, 0.0), across(0.0, a - shift)
+    of_shifted = {"contact_half_width": a, "yield_displacement": shift, **size}
+    exact = asymmetric_pressure(position_in_strip=shifted + shift, **of_shifted)
+    behind = symmetric_pressure(position=left, contact_half_width=a + shift, **size)
+    ahead = symmetric_pressure(position=right, contact_half_width=a - shift, **size)
     highest = modulus * a / (2 * radius)
-    symmetric = Curve("exact, Eq (56)", centred, pressure_at(centred, a))
+    symmetric = Curve("exact, Eq (56)", centred, symmetric_pressure(position=centred, contact_half_width=a, **size))
     curves = [
-        Curve("exact, Eq (64)", shifted, pressure_at(shifted + shift, a, shift)),
-        Curve("half-strip ⟦a + ξ⟧", left, pressure_at(left, a + shift), 1, is_dashed=True),
-        Curve("half-strip ⟦a − ξ⟧", right, pressure_at(right, a - shift), 2, is_dashed=True),
+        Curve("exact, Eq (64)", shifted, exact),
+        Curve("half-strip ⟦a + ξ⟧", left, behind, 1, is_dashed=True),
+        Curve("half-strip ⟦a − ξ⟧", right, ahead, 2, is_dashed=True),
     ]
-    of_shifted = {"contact_half_width": a, "yield_displacement": shift, **unloaded}
     moments = contact_point_moment(**of_shifted), half_strips_moment(**of_shifted)
     shifted_by = amount("yield_displacement", shift)
     caption = (
