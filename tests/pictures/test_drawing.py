@@ -36,7 +36,7 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.text import Text
 
-from jkroll.pictures.page import FINE, figure_of, line_of, settings
+from jkroll.pictures.page import FINE, bands_of, figure_of, line_of, settings
 from jkroll.pictures.picture import DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -220,7 +220,7 @@ def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
 @pytest.mark.parametrize("style", [PAPER, DARK])
 def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
     greys = [
-        0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in (style.band(part / 8) for part in range(9))
+        0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue, _ in bands_of(style)(np.linspace(0, 1, 9))
     ]
     steps = np.diff(greys)
     assert (steps < -0.01).all() or (steps > 0.01).all()

@@ -162,7 +162,7 @@ def restructuring_speed(*, restructuring_energy: Energy, monomers: Number, mass:
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    A head-on collision.
     """
-    return _speed(restructuring_energy, monomers, mass)
+    return 2 * sqrt(restructuring_energy / (monomers * mass))
 
 
 def restructuring_speed_ormel(*, restructuring_energy_ormel: Energy, monomers: Number, mass: Mass) -> Speed:
@@ -173,7 +173,7 @@ def restructuring_speed_ormel(*, restructuring_energy_ormel: Energy, monomers: N
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    A head-on collision.
     """
-    return _speed(restructuring_energy_ormel, monomers, mass)
+    return 2 * sqrt(restructuring_energy_ormel / (monomers * mass))
 
 
 def disruption_energy(*, pull_off_work: Energy, contacts: Number) -> Energy:
@@ -206,7 +206,7 @@ def disruption_speed(*, disruption_energy: Energy, monomers: Number, mass: Mass)
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    A head-on collision.
     """
-    return _speed(disruption_energy, monomers, mass)
+    return 2 * sqrt(disruption_energy / (monomers * mass))
 
 
 def disruption_speed_dust_simulation(
@@ -219,7 +219,7 @@ def disruption_speed_dust_simulation(
     Source:   E = ½(N m1/2)v², N grains in each.
     Valid:    A head-on collision.
     """
-    return _speed(disruption_energy_dust_simulation, monomers, mass)
+    return 2 * sqrt(disruption_energy_dust_simulation / (monomers * mass))
 
 
 def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filling_factor: Number) -> Stress:
@@ -244,8 +244,3 @@ def tensile_strength(*, work_of_adhesion: SurfaceEnergy, radius: Length, filling
     Valid:    Filling factors of 0.01 to 0.5.
     """
     return 0.3 * (filling_factor**2 / filling_factor**0.2) * (work_of_adhesion / radius)
-
-
-def _speed(energy: Energy, monomers: Number, mass: Mass) -> Speed:
-    """Return the relative speed of two aggregates of N grains each with an impact energy."""
-    return 2 * sqrt(energy / (monomers * mass))

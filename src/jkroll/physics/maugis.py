@@ -345,7 +345,8 @@ def contact_radius_at_pull_off_maugis(
     Source:   Maugis 1992.
     Valid:    Always; it tends to 0 in DMT.
     """
-    return _radius(transition_parameter, edge_ratio_at_pull_off) * length_unit_maugis
+    span = dugdale.span(transition_parameter, dugdale.shape(edge_ratio_at_pull_off))
+    return edge_ratio_at_pull_off * span * length_unit_maugis
 
 
 def contact_radius_at_fold_maugis(
@@ -357,12 +358,8 @@ def contact_radius_at_fold_maugis(
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     """
-    return _radius(transition_parameter, edge_ratio_at_fold) * length_unit_maugis
-
-
-def _radius(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
-    """Return the radius of the contact circle in its unit, 0 for spheres that do not touch."""
-    return edge_ratio * dugdale.span(transition, dugdale.shape(edge_ratio))
+    span = dugdale.span(transition_parameter, dugdale.shape(edge_ratio_at_fold))
+    return edge_ratio_at_fold * span * length_unit_maugis
 
 
 def approach_at_pull_off_maugis(

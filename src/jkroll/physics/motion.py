@@ -25,11 +25,6 @@ from .dimensions import (
 from .elementary import at_least, at_most, cube, ln, pi, sqrt, within
 
 
-def _frequency(stiffness: FloatOrArray, inertia: FloatOrArray) -> FloatOrArray:
-    """Return the frequency of a spring with a mass, or of a torsion spring with a moment of inertia; 0 ≤ stiffness."""
-    return sqrt(stiffness / inertia) / (2 * pi)
-
-
 def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
     """Return the frequency at which the distance of the two centres vibrates.
 
@@ -38,7 +33,7 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
     Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0, dP/dδ ≥ 0.
     """
-    return _frequency(stiffness, reduced_mass)
+    return sqrt(stiffness / reduced_mass) / (2 * pi)
 
 
 def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_inertia: Inertia) -> Frequency:
@@ -49,7 +44,7 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
     Source:   Eqs (37)-(40), of which the first three lost their sign in print.
     Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
     """
-    return _frequency(rolling_stiffness, reduced_moment_of_inertia)
+    return sqrt(rolling_stiffness / reduced_moment_of_inertia) / (2 * pi)
 
 
 def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Length, density: Density) -> Frequency:
@@ -82,7 +77,7 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
     Source:   A force k_s u at the contact moves the centres, 1/m, and turns the spheres, (5/2)/m.
     Valid:    Homogeneous spheres; small amplitudes.
     """
-    return _frequency(3.5 * tangential_stiffness, reduced_mass)
+    return sqrt(3.5 * tangential_stiffness / reduced_mass) / (2 * pi)
 
 
 def twisting_frequency(*, twisting_stiffness: Moment, reduced_moment_of_inertia: Inertia) -> Frequency:
@@ -93,7 +88,7 @@ def twisting_frequency(*, twisting_stiffness: Moment, reduced_moment_of_inertia:
     Source:   A moment k_t φ at the contact turns the spheres, 1/I = 1/I1 + 1/I2; on a plane 1/I1.
     Valid:    Homogeneous spheres; small amplitudes.
     """
-    return _frequency(twisting_stiffness, reduced_moment_of_inertia)
+    return sqrt(twisting_stiffness / reduced_moment_of_inertia) / (2 * pi)
 
 
 def time_step(*, sliding_frequency: Frequency) -> Time:

@@ -17,7 +17,7 @@ from ..quantities.markup import symbol
 from ..scene.failures import BEYOND_PULL_OFF, Failure, NotInLaw
 from ..scene.scene import Scene
 from ..scene.solver import values_of
-from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped, has_values
+from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
 from .request import fixed_inputs, inputs_as_texts, notes_on
 
 POINTS = 401
@@ -48,7 +48,7 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
         ]
     if loads is not None:
         least = min(float(curve.y.min()) for curve in curves)
-        curves = [cut for cut in (clipped(curve, *loads) for curve in curves) if has_values(cut.y)]
+        curves = [cut for cut in (clipped(curve, *loads) for curve in curves) if numpy.isfinite(cut.y).any()]
         points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
         if not curves:
             raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))

@@ -14,6 +14,7 @@ from typing import Any
 import matplotlib as mpl  # type: ignore[import-not-found,unused-ignore]
 import numpy
 from matplotlib import ticker  # type: ignore[import-not-found,unused-ignore]
+from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-ignore]
@@ -211,7 +212,7 @@ def _draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: in
     values = scaled(field.quantity)
     mask = numpy.ma.getmaskarray(values)
     heights = [float(scale(level)) for level in field.levels()]
-    colours = [style.band(place / max(1, len(heights))) for place in range(len(heights) + 1)]
+    colours = bands_of(style)(numpy.linspace(0, 1, len(heights) + 1))
     axes.contourf(across, up, values, levels=[values.min() - 1, *heights, values.max() + 1], colors=colours)
     keys: list[Any] = []
     for region in field.regions:
@@ -239,6 +240,11 @@ def _draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: in
         axes.contour(across, up, mask, levels=[0.5], colors=style.ink, linewidths=0.8)
         keys.append(Patch(label="no value", facecolor=style.paper, edgecolor=style.ink, linewidth=0.8))
     return keys, contours
+
+
+def bands_of(style: Style) -> Any:
+    """Return the colours between the lowest number of a field, 0, and the highest, 1."""
+    return LinearSegmentedColormap.from_list("", style.bands)
 
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> list[Any]:

@@ -236,11 +236,6 @@ def extent(values: Any) -> tuple[float, float]:
     return (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
 
 
-def has_values(values: Any) -> bool:
-    """Return True if any of the values is finite."""
-    return bool(numpy.isfinite(values).any())
-
-
 def is_flat(values: Any) -> bool:
     """Return True if all finite values are the same but for rounding."""
     low, high = extent(values)
@@ -271,7 +266,6 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 SIZE = 8.6  # of letters in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
 LETTER = 0.42  # width of a letter over its size, on average
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
-Colour = tuple[float, float, float]
 
 
 class Style(NamedTuple):
@@ -284,27 +278,19 @@ class Style(NamedTuple):
     paper: str
     ink: str
     hatch: str
-    bands: tuple[Colour, ...]
+    bands: tuple[str, ...]
     lines: tuple[str, ...]
-
-    def band(self, place: float) -> Colour:
-        """Return the colour of a band between the lowest, 0, and the highest, 1: three numbers up to 1."""
-        places = numpy.linspace(0, 1, len(self.bands))
-        red, green, blue = (
-            float(numpy.interp(place, places, channel)) / 255 for channel in zip(*self.bands, strict=True)
-        )
-        return red, green, blue
 
 
 # ColorBrewer's GnBu without its ends, and a dark counterpart. The lines are Okabe and Ito's colours.
 PAPER = Style(
     "#ffffff", "#000000", "#555555",
-    ((232, 246, 226), (204, 235, 197), (168, 221, 181), (123, 204, 196), (78, 179, 211)),
+    ("#e8f6e2", "#ccebc5", "#a8ddb5", "#7bccc4", "#4eb3d3"),
     ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#000000"),
 )  # fmt: skip
 DARK = Style(
     "#12151c", "#f2f2f2", "#a0a4ad",
-    ((24, 36, 66), (24, 58, 92), (26, 82, 110), (38, 108, 120), (66, 134, 126)),
+    ("#182442", "#183a5c", "#1a526e", "#266c78", "#42867e"),
     ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#f2f2f2"),
 )  # fmt: skip
 STYLES = {"paper": PAPER, "dark": DARK}

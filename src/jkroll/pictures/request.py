@@ -34,7 +34,6 @@ from .picture import (
     described,
     evaluate,
     extent,
-    has_values,
     is_flat,
     over,
 )
@@ -206,7 +205,7 @@ class Layer:
         data = notes_on(scene, self.scene, shown, names)
         self.notes = tuple(dict.fromkeys([*notes[:1], *idle, *data, *remarks]))
         self.values = evaluate(scene, quantity, *axes)
-        if not has_values(self.values):
+        if not self.known.any():
             outcome = self.scene.evaluate([quantity])[quantity]
             reason = f": {reason_of(quantity, outcome)}" if isinstance(outcome, JkrollError) else ""
             raise without_value(quantity, f"no value anywhere on these axes{reason}")
