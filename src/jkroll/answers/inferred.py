@@ -17,7 +17,7 @@ from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, SIZES, Problem, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
-from ..scene.uncertainty import Bars, Sources, measures_of, sources_of_results, uncertainties
+from ..scene.uncertainty import measures_of, uncertainties
 from ..scene.unknowns import Solution, solution
 from ..text import listed
 from .answer import Answer
@@ -55,7 +55,7 @@ class Inferred(Answer):
             self.scene, measured = problem.filled(), ()
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
         self.inputs = {name: in_words(name, value) for name, value in problem.echo().items()}
-        self._uncertainties = _with_bars(self.solution) if self.failure is None else ({}, None)
+        self._uncertainties = uncertainties(self.solution, problem.unknowns) if self.failure is None else ({}, None)
         self.laws = {}  # what is found under each law stands beside the results
         self.displacement, self.validity = self.forward.displacement, self.forward.validity
         self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
@@ -89,7 +89,7 @@ class Inferred(Answer):
             with suppress(MissingInput, NoResult):
                 if other.filled().formulas_to(*self.problem.measured) != formulas:
                     solved = solution(other)
-                    bars = measures_of(_with_bars(solved)[0])
+                    bars = measures_of(uncertainties(solved, other.unknowns)[0])
                     known = {name: bar for name, bar in bars.items() if not isinstance(bar, JkrollError)}
                     by_law[law] = {**solved.values, **known}
         return by_law
@@ -144,11 +144,6 @@ class Inferred(Answer):
         explained = copy(self)
         explained.results = (*self.results, *self.forward.results)
         return explained
-
-
-def _with_bars(solved: Solution) -> tuple[Bars, Sources]:
-    unknowns = solved.problem.unknowns
-    return uncertainties(solved, unknowns, sources=sources_of_results(solved.problem, unknowns))
 
 
 def _of_both(values: Mapping[str, float], scene: Scene) -> str:

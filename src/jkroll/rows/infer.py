@@ -183,8 +183,7 @@ def infer(
     arrays = {name: value for name, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
     if not arrays:
         solved = solution(problem)
-        sources = sources_of_results(problem, names)
-        bars = uncertainties(solved, names, sources=sources)[0] if has_bars else {}
+        bars = uncertainties(solved, names)[0] if has_bars else {}
         values, condition = with_uncertainties(solved.values, bars), solved.condition
     else:
         shape = broadcast(arrays)

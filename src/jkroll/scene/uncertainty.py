@@ -9,7 +9,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from functools import reduce
 from itertools import product
 from math import fsum, isfinite
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
@@ -18,6 +18,9 @@ from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Problem
 from .scene import Scene
 from .wiring import in_order
+
+if TYPE_CHECKING:
+    from .unknowns import Solution
 
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
@@ -97,12 +100,16 @@ def _of_materials(scene: Scene) -> Iterable[Source]:
     return sources.values()
 
 
-def sources_of_results(scene: Scene | Problem, names: Sequence[str]) -> Sources:
-    """Return the sources that enter quantities of a scene, as far as it allows them, or the unknowns of a problem."""
+def sources_of_results(scene: "Scene | Problem | Solution", names: Sequence[str]) -> Sources:
+    """Return the sources that enter quantities of a scene, as far as it allows them.
+
+    The scene may be a problem or its solution, whose quantities are the unknowns.
+    """
     if isinstance(scene, Scene):
         return sources_of(scene, scene.inputs_of(*scene.possible(names)))
-    measured = [Source((name,), given) for name, given in scene.measured.items() if is_uncertain(given)]
-    return sources_of(scene.scene, scene.used(), measured)
+    problem = scene if isinstance(scene, Problem) else scene.problem
+    measured = [Source((name,), given) for name, given in problem.measured.items() if is_uncertain(given)]
+    return sources_of(problem.scene, problem.used(), measured)
 
 
 def sides_of_results(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:

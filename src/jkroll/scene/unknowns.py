@@ -112,8 +112,8 @@ def solutions(problem: Problem, size: int | None = None, start: Any = None) -> S
     `start`: the places from which Newton's method leads to two unknowns, in place of a search.
     """
     problem.check()
-    count, failures = len(problem.unknowns), Failures()
-    table, places = numpy.full((2 * count + 1, size or 1), nan), numpy.full((count, size or 1), nan)
+    count, rows, failures = len(problem.unknowns), 1 if size is None else size, Failures()
+    table, places = numpy.full((2 * count + 1, rows), nan), numpy.full((count, rows), nan)
     if count == 1:
         failures = _find_roots(problem, table)
     elif start is None:
@@ -203,42 +203,37 @@ def _scanned(problem: Problem, rows: Rows, sizes: tuple[float, float]) -> tuple[
     problem = problem.rows(rows)
     scan = _scan(problem, len(rows), sizes)
     of_roots, roots = scan.crossings()
-    # Nearly all rows have one root and no stretch, and need no closer look.
-    at_level = numpy.bincount(scan.rows[scan.are_level(scan.rows, scan.y)], minlength=len(rows))
-    is_plain = (numpy.bincount(of_roots, minlength=len(rows)) == 1) & (at_level <= PER_DECADE)
-    values[of_roots] = numpy.where(is_plain[of_roots], roots, nan)
-    for row in numpy.flatnonzero(~is_plain).tolist():
-        try:
-            values[row] = _root(problem.rows(row), sizes, scan, row, roots[of_roots == row].tolist())
-        except NoResult as error:
-            failures[int(rows[row])] = error
+    has_one = (numpy.bincount(of_roots, minlength=len(rows)) == 1) & ~scan.are_still()
+    values[of_roots] = numpy.where(has_one[of_roots], roots, nan)
+    for row in numpy.flatnonzero(~has_one).tolist():
+        failures[int(rows[row])] = _why_not_one(problem.rows(row), sizes, scan, row, roots[of_roots == row].tolist())
     return values, failures
 
 
-def _root(problem: Problem, sizes: tuple[float, float], scan: "Scan", row: int, roots: Sequence[float]) -> float:
-    """Return the one root of a row of a scan. Raises the reason why there is none."""
+def _why_not_one(
+    problem: Problem, sizes: tuple[float, float], scan: "Scan", row: int, roots: Sequence[float]
+) -> JkrollError:
+    """Return why a row of a scan has no one root."""
     (unknown,), (quantity,) = problem.unknowns, problem.measured
     points = slice(*numpy.searchsorted(scan.rows, [row, row + 1]))
     x, y = scan.x[points], scan.y[points]
     low, high = float(numpy.fmin.reduce(y)), float(numpy.fmax.reduce(y))
     if numpy.isnan(low):
-        raise problem.failure()
+        return problem.failure()
     if high - low <= _ROUNDING * max(abs(low), abs(high)):
-        raise NoDependence(problem)
-    at_level = x[scan.are_level(row, y)]
-    if len(at_level) > PER_DECADE and 0 < 10 * at_level[0] <= at_level[-1]:
-        inside, both = at_level[[0, -1]], numpy.full(2, row)
+        return NoDependence(problem)
+    if scan.are_still()[row]:
+        inside, both = x[scan.are_level(row, y)][[0, -1]], numpy.full(2, row)
         outside = numpy.clip(inside * [0.5, 2.0], *sizes)
-        (first, last), _ = bisected(inside, outside, lambda x: scan.are_level(both, scan.function(both, x)))
-        stretch = f"every value from {amount(unknown, float(first))} to {amount(unknown, float(last))}"
-        raise Undetermined(problem, f"{stretch} gives {equal(problem.levels)}", (float(first), float(last)))
-    if not roots:
-        lies = f"it lies between {amount(quantity, low)} and {amount(quantity, high)}"
-        text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([unknown])}"
-        raise NoSolution(problem, text, (low, high))
-    if len(roots) > 1:
-        raise SeveralSolutions(problem, [{unknown: root} for root in roots])
-    return roots[0]
+        ends, _ = bisected(inside, outside, lambda x: scan.are_level(both, scan.function(both, x)))
+        first, last = ends.tolist()
+        stretch = f"every value from {amount(unknown, first)} to {amount(unknown, last)}"
+        return Undetermined(problem, f"{stretch} gives {equal(problem.levels)}", (first, last))
+    if roots:
+        return SeveralSolutions(problem, [{unknown: root} for root in roots])
+    lies = f"it lies between {amount(quantity, low)} and {amount(quantity, high)}"
+    text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([unknown])}"
+    return NoSolution(problem, text, (low, high))
 
 
 class Scan:
@@ -293,6 +288,12 @@ class Scan:
     def are_level(self, rows: Rows, y: Any) -> Any:
         """Return which values in rows are the levels of these, but for rounding."""
         return abs(y - self.levels[rows]) <= _ROUNDING * abs(self.levels[rows])
+
+    def are_still(self) -> Any:
+        """Return which rows stay at their level over more than a decade of positive variables."""
+        is_level, size = self.are_level(self.rows, self.y), len(self.levels)
+        beyond = numpy.bincount(self.rows[is_level & (self.x <= 0)], minlength=size)
+        return (numpy.bincount(self.rows[is_level], minlength=size) > PER_DECADE) & (beyond == 0)
 
     def crossings(self) -> tuple[Rows, Any]:
         """Return the rows and values at which functions have the level of their row, but for jumps over it.
