@@ -54,7 +54,7 @@ from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
 
-FEW, MANY = range(10, 20), 1000
+FEW, MANY = range(10, 16), 1000
 PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # of many questions
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "J Ym-1", "kHz"]
 

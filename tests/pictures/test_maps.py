@@ -229,7 +229,7 @@ def test_the_axis_of_a_flat_curve_does_not_enlarge_rounding_errors(run: Run) -> 
 # --- In a terminal ----------------------------------------------------------------------------------------------------
 
 PICTURES = [
-    *(f"figure {name}" for name in sorted(PAPER_MAPS)),
+    *(f"figure {name}" for name in ("3a", "3c", "8")),
     "map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
     "map approach_at_load quartz --x load=-12nN:20nN:lin --y radius=50nm:200nm:lin",
     "map yield-force-ratio quartz,iron --x radius=1nm:1um --mark iron@10nm",
