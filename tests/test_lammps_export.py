@@ -348,9 +348,9 @@ def test_laws_of_lammps_are_the_ends_of_maugis(
     spheres = exported(run, lammps, "quartz 1um", "--model", model)
     names = ("work_of_adhesion", "reduced_radius", "contact_modulus", "approach")
     work, radius, modulus, approach = jkroll.solve(names, **GRAIN).values()
-    at = dugdale.shape(dugdale.pull_off_ratio(transition))
+    at = dugdale.Shape(dugdale.pull_off_ratio(transition))
     pull_off = -math.pi * work * radius * dugdale.load(transition, at, dugdale.span(transition, at))
-    at = dugdale.shape(dugdale.unloaded_ratio(transition))
+    at = dugdale.Shape(dugdale.unloaded_ratio(transition))
     unit = maugis.approach_unit_maugis(work_of_adhesion=work, reduced_radius=radius, contact_modulus=modulus)
     unloaded = dugdale.approach(transition, at, dugdale.span(transition, at)) * unit
     letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0) if model == "jkr" else 1e-9 * approach

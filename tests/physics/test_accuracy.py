@@ -224,7 +224,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     transition = log_uniform(random, *random.choice([(1e-6, 1e6), (0.1, 10)]))
     force, length = math.pi * work * radius, (3 / 4 * math.pi * work * radius**2 / modulus) ** (1 / 3)
     at_pull_off, at_fold = dugdale.pull_off_ratio(transition), dugdale.fold_ratio(transition)
-    at = dugdale.shape(at_pull_off)
+    at = dugdale.Shape(at_pull_off)
     tension = -dugdale.load(transition, at, dugdale.span(transition, at))
     depth = -dugdale.lowest_approach(transition, at_fold)
     nearly = 1 - log_uniform(random, 1e-13, 1)

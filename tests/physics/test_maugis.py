@@ -44,7 +44,7 @@ PRINTED = {
 
 def state(transition: Any, edge_ratio: Any) -> dict[str, Any]:
     """Return all of a contact, dimensionless."""
-    at = dugdale.shape(edge_ratio)
+    at = dugdale.Shape(edge_ratio)
     span = dugdale.span(transition, at)
     approach = dugdale.approach(transition, at, span)
     return {
@@ -194,7 +194,7 @@ def test_energy_is_the_integral_of_the_force(transition: float) -> None:
 
 def gap_energy(transition: float, zone: float) -> float:
     approach = zone**2 / 2 - 8 * transition * zone / (3 * math.pi) - 2 / (math.pi * transition)
-    return float(dugdale.energy(transition, dugdale.shape(0.0), zone, approach))
+    return float(dugdale.energy(transition, dugdale.Shape(0.0), zone, approach))
 
 
 @pytest.mark.parametrize("transition", [0.01, 0.3, 0.6])
@@ -231,7 +231,7 @@ def test_constants() -> None:
 def test_spheres_that_attract_without_contact(transition: float) -> None:
     lowest = dugdale.lowest_approach(transition, dugdale.fold_ratio(transition))
     assert dugdale.fold_ratio(transition) == 0.0
-    at = dugdale.shape(0.0)
+    at = dugdale.Shape(0.0)
     touch = dugdale.span(transition, at)
     touching = dugdale.approach(transition, at, touch)
     assert math.isclose(dugdale.span_apart(transition, touching), touch, rel_tol=1e-12)
@@ -251,7 +251,7 @@ def test_load_and_stiffness_are_derivatives(transition: float) -> None:
     for approach in (lowest + 0.05, lowest + 0.4, 0.3, 2.0):
         energies, loads = [], []
         for each in (approach - step, approach, approach + step):
-            at = dugdale.shape(ratio_at_approach(transition, each))
+            at = dugdale.Shape(ratio_at_approach(transition, each))
             span = dugdale.span(transition, at) if at.v > 0 else dugdale.span_apart(transition, each)
             energies.append(dugdale.energy(transition, at, span, each))
             loads.append(dugdale.load(transition, at, span))
@@ -274,7 +274,7 @@ def test_no_stiffness_at_the_fold_is_that_of_a_stable_contact(radius: float) -> 
 
 def test_the_stiffness_falls_without_limit_towards_the_fold() -> None:
     """Which is at q = G3/h, and h is 1 where the circle shrinks to a point."""
-    at = dugdale.shape(0.0)
+    at = dugdale.Shape(0.0)
     ratios = [dugdale.stiffness_ratio(at, at.g3 * (1 - part)) for part in (1e-1, 1e-5, 1e-10, 0.0)]
     assert ratios == sorted(ratios, reverse=True)
     assert ratios[-1] == -math.inf
@@ -329,7 +329,7 @@ def test_states_outside_the_domain() -> None:
 def test_states_at_huge_loads_carry_them() -> None:
     transitions = 10 ** numpy.random.default_rng(14).uniform(-4, 4, 2000)
     for size in (1e2, 1e4, 1e6, 1e8, 1e11, 1e14, 1e35, 1e60):
-        at = dugdale.shape(ratio_at_load(transitions, numpy.full(2000, size)))
+        at = dugdale.Shape(ratio_at_load(transitions, numpy.full(2000, size)))
         loads = dugdale.load(transitions, at, dugdale.span(transitions, at))
         numpy.testing.assert_allclose(loads, size, rtol=2e-14)
 
@@ -338,7 +338,7 @@ def test_the_span_keeps_its_digits_in_narrow_and_wide_rings() -> None:
     for ratio in [*numpy.geomspace(1e-3, 1e4, 300).tolist(), 1e-80, 1e8, 1e12, 1e30]:
         v = mpf(ratio)
         theta = reference.arcsec(1 / v)
-        assert ulps(dugdale.g1(dugdale.shape(ratio)), v + (1 - v * v) * theta) <= BOUND
+        assert ulps(dugdale.g1(dugdale.Shape(ratio)), v + (1 - v * v) * theta) <= BOUND
 
 
 def test_states_a_few_ulp_from_pull_off_are_next_to_it() -> None:

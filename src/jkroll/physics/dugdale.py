@@ -21,7 +21,6 @@ is near enough for a fixed number of steps.
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
 
 from .dimensions import Condition, FloatOrArray
 from .elementary import absolute, arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
@@ -36,27 +35,16 @@ _TINY = 1e-300  # in place of a slope of 0
 _LAST_OF_FRACTION = 21  # what is left out is below 1e-17 of it, up to θ = π/2
 
 
-class Shape(NamedTuple):
-    """The shape of a ring: the functions of its edge ratio that the module names."""
+class Shape:
+    """The shape of a ring: the functions of its edge ratio v ≥ 0 that the module names."""
 
-    v: FloatOrArray
-    n: FloatOrArray
-    theta: FloatOrArray
-    h: FloatOrArray
-    g2: FloatOrArray
-    g3: FloatOrArray
-    d: FloatOrArray
-
-
-def shape(edge_ratio: FloatOrArray) -> Shape:
-    """Return the functions of an edge ratio v ≥ 0."""
-    v = edge_ratio
-    square = 1 + v * v
-    n = sqrt(square)
-    h = 1 / (n + v)
-    theta = 2 * arctan(h)
-    bent = square * theta
-    return Shape(v, n, theta, h, theta - h, v + bent, v * h + bent * theta)
+    def __init__(self, v: FloatOrArray) -> None:
+        square = 1 + v * v
+        self.v, self.n = v, sqrt(square)
+        self.h = 1 / (self.n + v)
+        self.theta = 2 * arctan(self.h)
+        bent = square * self.theta
+        self.g2, self.g3, self.d = self.theta - self.h, v + bent, v * self.h + bent * self.theta
 
 
 def _lag(ring: Shape) -> FloatOrArray:
@@ -148,7 +136,7 @@ def pull_off_ratio(transition: FloatOrArray) -> FloatOrArray:
     square = square / (1 + transition * (1.456039 + transition * (0.960759 + transition * 0.109797)))
     v = transition / sqrt(1.3103706971044482 + square)
     for _ in range(2):
-        ring = shape(v)
+        ring = Shape(v)
         d_slope = ring.h * (1 - v / ring.n) + 2 * ring.theta * (v * ring.theta - 1)
         growth = 1 / v + 2 * v * ring.theta / ring.g3 - d_slope / ring.d
         v = _step_to(transition, ring, v * ring.g3 / ring.d, growth)
@@ -161,14 +149,14 @@ def fold_ratio(transition: FloatOrArray) -> FloatOrArray:
     rise = 2.180274 + beyond * (24.2586 + beyond * (53.43513 + beyond * 23.90279))
     v = beyond * (rise / (1 + beyond * (15.02757 + beyond * (51.30233 + beyond * 39.46094))))
     for _ in range(2):
-        ring = shape(v)
+        ring = Shape(v)
         v = at_least(_step_to(transition, ring, ring.g3 / ring.h, 2 * v * ring.theta / ring.g3 + 1 / ring.n), 0.0)
     return where(beyond == 0, 0.0, v)
 
 
 def lowest_approach(transition: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
     """Return δ at the fold, in contact or apart, from its v."""
-    ring = shape(least)
+    ring = Shape(least)
     apart = approach_apart(transition, half_width(transition))
     return where(least == 0, apart, approach(transition, ring, span(transition, ring)))
 
@@ -178,7 +166,7 @@ def unloaded_ratio(transition: FloatOrArray) -> FloatOrArray:
     curved = (0.5219 + transition * (1.0059 + 0.7003 * transition)) / (1 + transition * (1.9949 + 0.692 * transition))
     v = transition * sqrt(1.2114137 + 1.2467419 / (transition * (1 + transition * curved)))
     for _ in range(2):
-        ring = shape(v)
+        ring = Shape(v)
         v = _step_to(transition, ring, 4 / 3 * cube(v) / ring.g3, 3 / v - 2 * v * ring.theta / ring.g3)
     return v
 
@@ -240,7 +228,7 @@ def ratio_at_approach(
 
     `least` and `fold` are v and δ at the fold.
     """
-    ring = shape(least)
+    ring = Shape(least)
     lowest = approach(transition, ring, span(transition, ring))
     is_held = approach_in_units >= fold - _ROUNDING * absolute(fold)
     excess = at_least(within(is_held, approach_in_units - lowest), 0.0)
@@ -292,7 +280,7 @@ def _root(
     """
     v, most = start, start + (start - least)
     for _ in range(_STEPS):
-        value, slope = curve(shape(v))
+        value, slope = curve(Shape(v))
         root = sqrt(at_least(value, 0.0))
         growth = 1 - 2 * root * (root - aim) / at_least(power * v * slope, _TINY)
         v = at_most(at_least(v * at_least(growth, 0.0) ** power, least), most)

@@ -92,7 +92,7 @@ def zone_span(*, edge_ratio: Number, length_unit_maugis: Length, transition_para
     Source:   Maugis 1992, solved for T.
     Valid:    Contact.
     """
-    return dugdale.span(transition_parameter, dugdale.shape(edge_ratio)) * length_unit_maugis
+    return dugdale.span(transition_parameter, dugdale.Shape(edge_ratio)) * length_unit_maugis
 
 
 def zone_span_at_approach(
@@ -110,7 +110,7 @@ def zone_span_at_approach(
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     Valid:    Approaches above the fold.
     """
-    touching = dugdale.span(transition_parameter, dugdale.shape(edge_ratio))
+    touching = dugdale.span(transition_parameter, dugdale.Shape(edge_ratio))
     apart = dugdale.span_apart(transition_parameter, approach_at_load / approach_unit_maugis)
     return where(edge_ratio == 0, apart, touching) * length_unit_maugis
 
@@ -189,7 +189,7 @@ def load_maugis(
     Source:   Maugis 1992.
     """
     hertz = 4 / 3 * contact_modulus * cube(edge_ratio * zone_span) / reduced_radius
-    return hertz - 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
+    return hertz - 2 * cohesive_stress * zone_span * zone_span * dugdale.Shape(edge_ratio).g3
 
 
 def stiffness_maugis(
@@ -202,7 +202,7 @@ def stiffness_maugis(
     Source:   Derivative of Maugis' solution along its curve.
     Valid:    Above the fold.
     """
-    ring = dugdale.shape(edge_ratio)
+    ring = dugdale.Shape(edge_ratio)
     q = 2 * cohesive_stress * reduced_radius / (contact_modulus * zone_span)
     return 2 * contact_modulus * zone_span * dugdale.stiffness_ratio(ring, q)
 
@@ -215,7 +215,7 @@ def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_str
     Source:   Maugis 1992.
     Valid:    In contact or apart.
     """
-    return 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
+    return 2 * cohesive_stress * zone_span * zone_span * dugdale.Shape(edge_ratio).g3
 
 
 def contact_displacement(
@@ -261,7 +261,7 @@ def unloaded_radius_maugis(
     Source:   Maugis 1992.
     Valid:    a0 ≪ R.
     """
-    ring = dugdale.shape(unloaded_edge_ratio)
+    ring = dugdale.Shape(unloaded_edge_ratio)
     span = dugdale.span(transition_parameter, ring)
     return dugdale.unloaded_radius(transition_parameter, ring, span) * length_unit_maugis
 
@@ -278,7 +278,7 @@ def unloaded_approach_maugis(
     """
     v = unloaded_edge_ratio
     depth = cohesive_stress * unloaded_radius_maugis / (contact_modulus * v)
-    return depth * (3 / 2 * dugdale.shape(v).g3 / v - 2)  # in which almost nothing cancels
+    return depth * (3 / 2 * dugdale.Shape(v).g3 / v - 2)  # in which almost nothing cancels
 
 
 def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
@@ -305,7 +305,7 @@ def pull_off_force_maugis(
     Source:   Maugis 1992; stationary in v.
     Valid:    Always; a Lennard-Jones pair lets go up to 6 % later.
     """
-    ring = dugdale.shape(edge_ratio_at_pull_off)
+    ring = dugdale.Shape(edge_ratio_at_pull_off)
     load = dugdale.load(transition_parameter, ring, dugdale.span(transition_parameter, ring))
     return -pi * work_of_adhesion * reduced_radius * load
 
@@ -345,7 +345,7 @@ def contact_radius_at_pull_off_maugis(
     Source:   Maugis 1992.
     Valid:    Always; it tends to 0 in DMT.
     """
-    span = dugdale.span(transition_parameter, dugdale.shape(edge_ratio_at_pull_off))
+    span = dugdale.span(transition_parameter, dugdale.Shape(edge_ratio_at_pull_off))
     return edge_ratio_at_pull_off * span * length_unit_maugis
 
 
@@ -358,7 +358,7 @@ def contact_radius_at_fold_maugis(
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     """
-    span = dugdale.span(transition_parameter, dugdale.shape(edge_ratio_at_fold))
+    span = dugdale.span(transition_parameter, dugdale.Shape(edge_ratio_at_fold))
     return edge_ratio_at_fold * span * length_unit_maugis
 
 
@@ -372,7 +372,7 @@ def approach_at_pull_off_maugis(
     Source:   Maugis 1992.
     Valid:    Always; it tends to 0 in DMT, and is negative below.
     """
-    ring = dugdale.shape(edge_ratio_at_pull_off)
+    ring = dugdale.Shape(edge_ratio_at_pull_off)
     return dugdale.approach(transition_parameter, ring, dugdale.span(transition_parameter, ring)) * approach_unit_maugis
 
 
@@ -402,7 +402,7 @@ def state_energy_maugis(
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     """
-    ring = dugdale.shape(edge_ratio)
+    ring = dugdale.Shape(edge_ratio)
     return _of_state(transition_parameter, ring, zone_span / length_unit_maugis) * energy_unit_maugis
 
 
@@ -452,7 +452,7 @@ def pull_off_work_at_dead_load_maugis(
     work: FloatOrArray = 0.0
     for place, weight in _EIGHT_POINTS:
         for edge_ratio in (middle - place * half, middle + place * half):
-            ring = dugdale.shape(edge_ratio)
+            ring = dugdale.Shape(edge_ratio)
             span = dugdale.span(transition_parameter, ring)
             slope = dugdale.approach_slope(transition_parameter, ring, span)
             work = work + weight * half * slope * dugdale.load(transition_parameter, ring, span)
@@ -491,7 +491,7 @@ def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -
 
 def _of(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
     """Return Φ of a contact, or at the fold of spheres that do not touch, dimensionless."""
-    ring = dugdale.shape(edge_ratio)
+    ring = dugdale.Shape(edge_ratio)
     span = where(ring.v > 0, dugdale.span(transition, ring), dugdale.half_width(transition))
     return _of_state(transition, ring, span)
 
@@ -506,6 +506,6 @@ def _of_state(transition: FloatOrArray, ring: dugdale.Shape, span: FloatOrArray)
 def _held_to(transition: FloatOrArray, approach: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
     """Return Φ at an approach, dimensionless, in contact or apart; `least` is v at the fold."""
     fold = dugdale.lowest_approach(transition, least)
-    ring = dugdale.shape(dugdale.ratio_at_approach(transition, approach, least, fold))
+    ring = dugdale.Shape(dugdale.ratio_at_approach(transition, approach, least, fold))
     span = where(ring.v > 0, dugdale.span(transition, ring), dugdale.span_apart(transition, approach))
     return dugdale.energy(transition, ring, span, approach)

@@ -6,7 +6,7 @@ Below: the numbers for which the physics gives a formula no result, with the err
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isinf
 from operator import ge, gt, le
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..errors import JkrollError, NoResult
 from ..physics import FORMULAS
@@ -83,19 +83,25 @@ def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
-class Kind(NamedTuple):
+class Kind:
     """The words of failures that have one reason."""
 
-    phrase: str  # of the status of a row
-    words: str  # in full; {0} stands for the value of `name` that rules a result out, the others for its limits
-    name: str = ""  # the quantity that has no value, or whose value rules it out, where it is always the same
-    has_contact: bool = True  # False: nothing of the scene is to be trusted
+    def __init__(
+        self,
+        phrase: str,  # of the status of a row
+        words: str,  # in full; {0} stands for the value of `name` that rules a result out, the others for its limits
+        name: str = "",  # the quantity that has no value, or whose value rules it out, where it is always the same
+        has_contact: bool = True,  # False: nothing of the scene is to be trusted
+    ) -> None:
+        self.phrase, self.words, self.name, self.has_contact = phrase, words, name, has_contact
 
 
 BEYOND_PULL_OFF = Kind(
     "beyond pull-off", "{0} breaks this contact, which holds a pull down to {1}", "load", has_contact=False
 )
-HELD_BY_MAUGIS = BEYOND_PULL_OFF._replace(words=f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)")
+HELD_BY_MAUGIS = Kind(
+    BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load", has_contact=False
+)
 BEYOND_FOLD = Kind(
     "beyond the fold",
     "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
@@ -205,12 +211,16 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
 Given = Mapping[str, Any]  # the arguments of a formula
 
 
-class Rule(NamedTuple):
+class Rule:
     """The arguments for which a formula has no result, with the kind of the failure and the numbers of its words."""
 
-    kind: Kind
-    forbids: Callable[[Given], bool]
-    numbers: Callable[[Given], Sequence[float]] = lambda _: ()
+    def __init__(
+        self,
+        kind: Kind,
+        forbids: Callable[[Given], bool],
+        numbers: Callable[[Given], Sequence[float]] = lambda _: (),
+    ) -> None:
+        self.kind, self.forbids, self.numbers = kind, forbids, numbers
 
 
 def _where(kind: Kind, is_beyond: Callable[[Any, Any], bool], limit: Callable[[Given], Any]) -> Rule:

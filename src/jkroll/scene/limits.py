@@ -4,7 +4,7 @@ import operator
 from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache, reduce
 from math import exp, inf, nan
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 from ..errors import JkrollError
 from ..physics.elementary import at_most, ln, where
@@ -18,32 +18,34 @@ from .wiring import taken_by
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
 
-class Limit(NamedTuple):
+class Limit:
     """A number that limits the model, the quantities whose use it touches, and what follows beyond it.
 
     A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order
     in which a value meets them, each with the code of the doubt.
     """
 
-    name: str
-    touches: frozenset[str]
-    sign: Literal["<", "<=", ">", ">="]
-    codes: Mapping[float, str]  # by threshold
-    consequence: str  # for a number beyond the threshold
-    applies: Callable[[Scene, Collection[str]], bool] | None = None  # to some answers of a scene; None: to all
-    ends_meaning: bool = False  # a number that is said to be in doubt has no meaning
-    conclusion: str = ""  # the name of what follows, if it is not that of the number
-    # What is judged in place of the number, as the factor between answers and what may stand in their place.
-    factor: Callable[[Scene, Collection[str]], Any] | None = None
+    def __init__(
+        self,
+        name: str,
+        touches: frozenset[str],
+        sign: Literal["<", "<=", ">", ">="],
+        codes: Mapping[float, str],  # by threshold
+        consequence: str,  # for a number beyond the threshold
+        applies: Callable[[Scene, Collection[str]], bool] | None = None,  # to some answers of a scene; None: to all
+        ends_meaning: bool = False,  # a number that is said to be in doubt has no meaning
+        conclusion: str = "",  # the name of what follows, if it is not that of the number
+        # What is judged in place of the number, as the factor between answers and what may stand in their place.
+        factor: Callable[[Scene, Collection[str]], Any] | None = None,
+    ) -> None:
+        self.name, self.touches, self.sign, self.codes = name, subject, touches, sign, codes
+        self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
+        self.conclusion, self.factor = conclusion, factor
+        self.threshold = next(iter(codes))  # the first one
 
     def is_beyond(self, number: Any, threshold: float) -> Any:
         """Return whether a number, or each element of an array, is in doubt by a threshold."""
         return _COMPARISONS[self.sign](number, threshold)
-
-    @property
-    def threshold(self) -> float:
-        """The first threshold."""
-        return next(iter(self.codes))
 
     def excess(self, number: Any) -> Any:
         """Return how far numbers are beyond the first threshold: ln of their ratio, or the distance from 0."""
@@ -56,16 +58,15 @@ class Limit(NamedTuple):
         return sum(BITS[code] for code in self.codes.values())
 
 
-class Doubt(NamedTuple):
+class Doubt:
     """A limit that was judged: its number, and what is judged, which is another for a law: the factor between answers.
 
     Both are numbers, or arrays for a scene of arrays.
     """
 
-    limit: Limit
-    value: Any
-    judged: Any
-    error: MissingInput | None = None  # why it could not be judged
+    def __init__(self, limit: Limit, value: Any, judged: Any, error: MissingInput | None = None) -> None:
+        """`error`: why it could not be judged."""
+        self.limit, self.value, self.judged, self.error = limit, value, judged, error
 
     @property
     def excess(self) -> Any:

@@ -9,7 +9,7 @@ was not given is that of sphere 1, unless sphere 2 has a material of its own tha
 from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..physics import FORMULAS
 from ..quantities.laws import DEFAULT_LAW, Routes, law_of, routes, routes_anywhere
@@ -19,22 +19,23 @@ from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, UnknownQuantity
 OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
 
 
-class Plan(NamedTuple):
+class Plan:
     """A quantity's formula with the plans of its arguments. One without a formula is an input, or cannot be made."""
 
-    name: str  # under which its value is known
-    formula: Any = None
-    arguments: tuple[tuple[str, "Plan"], ...] = ()  # by parameter
-    missing: frozenset[str] = frozenset()  # inputs that are not known
-    instead: frozenset[str] = frozenset()  # quantities that may be given in place of them
-    lacking: frozenset[str] = frozenset()  # quantities that the law of attraction does not have
-    reached: frozenset[str] = frozenset()  # the names of all values on the way, this one among them
-    taken: frozenset[str] = frozenset()  # the parameters of all formulas on the way
-
-    @property
-    def is_possible(self) -> bool:
-        """True if what is known leads to the quantity."""
-        return not (self.missing or self.lacking)
+    def __init__(
+        self,
+        name: str,  # under which its value is known
+        formula: Any = None,
+        arguments: tuple[tuple[str, "Plan"], ...] = (),  # by parameter
+        missing: frozenset[str] = frozenset(),  # inputs that are not known
+        instead: frozenset[str] = frozenset(),  # quantities that may be given in place of them
+        lacking: frozenset[str] = frozenset(),  # quantities that the law of attraction does not have
+        reached: frozenset[str] = frozenset(),  # the names of all values on the way, this one among them
+        taken: frozenset[str] = frozenset(),  # the parameters of all formulas on the way
+    ) -> None:
+        self.name, self.formula, self.arguments, self.missing, self.instead = name, formula, arguments, missing, instead
+        self.lacking, self.reached, self.taken = lacking, reached, taken
+        self.is_possible = not (missing or lacking)  # what is known leads to the quantity
 
 
 def steps_to(plans: Iterable[Plan], before: Mapping[str, Plan] = MappingProxyType({})) -> dict[str, Plan]:
