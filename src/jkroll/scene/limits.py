@@ -38,7 +38,7 @@ class Limit:
         # What is judged in place of the number, as the factor between answers and what may stand in their place.
         factor: Callable[[Scene, Collection[str]], Any] | None = None,
     ) -> None:
-        self.name, self.touches, self.sign, self.codes = name, subject, touches, sign, codes
+        self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
         self.conclusion, self.factor = conclusion, factor
         self.threshold = next(iter(codes))  # the first one
