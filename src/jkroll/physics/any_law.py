@@ -188,10 +188,6 @@ def pull_off_force_rough(
               sphere behind it.
     Valid:    Nothing deforms; one asperity, on the line of centres, s well below R. Within 3 % of the pairwise sum on a
               plane. It is P_DMT for s → 0.
-
-    >>> sizes = {"reduced_radius": 1e-6, "asperity_radius": 3.63e-9, "cutoff": 1.65e-10}
-    >>> round(pull_off_force_rough(pull_off_force_dmt=1.0, **sizes), 5)
-    0.00551
     """
     gap = 1 + asperity_radius / cutoff
     return pull_off_force_dmt * (asperity_radius / (asperity_radius + reduced_radius) + 1 / (gap * gap))
@@ -205,9 +201,6 @@ def work_of_adhesion_of_hamaker(*, hamaker: Energy, hamaker2: Energy, cutoff: Le
     Source:   Hamaker's energy of two half-spaces at the distance D0, pairwise sum; D0 = 0.165 nm is in common use.
     Valid:    Dispersion forces alone: no water, no hydrogen bonds, no metals. It goes with D0⁻²: at 0.4 nm, w is 5.9
               times less.
-
-    >>> f"{work_of_adhesion_of_hamaker(hamaker=6.5e-20, hamaker2=6.5e-20, cutoff=1.65e-10):.4f}"
-    '0.0633'
     """
     return sqrt(hamaker * hamaker2) / (12 * pi * cutoff**2)
 

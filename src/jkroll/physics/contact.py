@@ -406,11 +406,6 @@ def tabor_parameter(
     Source:   Tabor; text below Eq (1) on Muller, Yushenko and Derjaguin.
     Valid:    JKR is within 5 % of Maugis' law above 0.5 for δ0, 1.1 for P_c, 1.7 for a0, 3.3 for M and 12 for U_stick;
               DMT below 0.14 for P_c, 0.07 for a0, 0.02 for M and 0.002 for δ0.
-
-    >>> mu = tabor_parameter(
-    ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, atomic_spacing=0.4e-9)
-    >>> round(mu, 2)
-    0.14
     """
     return cbrt(reduced_radius * work_of_adhesion**2 / contact_modulus**2) / atomic_spacing
 

@@ -316,9 +316,6 @@ def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
         q = G3/h, q = 4λ/(3T), if λ > (9π/(16(π − 1)))^(1/3) = 0.938
 
     Source:   Maugis 1992; Johnson & Greenwood 1997; in closed form at a given v.
-
-    >>> edge_ratio_at_fold(transition_parameter=0.9)
-    0.0
     """
     return dugdale.fold_ratio(transition_parameter)
 

@@ -198,8 +198,6 @@ def restitution(*, speed: Speed, sticking_speed: Speed) -> Number:
 
     >>> restitution(speed=5.0, sticking_speed=3.0)
     0.8
-    >>> restitution(speed=2.0, sticking_speed=3.0)
-    0.0
     """
     excess = at_least(speed - sticking_speed, 0.0)
     return sqrt(excess / speed * ((speed + sticking_speed) / speed))
