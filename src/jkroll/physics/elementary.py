@@ -37,11 +37,7 @@ def cbrt(value: FloatOrArray) -> FloatOrArray:
 
 
 def ln(value: FloatOrArray) -> FloatOrArray:
-    """Return the natural logarithm, −∞ of 0 and of what is below it.
-
-    >>> ln(1.0), ln(0.0)
-    (0.0, -inf)
-    """
+    """Return the natural logarithm, −∞ of 0 and of what is below it."""
     if isinstance(value, NUMBER):
         return math.log(value) if value > 0 else value if math.isnan(value) else -math.inf
     import numpy
