@@ -357,12 +357,12 @@ PARTS = {
 
 def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
     header = understood(["label", "±", "R1 [nm]", "note", "gamma [mJ/m2]", "+/-"])
-    assert {column.name: [*column.sides.values()] for column in header.inputs} == {
+    assert {column.name: [*dict(column.sides).values()] for column in header.inputs} == {
         "radius": [],
         "surface_energy": [5],
     }
     assert (
-        understood(["gamma [mJ/m2]", "error"]).inputs[0].sides == {}
+        understood(["gamma [mJ/m2]", "error"]).inputs[0].sides == ()
     )  # which may be that of the measurement, or a code
 
 

@@ -34,7 +34,6 @@ _TINY = re.compile(rb"[eE]-[0-9]{3}")
 _HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
 _NO_END = "?"  # of a range
 _NESTED = "[...]"  # stands for a list or an object, which is no input
-_NO_SIDES: Mapping[str, int] = {}  # which can be pickled
 _NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
 
 
@@ -48,19 +47,19 @@ class Column(NamedTuple):
     name: str
     unit_text: str
     unit: Unit | None
-    sides: Mapping[str, int] = _NO_SIDES  # the places of the parts of the uncertainty, by part as `Reading` has it
+    sides: tuple[tuple[str, int], ...] = ()  # the parts of the uncertainty, as `Reading` has them, and their places
     error_unit: str = ""  # of the cells of ±; an empty text where it is that of the values
 
     @property
     def places(self) -> dict[str, int]:
         """The places of the columns whose cells make a value."""
         values = {} if self.is_range else {self.name: self.place}
-        return values | {f"{self.name}_{part}": place for part, place in self.sides.items()}
+        return values | {f"{self.name}_{part}": place for part, place in self.sides}
 
     @property
     def is_range(self) -> bool:
         """True if a value is known by its ends."""
-        return "low" in self.sides
+        return "low" in dict(self.sides)
 
     def joined(self, *cells: str) -> str:
         """Return the cells of a value as one: 25 and 5 as 25±5. Cells with units of their own keep them."""
@@ -74,7 +73,7 @@ class Column(NamedTuple):
         if not is_bare:
             first = _in_unit(first, self.unit_text)
             others = [_in_unit(cell, self.error_unit or self.unit_text) for cell in others]
-        if "both" in self.sides:
+        if "both" in dict(self.sides):
             return f"({first}±{others[0]})" if is_bare else f"{first}±{others[0]}"
         if self.is_range:
             return f"{first or _NO_END} to {others[0] or _NO_END}"
@@ -87,10 +86,6 @@ class Column(NamedTuple):
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return exponent_of(self.unit)
-
-    def __hash__(self) -> int:
-        """Return the hash of a key of what cells mean."""
-        return hash((self.place, self.name))
 
     def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
         """Return the numbers of a block of cells, by the names of the columns."""
@@ -283,30 +278,24 @@ class Lookup:
         """`otherwise`: the material of a row whose cell is empty."""
         self.materials = materials
         self.known: list[Material | None] = [otherwise]
+        self.errors: dict[bytes, JkrollError] = {}  # by cell, of those that name no material
         self._indices: dict[bytes, int] = {}  # by cell
 
     def indices(self, cells: Sequence[bytes]) -> Indices:
-        """Return the indices of the materials that cells name."""
+        """Return the indices of the materials that cells name; that of LABEL for a cell that names none."""
         if len(self._indices) > MAX_KEPT:
             self._indices.clear()
+            self.errors.clear()
         for cell in [cell for cell in dict.fromkeys(cells) if cell not in self._indices]:
-            self._indices[cell] = self._index(cell.decode(errors="replace"))
+            text = cell.decode(errors="replace")
+            try:
+                solid = self.materials[text] if text.strip() else self.known[0]
+            except JkrollError as error:
+                solid, self.errors[cell] = LABEL, error.with_traceback(None)
+            if solid not in self.known:
+                self.known.append(solid)
+            self._indices[cell] = self.known.index(solid)
         return numpy.array([*map(self._indices.__getitem__, cells)], dtype=numpy.int64)
-
-    def material(self, text: str) -> Material:
-        """Return the material of a name. Raises UnknownMaterial, UnclearMaterial or MaterialsFileError."""
-        solid = _solid(self.materials, text)
-        if isinstance(solid, JkrollError):
-            raise solid.with_traceback(None)
-        return solid
-
-    def _index(self, text: str) -> int:
-        solid = _solid(self.materials, text) if text.strip() else self.known[0]
-        if isinstance(solid, JkrollError):
-            solid = LABEL
-        if solid not in self.known:
-            self.known.append(solid)
-        return self.known.index(solid)
 
     def kinds(self, indices: Indices) -> Indices:
         """Return a number for each row, which is the same for materials that can be one scene's."""
@@ -327,15 +316,6 @@ class Lookup:
             for name in first.properties
         }
         return LABEL._replace(properties=properties)
-
-
-@lru_cache(maxsize=MAX_KEPT)
-def _solid(materials: Materials, text: str) -> Material | JkrollError:
-    """Return the material of a name, or the error about it."""
-    try:
-        return materials[text]
-    except JkrollError as error:
-        return error.with_traceback(None)
 
 
 def _kind(material: Material | None) -> Hashable:

@@ -240,7 +240,7 @@ class Header(NamedTuple):
         """Return the header of an input with those that it is read from, if they are others."""
         head, text = header_of(column.name, column.unit_text), self.texts[column.place]
         is_same = column.is_range or text.strip() in (head, column.name)
-        sources = [f"{_MARKS[part]}{_easy(self.texts[place])}" for part, place in column.sides.items()]
+        sources = [f"{_MARKS[part]}{_easy(self.texts[place])}" for part, place in column.sides]
         return " ".join([head, *([] if is_same else [f"from {_easy(text)}"]), *sources])
 
 
@@ -394,7 +394,7 @@ def _column(name: str, parts: Mapping[str, Reading]) -> Column:
         columns = listed(quoted(head.text) for head in parts.values())
         raise BadTable(f"header: the columns {columns} must have the same unit")
     unit = unit_of(unit_text, name) if unit_text else None
-    sides = {part: head.place for part, head in parts.items() if part}
+    sides = tuple((part, head.place) for part, head in parts.items() if part)
     first = next(iter(parts.values()))
     return Column(first.place, name, unit_text, unit, sides, error_unit if error_unit != unit_text else "")
 

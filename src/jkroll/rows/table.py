@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 
 from ..errors import BadRequest, BadTable, JkrollError
-from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
+from ..materials.library import Material, Materials, UnclearMaterial, UnknownMaterial
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
@@ -274,15 +274,9 @@ class TableBlock(Block):
         table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
         if all(cells[name].strip() == table.columns.texts[place].strip() for name, place in table.places.items()):
             raise BadRequest("the row repeats the header")
-        given, solids = dict[str, Any](), dict[str, Material | None]()
-        labels, problems = list[JkrollError](), list[JkrollError]()
-        for name in self.indices:
-            try:
-                if cells[name].strip():
-                    solids[name] = table.lookups[name].material(cells[name])
-            except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
-                solids[name] = LABEL
-                labels.append(error)
+        given, problems = dict[str, Any](), list[JkrollError]()
+        solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
+        labels = [*filter(None, (table.lookups[name].errors.get(self.cells[name][row]) for name in self.indices))]
         for column in table.columns.inputs:
             try:
                 if (text := column.joined(*(cells[name] for name in column.places))).strip():
@@ -293,6 +287,6 @@ class TableBlock(Block):
             scene = table.scene(given, solids)
             if not labels or not scene.missing(table.wanted.names):
                 return scene
-        errors = [*labels, *problems]
-        phrases = dict.fromkeys(error.phrase or str(error) for error in errors)
-        raise BadRequest("; ".join(map(str, errors)), "; ".join(phrases))
+        problems = [*labels, *problems]
+        phrases = dict.fromkeys(error.phrase or str(error) for error in problems)
+        raise BadRequest("; ".join(map(str, problems)), "; ".join(phrases))
