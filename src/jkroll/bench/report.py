@@ -16,6 +16,7 @@ from ..physics.contact import pull_off_force, reduced_radius
 from ..physics.jkr import FOLD_APPROACH
 from ..pictures.picture import Axis, Curve, Mark, Panel, Picture
 from ..quantities.formatting import significant
+from ..quantities.markup import plain
 from ..text import say
 from .ways import DECIMALS, OTHER_WAYS, QUANTITIES, Way, digits, exact, inputs_of, our_way
 
@@ -219,23 +220,23 @@ def machine() -> str:
 
 def _in_full(row: Row) -> list[Cell]:
     errors = [number for region in REGIONS for number in row.errors.get(region, (math.nan, math.nan))]
-    return [row.quantity, row.way, row.cost, row.cube_roots, *(e if math.isfinite(e) else None for e in errors)]
+    return [row.quantity, plain(row.way), row.cost, row.cube_roots, *(e if math.isfinite(e) else None for e in errors)]
 
 
 def _in_short(row: Row) -> list[Cell]:
     """Return the cells of a row with two digits: for errors and times, more say nothing."""
     pairs = [row.errors.get(region) for region in REGIONS]
     errors = [pair and " ".join(significant(number, 2) for number in pair) for pair in pairs]
-    return [row.way, significant(row.cost, 2), significant(row.cube_roots, 2), *errors]
+    return [plain(row.way), significant(row.cost, 2), significant(row.cube_roots, 2), *errors]
 
 
 # --- The page ---------------------------------------------------------------------------------------------------------
 
 PLOTTED = {
     "pull_off_force": "pull-off force",
-    "contact_radius_at_load": "radius at P",
-    "stiffness": "stiffness at P",
-    "load_factor_at_approach": "state at δ",
+    "contact_radius_at_load": "radius at ⟦P⟧",
+    "stiffness": "stiffness at ⟦P⟧",
+    "load_factor_at_approach": "state at ⟦δ⟧",
     "contact_radius_maugis": "radius, Maugis",
     "yield_moment": "rolling moment",
 }  # what users ask for

@@ -215,8 +215,8 @@ def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
 def _printed(quantity: str) -> dict[str, Way]:
     """Return the equation of the paper, and what becomes of it by a square root that keeps the digits near pull-off."""
     return {
-        "s = √(1+P/P_c)": getattr(AS_PRINTED, quantity),
-        "s = √((P+P_c)/P_c)": getattr(DOUBLES, quantity),
+        "⟦s = √(1+P/P_c)⟧": getattr(AS_PRINTED, quantity),
+        "⟦s = √((P+P_c)/P_c)⟧": getattr(DOUBLES, quantity),
     }
 
 

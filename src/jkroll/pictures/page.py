@@ -67,7 +67,8 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption; with paper to spare."""
     count = len(drawn.panels)
     inches = inches or (_ONE_PANEL if count == 1 else _MORE_PANELS)
-    columns = min(count, max(1, int(inches / _NARROWEST)))
+    fewest = 1 if count < 4 else 2  # more below each other are longer than a sheet of paper
+    columns = min(count, max(fewest, int(inches / _NARROWEST)))
     rows = ceil(count / columns)
     layout = ConstrainedLayoutEngine(w_pad=_GAP, h_pad=_GAP, wspace=0, hspace=0, compress=True)
     figure = Figure(figsize=(inches, _HIGHEST * inches * rows), layout=layout)
