@@ -354,6 +354,15 @@ def test_the_numbers_go_where_no_value_is(run: Run, tmp_path: Path) -> None:
             assert math.isclose(float(cell), solve("approach_at_load", material="quartz", **scene), rel_tol=1e-15)
 
 
+def test_the_numbers_are_as_many_as_were_asked(run: Run) -> None:
+    """Contours and limits need fewer points than are written."""
+    out = run("map r_min --x radius=1nm:1um:300 --y xi=1angstrom:1nm:3 --data -").out
+    rows = [tuple(map(float, row.values())) for row in csv.DictReader(io.StringIO(out))]
+    assert len({*rows}) == 900
+    for radius, displacement, bend in rows[::50]:
+        assert math.isclose(bend, radius**2 / displacement, rel_tol=1e-12)
+
+
 def test_several_materials_are_several_curves(run: Run) -> None:
     out = run("map pull-off quartz,iron 100nm,1um --x xi=1angstrom:3angstrom").err
     assert "does not depend on yield_displacement" in out
@@ -418,6 +427,11 @@ def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
         abs(math.log(apart("approach_at_pull_off", {"material": "quartz", "radius": radius}))) for radius in radii
     ]
     assert [factor > math.log(1.05) for factor in factors] == [True, False, True]
+
+
+def test_a_doubt_at_one_value_has_no_range(run: Run) -> None:
+    out = " ".join(run("map contact_radius quartz --x radius=10nm:1um:3").out.split())
+    assert " quartz, R1 = 10 nm: a/z0 < 3: contact radius below 3 atoms." in out
 
 
 def test_a_curve_is_doubtful_only_where_it_is(run: Run) -> None:
