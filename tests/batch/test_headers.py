@@ -747,6 +747,16 @@ def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
     assert "not known" not in run("batch x.csv -o out.csv --quantities pull_off_force --radius 100nm").err
 
 
+def test_an_option_beside_a_column_of_the_same_input_is_told(run: Run) -> None:
+    """At the prompt a property that is given overrides the material's; in a table a cell comes first."""
+    Path("x.csv").write_text("radius [nm],gamma [mJ/m2]\n100,25\n100,\n", encoding="utf-8")
+    words = "batch x.csv -o out.csv --quantities pull_off_force --no-doubt --gamma 50mJ/m2"
+    assert "note: --gamma fills empty cells: the others keep their values\n" in run(words).err
+    assert "note: --gamma and --radius fill empty cells" in run(f"{words} --radius 1um").err
+    forces = [float(line.split(",")[2]) for line in Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]]
+    assert forces[1] == approx(2 * forces[0], rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

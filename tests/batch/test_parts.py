@@ -94,6 +94,18 @@ def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) ->
     assert whole("forces") == whole("whole")
 
 
+def test_a_name_without_a_file_stops_no_other_table(run: Run, grains: list[str]) -> None:
+    """As a link has whose file is away, or a file that goes while others are converted."""
+    Path("grains/away.csv").symlink_to("nowhere.csv")
+    words = ("batch", "grains/*.csv", "-o", "forces/", "--quantities", "r_min")
+    for resume in ([], ["--resume"]):
+        ran = run(*words, *resume)
+        assert (ran.code, "jkroll: 'grains/away.csv': No such file or directory" in ran.err) == (2, True)
+        assert len(times("forces")) == len(grains)
+    Path("forces/away.csv").touch()
+    assert run(*words, "--resume").err.count("No such file") == 1
+
+
 def test_resume_makes_anew_what_is_older_than_its_table(run: Run, grains: list[str]) -> None:
     words = ("batch", "grains/*.csv", "-o", "forces/", "--quantities", "r_min", "--jobs", "1")
     assert run(*words).code == 1

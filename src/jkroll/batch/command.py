@@ -119,7 +119,7 @@ def _pairs(directory: str, path: str) -> list[Pair]:
     if len({*targets}) < len(paths):
         raise BadTable(f"{quoted(path)}: two tables have the same name")
     pairs = [*zip(paths, targets, strict=True)]
-    if any(os.path.exists(target) and os.path.samefile(table, target) for table, target in pairs):
+    if any(all(map(os.path.exists, pair)) and os.path.samefile(*pair) for pair in pairs):
         raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
     os.makedirs(directory, exist_ok=True)
     return pairs
@@ -128,7 +128,7 @@ def _pairs(directory: str, path: str) -> list[Pair]:
 def _is_newer(pair: Pair) -> bool:
     """Return whether the output of a table is newer than the table."""
     table, output = pair
-    return os.path.exists(output) and os.stat(output).st_mtime_ns >= os.stat(table).st_mtime_ns
+    return all(map(os.path.exists, pair)) and os.stat(output).st_mtime_ns >= os.stat(table).st_mtime_ns
 
 
 def _converted(job: Job, pair: Pair) -> Outcome:
@@ -144,7 +144,7 @@ def _converted(job: Job, pair: Pair) -> Outcome:
 
 def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[tuple[Pair, Outcome]]:
     """Convert tables by some processes, the largest first, so that all end at about the same time."""
-    sizes = {pair: os.path.getsize(pair[0]) for pair in pairs}
+    sizes = {pair: os.path.getsize(pair[0]) if os.path.exists(pair[0]) else 0 for pair in pairs}
     count = min(count, len(pairs), 1 + sum(sizes.values()) // LITTLE)
     if count < 2:
         yield from ((pair, task(pair)) for pair in pairs)

@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 from ..errors import BadRow, BadTable, missing_extra
 from ..output.writers import WRITERS, columns_of, whole_file, written
 from ..quantities.formatting import Format
-from ..quantities.nomenclature import INFINITY
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.columns import Columns, Wanted, remarks_of
 from ..rows.header import check_inputs, understood
 from ..rows.reasons import Tally, worded
 from ..rows.rows import evaluated
 from ..rows.table import Asked, Table, TableBlock
 from ..scene.failures import MissingInput
-from ..text import quoted, say, say_wrapped
+from ..text import listed, quoted, say, say_wrapped
 from .files import Input, compressed, input_format, lines_of, output_format
 from .lines import Delimited, Ndjson
 
@@ -75,6 +75,9 @@ def _about(table: Table) -> Iterator[str]:
     notes = [message for message in table.labels.values() if message]
     if "radius" not in table.given and not table.asked.explicit:
         notes.append("no column and no option gives a radius; what needs one is left out")
+    fills = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.columns.names & table.fixed.keys())
+    if fills:
+        notes.append(f"{listed(fills)} fill{'' if fills[1:] else 's'} empty cells: the others keep their values")
     # What is infinite may make a body rigid in some rows.
     idle = [name for name in idle if table.fixed.get(name, INFINITY) != INFINITY]
     notes += [note.text for note in (*about_idle(idle), *about_left_out(table.left_out))]
