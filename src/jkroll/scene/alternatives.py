@@ -11,7 +11,6 @@ from ..physics.elementary import NUMBER, at_least, at_most, quotient, where
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law, routed_apart
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, ends_of, middle
-from .failures import written_outcome
 from .scene import DEFAULTS, IN_ITS_PLACE, Scene, takes
 from .wiring import depends_on, plan_for
 
@@ -225,8 +224,7 @@ def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene]
 
     Raises a JkrollError for a scene of arrays of which some elements have no error bars.
     """
-    outcomes = {name: written_outcome(name, value) for name, value in alternative(scene).evaluate(names).items()}
-    values = {name: None if isinstance(value, JkrollError) else value for name, value in outcomes.items()}
+    values = dict.fromkeys(names) | alternative(scene).numbers(*names)
     if not scene.is_uncertain:
         return values
     from .uncertainty import Propagated, uncertainties
