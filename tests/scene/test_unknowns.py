@@ -510,11 +510,11 @@ def test_a_material_that_lacks_an_input_fails_its_rows_alone(run: Run, tmp_path:
 
 
 def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
-    found = run(f"{COMMAND} --explain").out.split("\n\n")
+    *found, _ = run(f"{COMMAND} --explain").out.split("\n\n")
     assert [part.partition(" ")[0] for part in found] == [*NAMES, *MEASURED]
     assert "  result    P_c = 300 nN\n" in found[2]
     assert "  result    dP/dδ = 1 kN/m\n" in found[3]
-    assert "their relative errors enter times 1.58 at most" in found[1]
+    assert "relative errors of these enter times 1.58 at most" in found[1]
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,6 @@ from ..scene.limits import JUMP, LAW_MATTERS, Doubt
 from ..scene.scene import Scene
 
 MAX_TOLD = 2  # quantities in a note
-_SMALLEST = 1e-7  # radius of an identical pair below which nothing is said of measurements to programs
 _ALIKE = 0.2  # relative difference of radii that needs no scaling
 
 
@@ -74,10 +73,10 @@ def readings_of(law: str) -> tuple[str, str]:
 def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] | None:
     """Return the measured displacement there and here, and the results with it, also over those of the assumed one.
 
-    None where it is not assumed, enters no result, or the spheres are small.
+    None where it is not assumed, or enters no result.
     """
     rolled = rolling(names, scene.law.name)
-    if not rolled or not assumes_displacement(scene) or _radius(scene) < _SMALLEST:
+    if not rolled or not assumes_displacement(scene):
         return None
     worth: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
     if rolled_solid(scene):
@@ -88,11 +87,6 @@ def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] |
         worth["over_assumed"] = {name: [low[name] / ours[name], high[name] / ours[name]] for name in both}
         worth["values"] = {name: [*ends_of(value)] for name, value in beside(scene, {DATA: both})[DATA].items()}
     return worth
-
-
-def _radius(scene: Scene) -> float:
-    """Return the radius of the identical pair with the same reduced radius."""
-    return 2 * float(scene.numbers("reduced_radius").get("reduced_radius", 0.0))
 
 
 # --- In words ---------------------------------------------------------------------------------------------------------
@@ -171,7 +165,7 @@ def _forces(scene: Scene) -> str:
     if rolled_solid(scene) != SIO2:
         return "displacements of polystyrene on glass at 5 µm, scaled to this size"
     text = f"forces on {SIO2} of 1 µm"
-    if abs(_radius(scene) / ROLLED["radius"] - 1) < _ALIKE:
+    if abs(2 * scene["reduced_radius"] / ROLLED["radius"] - 1) < _ALIKE:
         return text
     return f"{text} ({span('yield_force', *FORCES)}), scaled to this size"
 

@@ -56,13 +56,9 @@ def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> N
     """Write for each result its formula, inputs, steps, value, source, validity, accuracy and power law."""
     if not power_law.__doc__:
         raise BadRequest("--explain is worded from docstrings, which python -OO drops")
-    is_first = True
     for answer in answers:
         for result in answer.results:
-            if not is_first:
-                say("", out)
-            is_first = False
-            for line in [*_explanation(result, answer.scene, form), *_readings(result, answer, form)]:
+            for line in [*_explanation(result, answer.scene, form), *_readings(result, answer, form), ""]:
                 say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
         for line in every_line(answer):
             say_wrapped(line, out)
@@ -116,15 +112,11 @@ def _found(result: Result, form: Format) -> list[str]:
     if result.error:
         lines.append(f"  error     {100 * result.error:.2g} % off the exact moment of this contact")
     if result.condition is not None:
-        lines.append(
-            "  inferred  by bisection, so that the formula below gives the measured value; "
-            f"a relative error of that value enters times κ = {result.condition:.3g}"
-        )
+        error = f"a relative error of it enters times κ = {result.condition:.3g}"
+        lines.append(f"  inferred  so that the formula below gives the measured value; {error}")
     if result.growth is not None:
-        lines.append(
-            "  inferred  with the other input, so that the formulas below give both measured values; "
-            f"their relative errors enter times {result.growth:.3g} at most"
-        )
+        errors = f"relative errors of these enter times {result.growth:.3g} at most"
+        lines.append(f"  inferred  with the other input, so that both have their measured values; {errors}")
     if result.by_law:
         others = ", ".join(f"{amount(result.name, value, form)} ({law})" for law, value in result.by_law.items())
         lines.append(f"  by law    {others}")
