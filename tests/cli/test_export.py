@@ -394,8 +394,8 @@ def test_critical_viscosity_by_the_equation_of_motion() -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("quartz 100nm", "T* = 1.95 here: these grains stick at every speed, as all below 246 nm do"),
-        ("quartz 600nm", "T* = 0.241 here; grains below 246 nm stick at every speed"),
+        ("quartz 100nm", "below 246 nm stick at every speed: T* = (T_vis/ν²)√(E*a0/m) is above 0.6817, 1.95 here"),
+        ("quartz 600nm", "below 246 nm stick at every speed: T* = (T_vis/ν²)√(E*a0/m) is above 0.6817, 0.241 here"),
     ],
 )
 def test_grains_that_stick_at_every_speed_in_dust_simulation(run: Run, words: str, said: str) -> None:

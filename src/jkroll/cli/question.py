@@ -151,7 +151,7 @@ def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Fo
     def watched() -> "Iterator[Answer]":
         for answer in answers:
             if answer.failure is not None:
-                if count == 1 and call.kind not in ("explain", "cite") and answer.has_no_headline:
+                if count == 1 and call.kind != "explain" and answer.has_no_headline:
                     raise answer.failure
                 failures.append(answer.failure)
             yield answer

@@ -212,13 +212,9 @@ def _about_dust_simulation(scene: Scene) -> Iterator[str]:
     yield _ABOUT_DUST_SIMULATION
     ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
     largest = amount("radius", scene["radius"] * (ratio / ALL_STICK) ** (6 / 7), Format(digits=3))
-    here = f"T* = {significant(ratio, 3)} here"
-    sticks = f"{here}: these grains stick at every speed, as all below {largest} do with this viscous time"
-    bounces = f"{here}; grains below {largest} stick at every speed with this viscous time"
-    yield (
-        f"viscous damping: {sticks if ratio > ALL_STICK else bounces}, where T* = (T_vis/ν²)√(E*a0/m) is above "
-        f"{ALL_STICK:.4f}; the viscous time is fitted to measured sticking at a size: fit yours"
-    )
+    sticks = f"with this viscous time all grains below {largest} stick at every speed"
+    number = f"T* = (T_vis/ν²)√(E*a0/m) is above {ALL_STICK:.4f}, {significant(ratio, 3)} here"
+    yield f"viscous damping: {sticks}: {number}; the viscous time is fitted to measured sticking at a size: fit yours"
 
 
 def dust_collider_material(scene: Scene) -> Iterator[str]:

@@ -221,17 +221,10 @@ class Sources:
 
 
 def _with_sources(answers: Iterable[Answer]) -> Iterator[tuple[Answer, Sources]]:
-    """Iterate over the answers that have results, with their sources; raise the first failure if none has."""
-    failure: JkrollError | None = None
-    has_results = False
+    """Iterate over the answers that have results, with their sources."""
     for answer in answers:
-        failure = failure or answer.failure
-        sources = Sources(answer)
-        if sources.names:
-            has_results = True
+        if (sources := Sources(answer)).names:
             yield answer, sources
-    if failure is not None and not has_results:
-        raise failure
 
 
 def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
