@@ -6,16 +6,7 @@ from math import isnan
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
-from ..quantities.formatting import (
-    Format,
-    amount,
-    from_to,
-    in_words,
-    pretty,
-    significant,
-    symbol_beside,
-    with_known_prefix,
-)
+from ..quantities.formatting import Format, amount, from_to, in_words, significant, symbol_beside, with_known_prefix
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
@@ -99,9 +90,9 @@ def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
 
 
 def _unit(name: str, values: Sequence[Any], form: Format) -> tuple[str, Unit]:
-    """Return the unit that suits values, or else that of the quantity."""
-    text, unit = form.common_unit(name, values) or (form.unit(name).removeprefix("1"), (1, 1, ()))
-    return pretty(with_known_prefix(name, text)), unit
+    """Return the unit that suits values, and its name."""
+    text, unit = form.common_unit(name, values)
+    return with_known_prefix(name, text), unit
 
 
 def _head(words: str, unit: tuple[str, Unit]) -> str:

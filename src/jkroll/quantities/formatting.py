@@ -54,22 +54,23 @@ class Format:
         value = value if isinstance(value, Uncertain) else in_words(name, value)
         if isinstance(value, str):
             return value, ""
-        unit = self.common_unit(name, [value]) or (NOMENCLATURE[name].unit.removeprefix("1"), (1, 1, ()))
+        unit = self.common_unit(name, [value])
         return self.in_unit(value, unit), unit[0]
 
-    def common_unit(self, name: str, values: Sequence[float | Uncertain]) -> tuple[str, Unit] | None:
-        """Return the unit that suits the middle one of values; None if others are long numbers in it, or it is 1."""
+    def common_unit(self, name: str, values: Sequence[float | Uncertain]) -> tuple[str, Unit]:
+        """Return the unit that suits the middle one of values; that of SI if others are long numbers in it."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
         middles = (value.value if isinstance(value, Uncertain) else value for value in values)
         sizes = sorted(abs(value) for value in middles if value and not isinf(value))
-        if si in ("", "1") or not sizes:
-            return None
+        plain = si.removeprefix("1"), (1, 1, ())
+        if not plain[0] or not sizes:
+            return plain
         _, power = _scaled(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
         scale, prefix = (*power_of_ten(power), ()), _PREFIXES[power]
         is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
-        return (prefix + si, scale) if is_short else None
+        return (prefix + si, scale) if is_short else plain
 
     def in_unit(self, value: float | str | Uncertain, unit: tuple[str, Unit]) -> str:
         """Return a rounded value in a unit, with its uncertainty if it has one, without the unit; a word as it is."""
@@ -115,14 +116,14 @@ def significant(value: float, digits: int, *, zeros: bool = False) -> str:
 
 
 def with_known_prefix(name: str, unit: str) -> str:
-    """Return the unit of a quantity with its power of ten in place of a prefix that few know: pico to giga stay.
+    """Return the unit of a quantity for a reader: with a power of ten in place of a prefix beyond pico to giga.
 
     >>> with_known_prefix("well_energy", "aJ"), with_known_prefix("pull_off_force", "nN")
     ('1e-18 J', 'nN')
     """
     si = NOMENCLATURE[name].unit
     powers = {prefix + si: power for power, prefix in _PREFIXES.items() if not -12 <= power <= 9}
-    return f"1e{powers[unit]} {si}" if unit in powers else unit
+    return pretty(f"1e{powers[unit]} {si}" if unit in powers else unit)
 
 
 def pretty(unit: str) -> str:
@@ -161,11 +162,10 @@ def span(name: str, low: float, high: float) -> str:
     >>> span("well_energy", 1e-18, 3e-18)
     '(1–3)e-18 J'
     """
-    plain = NOMENCLATURE[name].unit.removeprefix("1"), (1, 1, ())
-    unit, scale = AS_USUAL.common_unit(name, [low, high]) or plain
+    unit, scale = AS_USUAL.common_unit(name, [low, high])
     text, shown = from_to(convert(low, scale), convert(high, scale)), with_known_prefix(name, unit)
-    if shown == unit:
-        return f"{text} {pretty(unit)}".strip()
+    if shown == pretty(unit):
+        return f"{text} {shown}".strip()
     return f"({text}){shown.removeprefix('1')}" if low != high else f"{text}{shown.removeprefix('1')}"
 
 
