@@ -175,7 +175,7 @@ class Answer:
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
-        return [Note("warning" if doubt.limit.ends_meaning else "doubt", self.about(doubt)) for doubt in self.exceeded]
+        return [Note("warning" if doubt.limit.ends_meaning else "caveat", self.about(doubt)) for doubt in self.exceeded]
 
     @property
     def exceeded(self) -> list[Doubt]:

@@ -97,7 +97,7 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
     """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
     if "shear_strength" in scene.formulas_to(*names):
         text = "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)"
-        yield Note("assumption", text)
+        yield Note("open", text)
     energies = [scene[name] for name in _ENERGIES if name in inputs]
     if len(energies) == len(_ENERGIES) and max(energies) > _UNLIKE * min(energies):
         work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
@@ -195,7 +195,7 @@ def _first_to_yield(scene: Scene) -> Note:
 def about_limits(every: Iterable[Doubt]) -> list[Note]:
     """Return notes on the limits of the model that could not be judged, by the inputs that they need."""
     errors = {doubt.limit.name: doubt.error for doubt in every if doubt.error is not None}
-    return about_missing(errors, "not checked: ", "unchecked")
+    return about_missing(errors, "not checked: ", "open")
 
 
 def about_missing(errors: Mapping[str, JkrollError], lead: str = "", kind: Kind = "missing") -> list[Note]:
@@ -213,7 +213,7 @@ def about_left_out(sources: "Iterable[Source]") -> list[Note]:
     """Return the note on sources that enter no error bar, as others are of another kind, if there are some."""
     symbols = dict.fromkeys(symbol_of(source.names[0]) for source in sources)
     text = f"error bars: ± and ranges do not go together; {', '.join(symbols)} left out"
-    return [Note("error bars", text)] if symbols else []
+    return [Note("missing", text)] if symbols else []
 
 
 def about_lost_contacts(scene: Scene, bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:
@@ -227,7 +227,7 @@ def about_lost_contacts(scene: Scene, bars: "Mapping[str, Propagated | JkrollErr
     spread = hypot(*(measure.minus for measure in measures if isinstance(measure, Measured)))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
     text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
-    return [Note("error bars", f"error bars are of contacts that hold: {text}")] if part >= _LOST else []
+    return [Note("missing", f"error bars are of contacts that hold: {text}")] if part >= _LOST else []
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------

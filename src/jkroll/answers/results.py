@@ -64,27 +64,13 @@ class Result(NamedTuple):
 
 
 # Of notes, the most important first.
-Kind = Literal[
-    "warning",
-    "missing",
-    "error bars",
-    "caveat",
-    "doubt",
-    "displacement",
-    "result",
-    "model",
-    "rows",
-    "assumed",
-    "assumption",
-    "unchecked",
-    "data",
-]
+Kind = Literal["warning", "missing", "caveat", "displacement", "result", "model", "rows", "assumed", "open", "data"]
 
 
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Kind  # a warning is of a number without a meaning, "rows" counts those in doubt
+    kind: Kind  # a warning is of a number without a meaning, "rows" counts those in doubt, "open" is what is not known
     text: str
 
     @property
