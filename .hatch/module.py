@@ -7,7 +7,7 @@ HEAD = '''"""The materials of materials.toml, written when the wheel was built."
 from types import MappingProxyType as mappingproxy
 
 from ..quantities import values
-from .library import SHIPPED, Material
+from .library import SHIPPED, Displacement, Material
 
 Interval, Measured = values.Interval.of, values.Measured.of
 '''

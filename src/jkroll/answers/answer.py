@@ -100,11 +100,12 @@ class Answer:
         law = "" if self.scene.law.is_default else self.scene.law.name
         if name in self.errors:
             return Result(name, None, reason_of(name, self.errors[name]), law=law)
-        error, propagated = model_error(name, self.scene), self._propagated(name)
-        result = Result(name, self.outcomes[name], error=error, propagated=propagated)
-        if not law or not uses_law(self.scene, name):
-            return result
-        return result._replace(law=law, of_law=equation_of(self.scene, name))
+        result = Result(
+            name, self.outcomes[name], error=model_error(name, self.scene), propagated=self._propagated(name)
+        )
+        if law and uses_law(self.scene, name):
+            result.law, result.of_law = law, equation_of(self.scene, name)
+        return result
 
     def _error(self, name: str, error: JkrollError) -> JkrollError:
         """Return why a quantity has no value: of one that the atomic spacing decides on, with its values."""

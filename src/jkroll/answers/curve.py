@@ -188,4 +188,4 @@ class OfCurve(Wanted):
         state, scene, curve = at
         row = self._of_state.row(scene)
         inputs = {**row.inputs, state.given: state.value, "state": state.name}
-        return row._replace(inputs=inputs, doubts=int(bits_of(curve.validity)) if self.doubts else 0)
+        return Row(inputs, row.numbers, int(bits_of(curve.validity)) if self.doubts else 0, row.reasons)

@@ -2,19 +2,22 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
 
 
-class Question(NamedTuple):
+class Question:
     """The quantities that answer a question, and how they are shown."""
 
-    headline: tuple[str, ...]  # those that the command is named after; --bare writes them alone
-    quantities: tuple[str, ...]  # all that are shown, in this order
-    named: tuple[str, ...] = ()  # asked for by name: shown for any scene
-    # Without a row: limits of the headline, with the heads of their columns; one without a head has none.
-    beside: Mapping[str, str] = MappingProxyType({})
+    def __init__(
+        self,
+        headline: tuple[str, ...],  # those that the command is named after; --bare writes them alone
+        quantities: tuple[str, ...],  # all that are shown, in this order
+        named: tuple[str, ...] = (),  # asked for by name: shown for any scene
+        # Without a row: limits of the headline, with the heads of their columns; one without a head has none.
+        beside: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
+        self.headline, self.quantities, self.named, self.beside = headline, quantities, named, beside
 
 
 def _question(headline: str, quantities: str = "", beside: Mapping[str, str] = MappingProxyType({})) -> Question:

@@ -16,23 +16,28 @@ else:
     Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
 
 
-class Result(NamedTuple):
+class Result:
     """A quantity in SI units, or the reason why it has no value; a text of it is rounded, as on a terminal.
 
     `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies
     the relative error of a measured one, `growth` the largest factor by which those of two measured values enter it.
     """
 
-    name: str
-    value: float | None
-    reason: str = ""
-    error: float | None = None
-    condition: float | None = None
-    growth: float | None = None
-    by_law: Mapping[str, float] = MappingProxyType({})  # of an inferred value: what it would be under the other laws
-    propagated: Propagated | None = None  # its uncertainty, if an input has one
-    law: str = ""  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
-    of_law: str = ""  # the equation of the paper by which it does, or its source
+    def __init__(
+        self,
+        name: str,
+        value: float | None,
+        reason: str = "",
+        error: float | None = None,
+        condition: float | None = None,
+        growth: float | None = None,
+        by_law: Mapping[str, float] = MappingProxyType({}),  # of an inferred value: what it is under the other laws
+        propagated: Propagated | None = None,  # its uncertainty, if an input has one
+        law: str = "",  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
+        of_law: str = "",  # the equation of the paper by which it does, or its source
+    ) -> None:
+        self.name, self.value, self.reason, self.error, self.condition = name, value, reason, error, condition
+        self.growth, self.by_law, self.propagated, self.law, self.of_law = growth, by_law, propagated, law, of_law
 
     def __str__(self) -> str:
         return f"no value: {self.reason}" if self.measure is None else amount(self.name, self.measure)

@@ -69,7 +69,7 @@ def check_format(call: Call) -> None:
 def question_of(call: Call, usual: Question) -> Question:
     """Return the question about the quantities that `--quantities` lists, or the usual one; bare, its headline."""
     question = usual if call.quantities is None else question_about(call.quantities)
-    return question._replace(quantities=question.headline) if call.kind == "bare" else question
+    return Question(question.headline, question.headline, question.named) if call.kind == "bare" else question
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------

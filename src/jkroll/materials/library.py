@@ -57,11 +57,14 @@ def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
 copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # by itself it has no pickle
 
 
-class Displacement(NamedTuple):
+class Displacement:
     """A yield displacement with its ends, in SI units, and the radius of the identical pairs that were measured."""
 
-    measured: Interval
-    radius: float
+    def __init__(self, measured: Interval, radius: float) -> None:
+        self.measured, self.radius = measured, radius
+
+    def __repr__(self) -> str:
+        return f"Displacement({self.measured!r}, {self.radius!r})"
 
     def scaled(self, radius: Any) -> Interval:
         """Return the displacement of identical pairs of another radius.

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, question_about
@@ -149,15 +149,16 @@ def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
 # --- Python -----------------------------------------------------------------------------------------------------------
 
 
-class Exceeded(NamedTuple):
-    """A limit of the model that does not hold; a text of it is the sentence."""
+class Exceeded:
+    """A limit of the model that does not hold; a text of it is the sentence.
 
-    text: str
-    code: str
-    name: str  # of the number that limits the model
-    value: float  # of that
-    limit: float  # the first threshold of what is judged: of a law, of the factor between answers
-    factor: float | None  # how many times that is beyond it; None if it is infinite, or the limit 0
+    `name` and `value` are of the number that limits the model, `limit` is the first threshold of what is judged, of a
+    law the factor between answers, and `factor` how many times that is beyond it; None if it is infinite, or over 0.
+    """
+
+    def __init__(self, text: str, doubt: "Doubt") -> None:
+        self.text, self.code, self.name, self.value = text, doubt.code, doubt.limit.name, doubt.value
+        self.limit, self.factor = doubt.limit.threshold, doubt.factor
 
     def __str__(self) -> str:
         return self.text
@@ -187,11 +188,7 @@ class Answered:
     @cached_property
     def doubts(self) -> tuple[Exceeded, ...]:
         """The limits of the model that do not hold, the one that is exceeded most first."""
-        about, exceeded = self._answer.about, self._answer.exceeded
-        return tuple(
-            Exceeded(about(doubt), doubt.code, doubt.limit.name, doubt.value, doubt.limit.threshold, doubt.factor)
-            for doubt in exceeded
-        )
+        return tuple(Exceeded(self._answer.about(doubt), doubt) for doubt in self._answer.exceeded)
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, float | Uncertain | None]]:

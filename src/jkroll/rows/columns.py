@@ -190,13 +190,14 @@ class Wanted(_Request):
         return columns, again | columns.put_sides(measures | bars)
 
 
-class Row(NamedTuple):
-    """A row of columns."""
+class Row:
+    """A row of columns: its inputs, its numbers as `Wanted.keys` has them, its doubts as bits, why cells are empty.
 
-    inputs: Mapping[str, Any]  # SI values, with their uncertainties, names of materials, the law
-    numbers: Sequence[float]  # as Wanted.keys has them; nan is a gap
-    doubts: int  # bits
-    reasons: Reasons
+    The inputs are SI values, with their uncertainties, names of materials and the law; a number that is nan is a gap.
+    """
+
+    def __init__(self, inputs: Mapping[str, Any], numbers: Sequence[float], doubts: int, reasons: Reasons) -> None:
+        self.inputs, self.numbers, self.doubts, self.reasons = inputs, numbers, doubts, reasons
 
 
 def remarks_of(wanted: Wanted, *, doubt: bool = True) -> tuple[str, ...]:

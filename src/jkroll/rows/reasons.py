@@ -22,12 +22,11 @@ _NO_GAPS: "Mapping[str, Gaps]" = {}  # which can be pickled
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
 
 
-class Gaps(NamedTuple):
+class Gaps:
     """Rows with the same status: their number, and the first of them, counted from 1, with its reasons in full."""
 
-    rows: int
-    first: int
-    words: str
+    def __init__(self, rows: int, first: int, words: str) -> None:
+        self.rows, self.first, self.words = rows, first, words
 
     def sentence(self) -> str:
         """Return the words with the rows that they are about."""
@@ -108,8 +107,8 @@ class Tally(NamedTuple):
         """Return the counts with those of some more rows."""
         gaps = dict(self.gaps)
         for status, more in other.gaps.items():
-            before = gaps.get(status, more._replace(rows=0, first=self.rows + more.first))
-            gaps[status] = before._replace(rows=before.rows + more.rows)
+            before = gaps.get(status, Gaps(0, self.rows + more.first, more.words))
+            gaps[status] = Gaps(before.rows + more.rows, before.first, before.words)
         return Tally(
             self.rows + other.rows,
             self.failed + other.failed,
