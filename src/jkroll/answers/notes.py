@@ -276,7 +276,9 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
         if rows := tally.with_doubts(told):
             counts = first_of(tally.counted(told), _MAX_CODES)
             yield Note(kind, f"{lead} in {rows} of {tally.rows} rows ({where}): {counts}")
-    yield from (Note("missing", gaps.sentence()) for gaps in tally.gaps.values())
+    for rows, first, words in tally.gaps.values():
+        others = f", likewise {rows - 1} more" if rows > 1 else ""
+        yield Note("missing", f"{words}: row {first}{others}")
 
 
 class OfRows:

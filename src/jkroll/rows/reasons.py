@@ -18,20 +18,9 @@ UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does 
 _MAX_NAMES = 3  # of quantities in a clause
 
 _NO_DOUBTS: Counter[int] = Counter()
-_NO_GAPS: "Mapping[str, Gaps]" = {}  # which can be pickled
+Gaps = tuple[int, int, str]  # rows with one status: their number, the first, counted from 1, and its reasons in full
+_NO_GAPS: Mapping[str, Gaps] = {}  # which can be pickled
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
-
-
-class Gaps:
-    """Rows with the same status: their number, and the first of them, counted from 1, with its reasons in full."""
-
-    def __init__(self, rows: int, first: int, words: str) -> None:
-        self.rows, self.first, self.words = rows, first, words
-
-    def sentence(self) -> str:
-        """Return the words with the rows that they are about."""
-        others = f", likewise {self.rows - 1} more" if self.rows > 1 else ""
-        return f"{self.words}: row {self.first}{others}"
 
 
 def lack(reasons: Reasons) -> JkrollError | None:
@@ -98,7 +87,7 @@ class Tally(NamedTuple):
         for row, status in sorted(columns.status.items()):
             rows.setdefault(status, []).append(row)
         gaps = {
-            status: Gaps(len(places), places[0] + 1, worded(columns.reasons[places[0]], named))
+            status: (len(places), places[0] + 1, worded(columns.reasons[places[0]], named))
             for status, places in rows.items()
         }
         return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
@@ -106,9 +95,9 @@ class Tally(NamedTuple):
     def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""
         gaps = dict(self.gaps)
-        for status, more in other.gaps.items():
-            before = gaps.get(status, Gaps(0, self.rows + more.first, more.words))
-            gaps[status] = Gaps(before.rows + more.rows, before.first, before.words)
+        for status, (more, place, text) in other.gaps.items():
+            rows, first, words = gaps.get(status, (0, self.rows + place, text))
+            gaps[status] = (rows + more, first, words)
         return Tally(
             self.rows + other.rows,
             self.failed + other.failed,
