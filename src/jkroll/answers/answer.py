@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from functools import cached_property
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
-from ..quantities.formatting import in_words
+from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
-from ..quantities.nomenclature import INFINITY, XI
-from ..scene.alternatives import factor_of_law, in_place_of, uses_law
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
+from ..scene.alternatives import at_half_spacing, factor_of_law, in_place_of, uses_law
 from ..scene.failures import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
@@ -23,6 +24,7 @@ from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, doubts
 from ..scene.scene import Scene
 from .advice import about_doubt, displacement_in_full, over_this_law
 from .notes import (
+    Note,
     about_assumed,
     about_given,
     about_idle,
@@ -36,11 +38,96 @@ from .notes import (
     idle_of,
 )
 from .questions import Question
-from .results import Note, Result, equation_of, model_error, over_spacing
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Sources
+else:
+    Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
+
+
+# --- Results ----------------------------------------------------------------------------------------------------------
+
+
+class Result:
+    """A quantity in SI units, or the reason why it has no value; a text of it is rounded, as on a terminal.
+
+    `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies
+    the relative error of a measured one, `growth` the largest factor by which those of two measured values enter it.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        value: float | None,
+        reason: str = "",
+        error: float | None = None,
+        condition: float | None = None,
+        growth: float | None = None,
+        by_law: Mapping[str, float] = MappingProxyType({}),  # of an inferred value: what it is under the other laws
+        propagated: Propagated | None = None,  # its uncertainty, if an input has one
+        law: str = "",  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
+        of_law: str = "",  # the equation of the paper by which it does, or its source
+    ) -> None:
+        self.name, self.value, self.reason, self.error, self.condition = name, value, reason, error, condition
+        self.growth, self.by_law, self.propagated, self.law, self.of_law = growth, by_law, propagated, law, of_law
+
+    def __str__(self) -> str:
+        return f"no value: {self.reason}" if self.measure is None else amount(self.name, self.measure)
+
+    @property
+    def unit(self) -> str:
+        """The SI unit."""
+        return NOMENCLATURE[self.name].unit
+
+    @property
+    def equation(self) -> str:
+        """The equation that gives the quantity, or the source of its law."""
+        return self.of_law if self.law else NOMENCLATURE[self.name].equation
+
+    @property
+    def source(self) -> str:
+        """The equation as a text: "Eq 6", or the source of the law."""
+        return f"Eq {self.equation}" if self.equation.isdigit() else self.equation
+
+    @property
+    def uncertain(self) -> "Uncertain | None":
+        """The value with its error bar, if an input has one."""
+        return self.propagated.uncertainty if self.propagated is not None else None
+
+    @property
+    def measure(self) -> "float | Uncertain | None":
+        """The value, with its error bar if it has one."""
+        return self.value if self.uncertain is None else self.uncertain
+
+
+def equation_of(scene: Scene, name: str) -> str:
+    """Return the equation by which a law has a quantity: that of the paper, or the source of the law."""
+    return NOMENCLATURE[scene.plan(name).name].equation or scene.law.source
+
+
+def over_spacing(name: str, scene: Scene) -> str:
+    """Return why a quantity that rests on the atomic spacing has no one value."""
+    ends = [scene.replace(atomic_spacing=scene["atomic_spacing"]), at_half_spacing(scene)]
+    texts = [f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end['atomic_spacing'])}" for end in ends]
+    return f"from {' to '.join(texts)}; give --z0"
+
+
+_MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
+
+
+def model_error(name: str, scene: Scene) -> float | None:
+    """Return the relative error of a model; None for the exact one, for other quantities, and where one has no value.
+
+    At a fixed load Eq (25) is exact; at a fixed approach, there is a term in ξ³ more.
+    """
+    exact_model = "fixed_approach_moment" if "approach_at_load" in scene.stated else "yield_moment"
+    if name not in _MOMENTS or name == exact_model:
+        return None
+    values = scene.numbers(name, exact_model)
+    if len(values) < 2:
+        return None
+    return float(abs(values[name] - values[exact_model]) / values[exact_model])
 
 
 def with_force_by_maugis(error: Failure, scene: Scene) -> Failure:

@@ -20,10 +20,9 @@ from ..scene.scene import Scene
 from ..scene.uncertainty import measures_of, uncertainties
 from ..scene.unknowns import Solution, solution
 from ..text import listed
-from .answer import Answer
-from .notes import about_uncertainties
+from .answer import Answer, Result
+from .notes import Note, about_uncertainties
 from .questions import Question
-from .results import Note, Result
 
 # Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
 _LOSING = frozenset({"restitution", "sticking_speed"})

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from math import erfc, hypot, sqrt
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_beside, symbol_of
@@ -17,7 +17,6 @@ from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
 from .advice import about_displacement
-from .results import Kind, Note, by_importance
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -25,6 +24,28 @@ if TYPE_CHECKING:
     from ..rows.reasons import Tally
     from ..scene.uncertainty import Propagated, Source, Sources
     from .answer import Answer
+
+# Of notes, the most important first.
+Kind = Literal["warning", "missing", "caveat", "displacement", "result", "model", "rows", "assumed", "open", "data"]
+_KINDS = get_args(Kind)
+
+
+class Note(NamedTuple):
+    """A sentence about an answer."""
+
+    kind: Kind  # a warning is of a number without a meaning, "rows" counts those in doubt, "open" is what is not known
+    text: str
+
+    @property
+    def line(self) -> str:
+        """The sentence as a line by itself."""
+        return f"{'warning' if self.kind == 'warning' else 'note'}: {self.text}"
+
+
+def by_importance(notes: Iterable[Note]) -> list[Note]:
+    """Return notes, the most important kind first."""
+    return sorted(notes, key=lambda note: _KINDS.index(note.kind))
+
 
 Rows = tuple[Scene, Sequence[str]]  # of a kind: a scene that stands for them, and the quantities that it shows
 

@@ -4,9 +4,8 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..answers.answer import Answer
+from ..answers.answer import Answer, Result
 from ..answers.questions import QUESTIONS, Question, question_about
-from ..answers.results import Result
 from ..materials.library import Material, Materials
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import other_law

@@ -12,9 +12,8 @@ from typing import Any, TextIO
 
 from .. import __version__
 from ..answers.advice import readings_of
-from ..answers.answer import Answer
+from ..answers.answer import Answer, Result
 from ..answers.notes import every_line
-from ..answers.results import Result
 from ..errors import BadRequest, JkrollError
 from ..materials.library import data_of
 from ..physics.accuracy import accuracy_of

@@ -17,8 +17,7 @@ from ..scene.limits import NOT_JUDGED, OF_LAW, codes_of
 from ..text import say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:
-    from ..answers.answer import Answer
-    from ..answers.results import Result
+    from ..answers.answer import Answer, Result
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
