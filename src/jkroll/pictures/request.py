@@ -1,7 +1,7 @@
 """A user's request for a plot as a field or curves: with caption, notes, and limits of the model that are exceeded."""
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from functools import cached_property, partial
+from functools import partial
 from math import isclose, log, nan
 from operator import itemgetter
 from typing import Any, NamedTuple
@@ -17,8 +17,8 @@ from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_o
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
-from ..scene.failures import RESTS_ON_SPACING, MissingInput, NotInLaw, reason_of, without_value
-from ..scene.limits import LIMITS, OF_LAW, Doubt, Limit, judged, percent, touched
+from ..scene.failures import RESTS_ON_SPACING, MissingInput, reason_of, without_value
+from ..scene.limits import LIMITS, OF_LAW, Limit, judged, percent, touched
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
 from .picture import (
@@ -182,18 +182,13 @@ class Layer:
         self.text, self.given, self.quantity, self.axes = text, scene, (quantity := request.quantity), axes
         at_an_end = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
         self.scene = scene.replace(**at_an_end)  # what a quantity needs is the same all along an axis
-        self.limits: list[Limit] = []
-        notes = []
-        for limit in touched(self.scene, [quantity], request.limits):
-            try:
-                self.scene.plans(limit.name)
-                self.limits.append(limit)
-            except NotInLaw:
-                continue
-            except MissingInput as error:
-                notes.append(f"limits are not judged: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
-        self.is_judged = not notes
-        names = [quantity, *(limit.name for limit in self.limits if limit in DRAWN_LIMITS)]
+        limits = touched(self.scene, [quantity], request.limits)
+        every = judged(limits, over(scene, *axes), [quantity])  # at each point
+        self.doubts = [doubt for doubt in every if doubt.error is None]
+        missing = [doubt.error for doubt in every if doubt.error is not None]
+        notes = [f"limits are not judged: {symbol_of(error.wanted)} {error.reason()}" for error in missing[:1]]
+        self.is_judged = not missing
+        names = [quantity, *(doubt.limit.name for doubt in self.doubts if doubt.limit in DRAWN_LIMITS)]
         inputs = self.scene.inputs_of(*names)
         used = {*self.scene.inputs_of(quantity)}
         # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
@@ -203,22 +198,13 @@ class Layer:
         remarks = [f"{symbol_of(quantity)}: {remark}"] if remark else []
         idle = [note.text for note in about_idle(idle_of(self.scene, inputs))]
         data = notes_on(scene, self.scene, shown, names)
-        self.notes = tuple(dict.fromkeys([*notes[:1], *idle, *data, *remarks]))
+        self.notes = tuple(dict.fromkeys([*notes, *idle, *data, *remarks]))
         self.values = evaluate(scene, quantity, *axes)
+        self.known = numpy.isfinite(self.values)
         if not self.known.any():
             outcome = self.scene.evaluate([quantity])[quantity]
             reason = f": {reason_of(quantity, outcome)}" if isinstance(outcome, JkrollError) else ""
             raise without_value(quantity, f"no value anywhere on these axes{reason}")
-
-    @cached_property
-    def known(self) -> Any:
-        """True where there is a value."""
-        return numpy.isfinite(self.values)
-
-    @cached_property
-    def doubts(self) -> list[Doubt]:
-        """The limits, judged at each point."""
-        return judged(self.limits, over(self.given, *self.axes), [self.quantity])
 
     def exceeded(self) -> Iterator[tuple[Limit, float, str, Any]]:
         """Iterate over the thresholds that values pass: the limit, its excess there, what holds, and the points beyond.
