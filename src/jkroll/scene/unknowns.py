@@ -1,6 +1,6 @@
 """The solver of the inverse problem, in one row or many: one unknown by a scan, two by a grid and Newton's method."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from math import hypot, inf, nan, prod, sqrt
 from typing import Any, NamedTuple
 
@@ -35,8 +35,9 @@ _ROUNDING = 1e-12  # of a quantity: a change as small as this comes from roundin
 _TOGETHER = 1 << 17  # values that are computed at once
 _WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among the usual ones
 _HALVINGS = 120  # more than lead from a value of a scan to neighbouring doubles, or to 0
-_SLOPE = 1e-7  # of an interval, the step whose change tells the side of a maximum or minimum in it
-_NEAR_END = (0.0, 1e-6, 1e-4, 1e-2, 0.1, 0.3)  # of the way from an end to the next value: there a function may turn
+_AHEAD = 1e-8  # relative, the step that tells whether a function rises or falls
+_STILL = 1e-13  # of a function, a change over this step that is none
+_MANY = 64  # intervals of a row: more of them come from rounding
 
 # Of pairs.
 MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
@@ -185,144 +186,106 @@ def _find_roots(problem: Problem, table: Any) -> Failures:
     return failures
 
 
-def _scan(problem: Problem, size: int, sizes: tuple[float, float]) -> "Scan":
-    """Return the scan of the measured quantity against the unknown."""
-    (unknown,), (level,) = problem.unknowns, problem.levels.values()
-
-    def function(rows: Rows, x: Any) -> Any:
-        return outcomes(problem.rows(rows), {unknown: x})[0]
-
-    return Scan(function, grid(unknown, sizes), numpy.full(size, level, dtype=float))
-
-
 def _scanned(problem: Problem, rows: Rows, sizes: tuple[float, float]) -> tuple[Any, Failures]:
     """Return the values of one unknown between two sizes in some rows, nan where there is none, and the reasons."""
     values, failures = numpy.full(len(rows), nan), Failures()
-    if not len(rows):
-        return values, failures
-    problem = problem.rows(rows)
-    scan = _scan(problem, len(rows), sizes)
-    of_roots, roots = scan.crossings()
-    has_one = (numpy.bincount(of_roots, minlength=len(rows)) == 1) & ~scan.are_still()
-    values[of_roots] = numpy.where(has_one[of_roots], roots, nan)
-    for row in numpy.flatnonzero(~has_one).tolist():
-        failures[int(rows[row])] = _why_not_one(problem.rows(row), sizes, scan, row, roots[of_roots == row].tolist())
+    if len(rows):
+        scan = Scan(problem.rows(rows), len(rows), sizes)
+        has_one = (numpy.bincount(scan.rows, minlength=len(rows)) == 1) & scan.varies & ~scan.is_still
+        values[scan.rows] = numpy.where(has_one[scan.rows], scan.roots, nan)
+        failures = {int(rows[row]): scan.failure(row) for row in numpy.flatnonzero(~has_one).tolist()}
     return values, failures
 
 
-def _why_not_one(
-    problem: Problem, sizes: tuple[float, float], scan: "Scan", row: int, roots: Sequence[float]
-) -> JkrollError:
-    """Return why a row of a scan has no one root."""
-    (unknown,), (quantity,) = problem.unknowns, problem.measured
-    points = slice(*numpy.searchsorted(scan.rows, [row, row + 1]))
-    x, y = scan.x[points], scan.y[points]
-    low, high = float(numpy.fmin.reduce(y)), float(numpy.fmax.reduce(y))
-    if numpy.isnan(low):
-        return problem.failure()
-    if high - low <= _ROUNDING * max(abs(low), abs(high)):
-        return NoDependence(problem)
-    if scan.are_still()[row]:
-        inside, both = x[scan.are_level(row, y)][[0, -1]], numpy.full(2, row)
-        outside = numpy.clip(inside * [0.5, 2.0], *sizes)
-        ends, _ = bisected(inside, outside, lambda x: scan.are_level(both, scan.function(both, x)))
-        first, last = ends.tolist()
-        stretch = f"every value from {amount(unknown, first)} to {amount(unknown, last)}"
-        return Undetermined(problem, f"{stretch} gives {equal(problem.levels)}", (first, last))
-    if roots:
-        return SeveralSolutions(problem, [{unknown: root} for root in roots])
-    lies = f"it lies between {amount(quantity, low)} and {amount(quantity, high)}"
-    text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([unknown])}"
-    return NoSolution(problem, text, (low, high))
-
-
 class Scan:
-    """Points of a function in each row, in rising order, of which it rises or falls from one to the next.
+    """A search for the values of one unknown between two sizes, in each row of a problem.
 
-    The last values beside gaps and the extremes divide a scan into pieces on which the function rises or falls. A piece
-    that crosses the level of its row is bisected down to neighbouring doubles. `rows`, `x` and `y` are arrays with an
-    element for each point; y is nan in gaps.
+    It begins with a grid, and halves each interval at whose ends the measured quantity differs: it has a value at one
+    alone, is on other sides of its level, rises at one and falls at the other, or stays at its level at one alone. So
+    the ends of gaps and the extremes are found on the way, and what lies between these and the grid.
+
+    `rows` and `roots` are arrays of what was found, in order. Of each row, `varies` says whether the quantity does on
+    the grid, `span` has its least and largest value, and `stretch` the first and the last value of the unknown at which
+    it stays at its level, nan if there is none.
     """
 
-    def __init__(self, function: Callable[[Rows, Any], Any], x: Any, levels: Any) -> None:
-        """`function`: of rows and a value in each; `x`: values that are scanned, in order; `levels`: one for a row."""
-        self.function, self.levels = function, levels
-        self.rows, self.x = numpy.repeat(numpy.arange(len(levels)), len(x)), numpy.tile(x, len(levels))
-        self.y = function(self.rows, self.x)
-        self._add_ends()
-        self._add_extremes()
+    def __init__(self, problem: Problem, size: int, sizes: tuple[float, float]) -> None:
+        """`size`: the number of rows."""
+        (self.unknown,), (level,) = problem.unknowns, problem.levels.values()
+        self.problem, self.levels = problem, numpy.full(size, level, dtype=float)
+        self.span: Any = numpy.full((2, size), nan)
+        self.stretch: Any = numpy.full((2, size), nan)
+        x = grid(self.unknown, sizes)
+        rows = numpy.repeat(numpy.arange(size), len(x))
+        points = self._points(rows, numpy.tile(x, size))
+        is_hit = points[1] == self.levels[rows]
+        points[3, is_hit] = 0
+        hits = [numpy.array([rows, points[0]])[:, is_hit]]
+        self.varies = self.span[1] - self.span[0] > _ROUNDING * abs(self.span).max(axis=0)
+        inside = rows[:-1] == rows[1:]
+        rows, left, right = rows[:-1][inside], points[:, :-1][:, inside], points[:, 1:][:, inside]
+        for _ in range(_HALVINGS):
+            crosses = (left[2] != right[2]) | (left[3] * right[3] < 0)
+            differs = crosses | (left[4] != right[4]) | (left[5] * right[5] < 0)
+            differs &= crosses | (numpy.bincount(rows[differs], minlength=size)[rows] <= _MANY)
+            rows, left, right = rows[differs], left[:, differs], right[:, differs]
+            middle = (left[0] + right[0]) / 2
+            if ((middle == left[0]) | (middle == right[0])).all():
+                break
+            points = self._points(rows, middle)
+            hits.append(numpy.array([rows, middle])[:, (points[2] == 1) & (points[3] == 0)])
+            rows = numpy.tile(rows, 2)
+            left, right = numpy.concatenate([left, points], axis=1), numpy.concatenate([points, right], axis=1)
+        every = numpy.concatenate([*hits, self._crossings(rows, left, right)], axis=1)
+        rows, self.roots = numpy.unique(every, axis=1)
+        self.rows = rows.astype(int)
 
-    def _add(self, rows: Rows, x: Any) -> None:
-        """Add points, if there are any."""
-        if not len(rows):
-            return
-        columns = ((self.rows, rows), (self.x, x), (self.y, self.function(rows, x)))
-        joined = [numpy.concatenate(column) for column in columns]
-        order = numpy.lexsort(joined[1::-1])
-        self.rows, self.x, self.y = (column[order] for column in joined)
+    @property
+    def is_still(self) -> Any:
+        """True for the rows whose quantity stays at its level over a decade."""
+        first, last = self.stretch
+        return (first > 0) & (last >= 10 * first)
 
-    def _add_ends(self) -> None:
-        """Add the last values beside each gap, and some near them."""
-        known = numpy.isfinite(self.y)
-        left = numpy.flatnonzero((self.rows[:-1] == self.rows[1:]) & (known[:-1] != known[1:]))
-        rows, is_left = self.rows[left], known[left]
-        inside, outside = (numpy.where(choice, self.x[left], self.x[left + 1]) for choice in (is_left, ~is_left))
-        end, _ = bisected(inside, outside, lambda x: numpy.isfinite(self.function(rows, x)))
-        places = [end + share * (inside - end) for share in _NEAR_END]
-        self._add(numpy.tile(rows, len(places)), numpy.concatenate(places))
+    def _points(self, rows: Rows, x: Any) -> Any:
+        """Return points: x, y, whether y is a number, its side of the level, whether it stays there, and its slope."""
+        every = {self.unknown: numpy.concatenate([x, x + _AHEAD * abs(x)])}
+        y, ahead = outcomes(self.problem.rows(numpy.tile(rows, 2)), every).reshape(2, -1)
+        level, change = self.levels[rows], numpy.nan_to_num(ahead - y)
+        slope = numpy.where(abs(change) > _STILL * abs(y), numpy.sign(change), 0.0)
+        stays = (slope == 0) & (abs(y - level) <= _ROUNDING * abs(level))
+        for extent, values in ((self.span, y), (self.stretch, numpy.where(stays, x, nan))):
+            numpy.fmin.at(extent[0], rows, values)
+            numpy.fmax.at(extent[1], rows, values)
+        side = numpy.where(y < level, -1, numpy.where(y > level, 1, stays))
+        return numpy.array([x, y, numpy.isfinite(y), side, stays, slope])
 
-    def _add_extremes(self) -> None:
-        """Add the maxima and minima: there the slope changes its sign, and not by rounding."""
-        rows, x, y = self.rows, self.x, self.y
-        before, after = y[1:-1] - y[:-2], y[2:] - y[1:-1]
-        change = numpy.fmax(abs(before), abs(after))
-        turns = (rows[:-2] == rows[2:]) & (before * numpy.sign(after) < 0) & (change > _ROUNDING * abs(y[1:-1]))
-        start = numpy.flatnonzero(turns)
-        row, left, right, sign = rows[start], x[start], x[start + 2], numpy.sign(before[start])
-        step = _SLOPE * (right - left)
-        turn, _ = bisected(
-            left, right, lambda x: sign * (self.function(row, x + step) - self.function(row, x - step)) > 0
-        )
-        self._add(row, turn)
+    def _crossings(self, rows: Rows, left: Any, right: Any) -> Any:
+        """Return the rows and ends of intervals at which quantities cross their level, but for jumps over it.
 
-    def are_level(self, rows: Rows, y: Any) -> Any:
-        """Return which values in rows are the levels of these, but for rounding."""
-        return abs(y - self.levels[rows]) <= _ROUNDING * abs(self.levels[rows])
-
-    def are_still(self) -> Any:
-        """Return which rows stay at their level over more than a decade of positive variables."""
-        is_level, size = self.are_level(self.rows, self.y), len(self.levels)
-        beyond = numpy.bincount(self.rows[is_level & (self.x <= 0)], minlength=size)
-        return (numpy.bincount(self.rows[is_level], minlength=size) > PER_DECADE) & (beyond == 0)
-
-    def crossings(self) -> tuple[Rows, Any]:
-        """Return the rows and values at which functions have the level of their row, but for jumps over it.
-
-        The function at such a value is the level as it is shown. Next to pull-off doubles may have none.
+        The quantity at such an end is the level as it is shown. Next to pull-off doubles may have none.
         """
-        rows, x, y = self.rows, self.x, self.y
-        side = numpy.sign(y - self.levels[rows])
-        left = numpy.flatnonzero((rows[:-1] == rows[1:]) & (side[:-1] * side[1:] < 0))
-        row, level, first, second = rows[left], self.levels[rows[left]], y[left], y[left + 1]
-        ends = bisected(x[left], x[left + 1], lambda x: (self.function(row, x) < level) == (first < level))
-        off = numpy.array([abs(self.function(row, end) - level) for end in ends])
-        root = numpy.where(off[0] < off[1], *ends)
-        scale = numpy.where(level == 0, numpy.maximum(abs(first), abs(second)), abs(level))
-        is_root, exact = off.min(axis=0) <= AS_SHOWN * scale, side == 0
-        every = numpy.array([numpy.append(rows[exact], row[is_root]), numpy.append(x[exact], root[is_root])])
-        row, root = numpy.unique(every, axis=1)
-        return row.astype(int), root
+        level = self.levels[rows]
+        off = abs(numpy.array([left[1], right[1]]) - level)
+        scale = numpy.where(level == 0, numpy.maximum(abs(left[1]), abs(right[1])), abs(level))
+        is_crossing = (left[3] * right[3] < 0) & (off.min(axis=0) <= AS_SHOWN * scale)
+        return numpy.array([rows, numpy.where(off[0] < off[1], left[0], right[0])])[:, is_crossing]
 
-
-def bisected(inside: Any, outside: Any, is_inside: Callable[[Any], Any]) -> tuple[Any, Any]:
-    """Return the last values inside and the first outside, neighbouring doubles, of pairs side by side."""
-    for _ in range(_HALVINGS):
-        middle = (inside + outside) / 2
-        if not ((middle != inside) & (middle != outside)).any():
-            break
-        is_in = is_inside(middle)
-        inside, outside = numpy.where(is_in, middle, inside), numpy.where(is_in, outside, middle)
-    return inside, outside
+    def failure(self, row: int) -> JkrollError:
+        """Return why a row has no one root."""
+        problem, (quantity,) = self.problem.rows(row), self.problem.measured
+        (low, high), (first, last) = self.span[:, row].tolist(), self.stretch[:, row].tolist()
+        if numpy.isnan(low):
+            return problem.failure()
+        if not self.varies[row]:
+            return NoDependence(problem)
+        if self.is_still[row]:
+            stretch = f"every value from {amount(self.unknown, first)} to {amount(self.unknown, last)}"
+            return Undetermined(problem, f"{stretch} gives {equal(problem.levels)}", (first, last))
+        if len(roots := self.roots[self.rows == row].tolist()):
+            return SeveralSolutions(problem, [{self.unknown: root} for root in roots])
+        lies = f"it lies between {amount(quantity, low)} and {amount(quantity, high)}"
+        text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([self.unknown])}"
+        return NoSolution(problem, text, (low, high))
 
 
 # --- Two unknowns -----------------------------------------------------------------------------------------------------
@@ -486,8 +449,10 @@ class Pairs:
         sought, other = sorted(self.problem.unknowns, key=lambda name: name not in depends)
         values = grid(other, SIZES[other])
         problem = Problem((sought,), {first: self.problem.levels[first]}, self.problem.with_values({other: values}))
-        rows, roots = _scan(problem, len(values), SIZES[sought]).crossings()
-        return outcomes(self.problem, {sought: roots, other: values[rows]})[[*self.problem.measured].index(second)]
+        scan = Scan(problem, len(values), SIZES[sought])
+        return outcomes(self.problem, {sought: scan.roots, other: values[scan.rows]})[
+            [*self.problem.measured].index(second)
+        ]
 
     def _left_open(self, matrix: Any) -> str:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
