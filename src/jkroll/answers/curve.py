@@ -181,7 +181,7 @@ class OfCurve(Wanted):
     @cached_property
     def _of_state(self) -> Wanted:
         """The same columns without doubts, which are those of the whole curve."""
-        return Wanted(*self)._replace(doubts=False)
+        return Wanted(self.names, self.named, self.inputs, self.sides, doubts=False)
 
     def row(self, at: Any) -> Row:
         """Return the row of a state."""

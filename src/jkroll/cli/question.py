@@ -230,7 +230,7 @@ def _write_curve(call: Call) -> int:
         return _write_answers(call, (AtState(state, question) for state in every), len(every), form)
     wanted = OfCurve.of(samples, question.quantities)
     if call.kind == "bare":
-        wanted = wanted._replace(inputs=(), doubts=False)
+        wanted.inputs, wanted.doubts = (), False
     is_table = call.kind == "table" and call.target is None
     size = None if is_table else CURVE_BLOCK
 

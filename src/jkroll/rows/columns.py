@@ -9,7 +9,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from contextlib import suppress
 from functools import cached_property
 from math import isnan, nan
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from ..errors import BadRequest, JkrollError
 from ..physics.elementary import where
@@ -34,21 +34,26 @@ _NO_ALTERNATIVES: Mapping[str, Sequence[str]] = {}  # which can be pickled
 _BY = "_by_"  # between a quantity and the kind of what may stand in its place, in a key
 
 
-class _Request(NamedTuple):
-    """The quantities of rows, and what stands beside them."""
-
-    names: Sequence[str]
-    named: Collection[str] = ()  # those that were asked for by name, and concern any row
-    inputs: Sequence[str] = ()  # that stand before them
-    # By the key of a value, those of SIDES that have columns; None where uncertainties are not wanted.
-    sides: Mapping[str, Collection[str]] | None = None
-    doubts: bool = True  # whether limits are judged
-    # By kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
-    alternatives: Mapping[str, Sequence[str]] = _NO_ALTERNATIVES
-
-
-class Wanted(_Request):
+class Wanted:
     """The columns of rows, known from the plan and the names before anything is computed."""
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        named: Collection[str] = (),  # those that were asked for by name, and concern any row
+        inputs: Sequence[str] = (),  # that stand before them
+        # By the key of a value, those of SIDES that have columns; None where uncertainties are not wanted.
+        sides: Mapping[str, Collection[str]] | None = None,
+        doubts: bool = True,  # whether limits are judged
+        # By kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
+        alternatives: Mapping[str, Sequence[str]] = _NO_ALTERNATIVES,
+    ) -> None:
+        self.names, self.named, self.inputs, self.sides = names, named, inputs, sides
+        self.doubts, self.alternatives = doubts, alternatives
+
+    def with_sides(self, sides: Mapping[str, Collection[str]] | None) -> "Wanted":
+        """Return the same columns with those of other uncertainties."""
+        return type(self)(self.names, self.named, self.inputs, sides, self.doubts, self.alternatives)
 
     @cached_property
     def keys(self) -> tuple[str, ...]:
@@ -84,11 +89,9 @@ class Wanted(_Request):
         `scenes`: of each kind of rows.
         """
         names_of = names_beside(scenes, [name for name in self.names if name in names])
-        if self.sides is None:
-            return self._replace(alternatives=names_of)
-        sides = {**self.sides}
+        sides = None if self.sides is None else {**self.sides}
         for scene in scenes:
-            if scene.is_uncertain:
+            if sides is not None and scene.is_uncertain:
                 from ..scene.uncertainty import sides_of_results
 
                 other = by_law(scene)
@@ -96,7 +99,7 @@ class Wanted(_Request):
                     for name, of_name in sides_of_results(other, names_of.get(other.law.name, [])).items():
                         key = f"{name}{_BY}{other.law.name}"
                         sides[key] = {*sides.get(key, ()), *of_name}
-        return self._replace(alternatives=names_of, sides=sides)
+        return type(self)(self.names, self.named, self.inputs, sides, self.doubts, names_of)
 
     def numbers_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
         """Return what may stand in place of the quantities shown, with their uncertainties, by their keys."""

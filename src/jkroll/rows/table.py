@@ -187,7 +187,7 @@ class Table:
         sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
         if not sides:
             return []
-        self.wanted = self.wanted._replace(sides=dict.fromkeys(self.wanted.keys, sides))
+        self.wanted = self.wanted.with_sides(dict.fromkeys(self.wanted.keys, sides))
         return [source for each in of_rows for source in each.left_out]
 
 
