@@ -5,7 +5,7 @@ With `--tex` it writes a paragraph for the Methods section of a paper, which cit
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from math import inf, isfinite
 from typing import Any, TextIO
@@ -213,8 +213,12 @@ class Sources:
         self.names = [result.name for result in answer.results if result.value is not None]
         formulas = answer.scene.formulas_to(*self.names)
         self.equations = {equation for name in formulas if (equation := NOMENCLATURE[name].equation)}
-        self.law = _of_law(answer.scene, self.names)
-        self.conventions = _of_conventions(self.names)
+        between = answer.scene.replace(model=BETWEEN)
+        rests_on_law = any(uses_law(between, name) for name in between.possible(self.names))
+        self.law = [answer.scene.law.reference] if rests_on_law else []
+        conventions = data_of(os.path.join(os.path.dirname(__file__), "references.toml")).items()
+        references = [NOMENCLATURE[name].reference for name in self.names]
+        self.conventions = [entry for of_name in references for words, entry in conventions if words in of_name]
         used = answer.scene.data_used(answer.inputs)
         self.data = [entry for material, name in used for entry in material.sources_of(name)]
 
@@ -247,18 +251,6 @@ def cited_equations(equations: Iterable[str]) -> str:
     """
     numbers = sorted(equations, key=int)
     return f"{'Eq.' if len(numbers) == 1 else 'Eqs.'} {', '.join(f'({number})' for number in numbers)}"
-
-
-def _of_law(scene: Scene, names: Sequence[str]) -> list[Mapping[str, str]]:
-    """Return the reference of the law of attraction, if some quantity rests on one."""
-    between = scene.replace(model=BETWEEN)
-    return [scene.law.reference] if any(uses_law(between, name) for name in between.possible(names)) else []
-
-
-def _of_conventions(names: Iterable[str]) -> list[Mapping[str, str]]:
-    """Return the references that the nomenclature names for quantities by convention."""
-    entries = data_of(os.path.join(os.path.dirname(__file__), "references.toml"))
-    return [entry for name in names for words, entry in entries.items() if words in NOMENCLATURE[name].reference]
 
 
 def bibtex(entry: Mapping[str, str]) -> str:

@@ -81,10 +81,10 @@ def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
     """Return what has columns beside the results, by head: what may stand in their place, and limits of theirs."""
     data = "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
     others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
-    heads = {name: head for name, head in answer.question.beside.items() if head != head_of(answer.scene.law.name)}
     for result in answer.results:
-        if heads.get(result.name) and result.value is not None:
-            others[heads[result.name]] = {answer.question.headline[0]: result.measure}
+        head = answer.question.beside.get(result.name)
+        if head and result.value is not None and head != head_of(answer.scene.law.name):
+            others[head] = {answer.question.headline[0]: result.measure}
     return others
 
 
