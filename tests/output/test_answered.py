@@ -58,6 +58,9 @@ def test_error_bars_and_units() -> None:
 def test_an_answer_is_shown_in_a_line() -> None:
     found = jkroll.answer("pull-off", material="quartz", radius="100 nm")
     assert repr(found) == "<Answered: P_c = 11.781 nN, P_DMT = 15.708 nN>"
+    assert repr(found["pull_off_force"]) == "<pull_off_force: 11.781 nN>"
+    assert repr(jkroll.NOMENCLATURE["pull_off_force"]) == "Quantity('P_c', 'N', 'pull-off force')"
+    assert [repr(doubt) for doubt in found.doubts] == [f"<{doubt.code}: {doubt}>" for doubt in found.doubts]
     assert "P_c = 11.8 ± 2.4 nN" in repr(jkroll.answer("pull-off", radius="100 nm", gamma="25±5 mJ/m2"))
 
 

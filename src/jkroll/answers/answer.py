@@ -72,6 +72,9 @@ class Result:
         self.name, self.value, self.reason, self.error, self.condition = name, value, reason, error, condition
         self.growth, self.by_law, self.propagated, self.law, self.of_law = growth, by_law, propagated, law, of_law
 
+    def __repr__(self) -> str:
+        return f"<{self.name}: {self}>"
+
     def __str__(self) -> str:
         return f"no value: {self.reason}" if self.measure is None else amount(self.name, self.measure)
 

@@ -159,6 +159,9 @@ class Exceeded:
         self.text, self.code, self.name, self.value = text, doubt.code, doubt.limit.name, doubt.value
         self.limit, self.factor = doubt.limit.threshold, doubt.factor
 
+    def __repr__(self) -> str:
+        return f"<{self.code}: {self.text}>"
+
     def __str__(self) -> str:
         return self.text
 

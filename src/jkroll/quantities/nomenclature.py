@@ -70,6 +70,9 @@ class Quantity:
         self.variant_of, self.sphere, self.twin = variant_of, sphere, twin
         self.is_word = not unit  # such as a material
 
+    def __repr__(self) -> str:
+        return f"Quantity({self.symbol!r}, {self.unit!r}, {self.sentence!r})"
+
 
 # --- Quantities that Maugis' law alone has ----------------------------------------------------------------------------
 
