@@ -86,3 +86,12 @@ def test_completion_is_installed_and_shown(tmp_path: Path, option: str) -> None:
     written = script.read_text(encoding="utf-8") if option.startswith("--install") else ran.stdout
     assert "_JKROLL_COMPLETE=complete_bash" in written
     assert script.exists() == option.startswith("--install")
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
+def test_completion_that_cannot_be_written_is_said_in_a_line(tmp_path: Path) -> None:
+    home = tmp_path / "file"
+    home.touch()
+    words = ["bash", "--norc", "-c", f'"{sys.executable}" -m jkroll --install-completion; exit $?']
+    ran = subprocess.run(words, capture_output=True, env=os.environ | {"HOME": str(home)}, encoding="utf-8")
+    assert (ran.returncode, ran.stdout, ran.stderr) == (1, "", f"jkroll: cannot write '{home}': File exists\n")

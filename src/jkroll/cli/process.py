@@ -97,7 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             import traceback
 
             traceback.print_exc()
-        return _report(error, words)
+        return report(error, words)
 
 
 def _check(words: Iterable[str]) -> None:
@@ -111,7 +111,7 @@ def _check(words: Iterable[str]) -> None:
             raise BadRequest(f"{quoted(word)} contains half a character (a lone surrogate)") from None
 
 
-def _report(error: Exception, words: Sequence[str]) -> int:
+def report(error: Exception, words: Sequence[str]) -> int:
     """Print an error on stderr, in one line unless a terminal is narrower; return the exit code. `words`: as typed."""
     if isinstance(error, JkrollError):
         from .call import worded
