@@ -222,8 +222,8 @@ class Scan:
         points[3, is_hit] = 0
         hits = [numpy.array([rows, points[0]])[:, is_hit]]
         self.varies = self.span[1] - self.span[0] > _ROUNDING * abs(self.span).max(axis=0)
-        inside = rows[:-1] == rows[1:]
-        rows, left, right = rows[:-1][inside], points[:, :-1][:, inside], points[:, 1:][:, inside]
+        rows, points = rows.reshape(size, -1)[:, :-1], points.reshape(len(points), size, -1)
+        left, right = points[..., :-1], points[..., 1:]
         for _ in range(_HALVINGS):
             crosses = (left[2] != right[2]) | (left[3] * right[3] < 0)
             differs = crosses | (left[4] != right[4]) | (left[5] * right[5] < 0)
@@ -233,7 +233,7 @@ class Scan:
             if ((middle == left[0]) | (middle == right[0])).all():
                 break
             points = self._points(rows, middle)
-            hits.append(numpy.array([rows, middle])[:, (points[2] == 1) & (points[3] == 0)])
+            hits.append(numpy.array([rows, middle])[:, points[3] == 0])
             rows = numpy.tile(rows, 2)
             left, right = numpy.concatenate([left, points], axis=1), numpy.concatenate([points, right], axis=1)
         every = numpy.concatenate([*hits, self._crossings(rows, left, right)], axis=1)
@@ -256,7 +256,8 @@ class Scan:
         for extent, values in ((self.span, y), (self.stretch, numpy.where(stays, x, nan))):
             numpy.fmin.at(extent[0], rows, values)
             numpy.fmax.at(extent[1], rows, values)
-        side = numpy.where(y < level, -1, numpy.where(y > level, 1, stays))
+        side = numpy.sign(y - level)
+        side[stays & (side == 0)] = 1  # on a stretch it is on one side of its end
         return numpy.array([x, y, numpy.isfinite(y), side, stays, slope])
 
     def _crossings(self, rows: Rows, left: Any, right: Any) -> Any:
