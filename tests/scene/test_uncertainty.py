@@ -418,3 +418,8 @@ def test_shares_are_those_of_changes_whose_squares_no_double_holds(size: float) 
     inertia = found["moment_of_inertia"]
     assert isinstance(inertia, Propagated)
     assert inertia.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.05)
+
+
+def test_bare_numbers_of_a_force_curve_have_no_error_bars(run: Run) -> None:
+    rows = run("contact quartz 100±5nm --curve --bare --quiet").out.splitlines()
+    assert {row.count("\t") for row in rows} == {1}

@@ -228,9 +228,9 @@ def _write_curve(call: Call) -> int:
     if call.kind == "json":
         every = [*states]
         return _write_answers(call, (AtState(state, question) for state in every), len(every), form)
-    wanted = OfCurve.of(samples, question.quantities)
-    if call.kind == "bare":
-        wanted.inputs, wanted.doubts = (), False
+    names = question.quantities
+    is_bare = call.kind == "bare"
+    wanted = OfCurve(names, named=names, doubts=False) if is_bare else OfCurve.of(samples, names)
     is_table = call.kind == "table" and call.target is None
     size = None if is_table else CURVE_BLOCK
 
