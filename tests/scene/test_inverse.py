@@ -13,7 +13,7 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll import Interval, Measured, infer, known_materials, solve
-from jkroll.errors import BadRequest
+from jkroll.errors import BadRequest, NoResult
 from jkroll.quantities.values import parse_quantity
 from jkroll.scene import unknowns
 from jkroll.scene.inverse import (
@@ -167,6 +167,16 @@ def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
     assert len(forces) > 1
     ran = run(f"infer radius quartz --measured yield_force={measured} --model dmt")
     assert (ran.code, ran.err) == (1, "jkroll: radius: yield_force does not depend on it here\n")
+
+
+@pytest.mark.parametrize("quantity", ["load_maugis", "load_at_factor"])
+def test_a_search_in_rounding_alone_comes_to_an_end(quantity: str) -> None:
+    """A load that is computed back from the state that it makes changes with γ in its last digits, up and down."""
+    given = {**QUARTZ, "radius": 1e-4, "youngs_modulus": 8e7, "load": 1e-12}
+    del given["surface_energy"]
+    with pytest.raises(NoResult) as caught:
+        solution("surface_energy", quantity, 1e-12 * (1 + 1e-13), Scene(given))
+    assert len(getattr(caught.value, "values", ())) < 200
 
 
 @pytest.mark.parametrize("ulp", [-4, 0, 4])
