@@ -93,6 +93,7 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
         ("jkroll export lam", ["lammps"]),
         ("jkroll quantities r_", ["r_min", "r_min_over_radius"]),
         ("jkroll map r_", ["r_min", "r_min_over_radius"]),
+        ("jkroll report quartz --quantities surf", []),
         ("jkroll map r_min qua", ["quartz"]),
         ("jkroll map r_min --x rad", ["radius=", "radius2="]),
         ("jkroll infer gam", ["gamma"]),

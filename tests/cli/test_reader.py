@@ -64,6 +64,10 @@ REFUSED = {
     "batch a.csv b.csv": "'b.csv' is one word too many: jkroll batch IN",
     "pull-off quartz 1um --=x": "no such option '--'; see jkroll pull-off --help",
     "pull-off quartz 1um -output x.csv": "no such option '-output'; did you mean -o?",
+    "pull-off quartz 1um --velocity 1m/s": (
+        "no such option '--velocity'; --speed is an option of n-roll, impact, report, ..."
+    ),
+    "pull-off quartz --diam 1um": "no such option '--diam'; see jkroll pull-off --help",
     "pull-off quartz 1um --format xml": (
         "pull-off takes no '--format'; write --json, --csv or --bare, or name a file: -o x.tsv"
     ),

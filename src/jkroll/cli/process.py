@@ -322,13 +322,13 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
 
 
 def _meant(flag: str, flags: Mapping[str, Option]) -> str | None:
-    """Return the option that a word stands for, begins or resembles, in our words or others'; None if there is none."""
+    """Return the option that a word stands for, also as others call it, begins or resembles; None if there is none."""
     name = flag.lstrip("-").replace("-", "_").casefold()
     if option := _option(f"--{flag.lstrip('-')}", flags):
         return option.flag
-    known = {spelling.lstrip("-").replace("-", "_"): option for spelling, option in flags.items()}
-    of_quantities = {option.name: option for option in flags.values()}
-    known |= {word: of_quantities[meant] for word, meant in QUANTITY_SYNONYMS.items() if meant in of_quantities}
+    of_names = {option.name: spelling for spelling, option in flags.items()}
+    if meant := of_names.get(QUANTITY_SYNONYMS.get(name, "")):
+        return meant
+    known = {spelling.lstrip("-").replace("-", "_"): spelling for spelling in flags}
     begun = [word for word in known if name and word.startswith(name)]
-    option = known.get(min(begun, key=len) if begun else closest(name, known, ALIKE) or "")
-    return option.flag if option else None
+    return known.get(min(begun, key=len) if begun else closest(name, known, ALIKE) or "")

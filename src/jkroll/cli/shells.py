@@ -154,16 +154,21 @@ def _inputs(_: str) -> list[str]:
     return [*SIZES, *(word for word, name in OPTION_WORDS.items() if name in SIZES)]
 
 
-_QUANTITIES = [name for name, quantity in NOMENCLATURE.items() if not (quantity.is_word or quantity.variant_of)]
+_RESULTS = [  # the quantities that a formula gives, without variants and without what is only an input
+    name
+    for name, quantity in NOMENCLATURE.items()
+    if not (quantity.is_word or quantity.variant_of) and (quantity.equation or quantity.range is ANY)
+]
 # The names that a begun word may become, by its kind, or by the name of the option whose value it is.
 _NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
     **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
-    **dict.fromkeys(("NAME", "QUANTITY", "quantities"), lambda _: _QUANTITIES),
-    **dict.fromkeys("xy", lambda _: [f"{name}=" for name in _QUANTITIES if NOMENCLATURE[name].range is not ANY]),
+    **dict.fromkeys(("QUANTITY", "quantities"), lambda _: _RESULTS),
+    **dict.fromkeys("xy", lambda _: [f"{name}=" for name, each in NOMENCLATURE.items() if each.range is not ANY]),
     "FIGURE": lambda _: import_module("..pictures.figures", __package__).FIGURE_NAMES,
     "INPUT": _inputs,
+    "NAME": lambda _: NOMENCLATURE,
     "PROGRAM": lambda _: import_module("..output.exports", __package__).PROGRAMS,
     "TOPIC": lambda _: topics(),
-    "measured": lambda _: [f"{name}=" for name in _QUANTITIES],
+    "measured": lambda _: [f"{name}=" for name in _RESULTS],
     "model": lambda _: LAWS,
 }
