@@ -545,8 +545,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     [1e-09, 1e-08, 1e-07, 1e-06]
     """
     if NOMENCLATURE[name].unit == "1" and "," in text and re.fullmatch(_LIST_OR_NUMBER, text.strip()):
-        items = [f"{item}.0" for item in text.strip().split(",")]
-        remedy = f"a list of numbers without a unit has decimal points, {','.join(items)}, and a number has no comma"
+        remedy = "a list of numbers without a unit has decimal points, as in 1.0,5.0, and a number has no comma"
         raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
     items = text.split(",")
     try:
