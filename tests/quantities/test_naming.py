@@ -7,7 +7,9 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named, with_symbol
+from jkroll.materials.library import Material
+from jkroll.quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named, of_sphere, with_symbol
+from jkroll.quantities.values import QuantityError
 from jkroll.text import ascii_text
 from relative import approx
 
@@ -100,3 +102,18 @@ def test_an_input_by_the_word_of_an_option_is_what_the_option_gives() -> None:
 def test_a_list_of_quantities_is_a_list_and_not_their_quotient(run: Run) -> None:
     names = [line.split()[0] for line in run("quantities P_c,Q").out.splitlines()]
     assert names[1:] == ["pull_off_force", "yield_force"]
+
+
+def test_a_quantity_of_a_sphere_is_the_twin_of_its_twin() -> None:
+    of_spheres = {name: quantity for name, quantity in NOMENCLATURE.items() if quantity.sphere}
+    assert {"material", "radius2", "mass2", "hamaker"} <= of_spheres.keys()
+    for name, quantity in of_spheres.items():
+        twin = NOMENCLATURE[quantity.twin]
+        assert (twin.twin, twin.sphere + quantity.sphere) == (name, 3)
+        assert [of_sphere(sphere, name) for sphere in (quantity.sphere, twin.sphere)] == [name, quantity.twin]
+
+
+def test_a_material_made_by_hand_has_properties_of_a_solid() -> None:
+    material = Material("own", {"surface_energy": 0.1, "load": 1e-9}, (), {}, (), (), "", "")
+    with pytest.raises(QuantityError, match="load: '1e-09' is not a property of a material"):
+        jkroll.solve("yield_force", radius=1e-7, material=material)
