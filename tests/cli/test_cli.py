@@ -487,6 +487,8 @@ def test_units_that_are_no_plain_factor(run: Run, unit: str) -> None:
 
 def test_explain_at_the_edge_of_a_range(run: Run) -> None:
     assert "ν1^(-2/9)" in run("contact polystyrene 100nm --explain").out
+    of_zero = "contact quartz 100nm --approach 0nm --model dmt --quantities contact_radius_at_load --explain"
+    assert "power law R1^?\n" in run(of_zero).out
 
 
 def test_control_characters_of_a_file_and_of_arguments_stay_out(run: Run, tmp_path: Path) -> None:
