@@ -74,8 +74,8 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     assert [*lines[1:], failed] == [
         "assumed: ξ = 200 pm (--xi), no load (--load), z0 = 400 pm (--z0)",
         (
-            "warning: numbers have no meaning in 1 of 3 rows (column doubt): xi-over-limit 1, xi-over-contact 1, "
-            "slides-first 1"
+            "warning: numbers have no meaning in 1 of 3 rows (column doubt): xi-over-limit 1 (ξ is too large for the "
+            "formula), xi-over-contact 1 (ξ is larger than the contact) and 1 more"
         ),
         (
             "note: doubts in 2 of 3 rows (column doubt): law-off-2x 2, moment-unexplained 1, few-atoms 1, may-yield 1 "

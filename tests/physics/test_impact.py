@@ -135,6 +135,9 @@ def test_a_measured_restitution_bounds_the_surface_energy(run: Run) -> None:
 
 
 def test_what_an_impact_says(run: Run) -> None:
+    said = "e = 0: they stick"
+    assert said in run("impact quartz 1um --speed 1cm/s --explain").out
+    assert said not in run("impact quartz 1um --speed 10cm/s --explain").out
     ran = run("impact quartz 1um --speed 1m/s --viscous-time 12.5ps --explain").out
     assert "the viscous time was fitted at one size" in " ".join(ran.split())
     assert "elastic theory's" not in ran

@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
 from ..scene.alternatives import assumes_displacement, rolled_solid, rolling, solid_of_kind
 from ..scene.failures import NO_END, grouped
-from ..scene.limits import ENDING_MEANING, EVERY_DOUBT, NOT_JUDGED, OF_LAW, Doubt, doubts, touched
+from ..scene.limits import ENDING_MEANING, EVERY_DOUBT, MEANINGS, NOT_JUDGED, OF_LAW, Doubt, doubts, touched
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
@@ -69,6 +69,7 @@ _LOST = 0.01  # part of the uncertain values from which on a note says that they
 _MAX_NOTES = 2  # below results, with the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
 _MAX_CODES = 4  # of doubts about rows, which are named
+_MAX_MEANINGS = 2  # of such codes, which are explained
 _BEHIND = ("model", "data")  # kinds that change nothing that a reader does: in explanations
 _APART = ("assumed", "warning")  # kinds that stand above all others
 
@@ -179,6 +180,8 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         yield Note("result", f"w = {here}, and {there} at D0 = {amount('cutoff', cutoff)} (--cutoff)")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("result", _STICKING)
+    if scene.numbers(*{"restitution"}.intersection(names)).get("restitution") == 0:
+        yield Note("result", "e = 0: they stick, as v is not above v_stick")
     if unlike := [name for name in names if NOMENCLATURE[name].of_identical and not scene.is_identical]:
         yield Note("warning", f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone")
     if "n_grav" in names and not scene.is_identical:
@@ -289,14 +292,13 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
 
     `bits`: the doubts that are told; `where`: the place at which there is more of them.
     """
-    kinds: dict[Kind, tuple[str, int]] = {
-        "warning": ("numbers have no meaning", bits & ENDING_MEANING),
-        "rows": ("doubts", bits & ~ENDING_MEANING),
-    }
-    for kind, (lead, told) in kinds.items():
-        if rows := tally.with_doubts(told):
-            counts = first_of(tally.counted(told), _MAX_CODES)
-            yield Note(kind, f"{lead} in {rows} of {tally.rows} rows ({where}): {counts}")
+    if rows := tally.with_doubts(bits & ENDING_MEANING):
+        counts = [f"{code} {count} ({MEANINGS[code]})" for code, count in tally.counted(bits & ENDING_MEANING)]
+        text = first_of(counts, _MAX_MEANINGS)
+        yield Note("warning", f"numbers have no meaning in {rows} of {tally.rows} rows ({where}): {text}")
+    if rows := tally.with_doubts(bits & ~ENDING_MEANING):
+        counts = [f"{code} {count}" for code, count in tally.counted(bits & ~ENDING_MEANING)]
+        yield Note("rows", f"doubts in {rows} of {tally.rows} rows ({where}): {first_of(counts, _MAX_CODES)}")
     for rows, first, words in tally.gaps.values():
         others = f", likewise {rows - 1} more" if rows > 1 else ""
         yield Note("missing", f"{words}: row {first}{others}")

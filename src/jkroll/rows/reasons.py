@@ -111,7 +111,7 @@ class Tally(NamedTuple):
         """Return the number of rows with any of the doubts that bits stand for."""
         return sum(rows for doubts, rows in self.doubts.items() if doubts & bits)
 
-    def counted(self, bits: int) -> list[str]:
-        """Return the codes that bits stand for with their numbers of rows, the most frequent first: "few-atoms 2"."""
+    def counted(self, bits: int) -> list[tuple[str, int]]:
+        """Return the codes that bits stand for with their numbers of rows, the most frequent first."""
         counts = {code: self.with_doubts(bit) for code, bit in BITS.items() if bit & bits}
-        return [f"{code} {rows}" for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]
+        return [(code, rows) for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]

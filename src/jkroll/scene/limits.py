@@ -245,6 +245,7 @@ ASSUMED_DISPLACEMENT = Limit(
 UNCHECKED = "unchecked"
 CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
 BITS = {code: 1 << place for place, code in enumerate((*CODES, UNCHECKED))}
+MEANINGS = {code: limit.consequence.partition(";")[0] for limit in LIMITS for code in limit.codes.values()}
 ENDING_MEANING = sum(limit.bits for limit in LIMITS if limit.ends_meaning)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
