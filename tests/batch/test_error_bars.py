@@ -152,6 +152,22 @@ def test_an_error_bar_that_is_no_number_is_told_as_such(run: Run, cells: str) ->
     assert (ran.code, said in ran.err, found()[1]["status"]) == (1, True, "bad surface_energy")
 
 
+@pytest.mark.parametrize(
+    ("head", "cells", "force"),
+    [
+        ("gamma [mJ/m2],gamma_err", "25, ", FORCE),
+        ("gamma [mJ/m2],gamma_err", " ,5", None),
+        ("gamma_low [mJ/m2],gamma_high [mJ/m2]", "25, ", None),
+    ],
+)
+def test_a_cell_of_blanks_beside_a_value_is_an_empty_one(run: Run, head: str, cells: str, force: float | None) -> None:
+    """The value stays, and no material's stands in for half of one."""
+    Path("x.csv").write_text(f"radius [nm],{head}\n100,25,25\n100,{cells}\n", encoding="utf-8")
+    run("batch x.csv --material iron --quantities pull_off_force -o out.csv")
+    assert found()[1]["pull_off_force [N]"] == (force and close(force))
+    assert found()[1]["status"] == (None if force else "bad surface_energy")
+
+
 def test_per_cent_in_a_header_holds_for_every_form_of_a_cell(run: Run) -> None:
     """A padded cell, an error bar and a column of them are read by themselves."""
     cells = ["40", "40 ", "40±5", "40+-5", "(40±5)", "40(5)", "35 to 45", "40 %", "0.4 "]

@@ -604,6 +604,14 @@ def test_results_between_semicolons_have_the_marks_of_the_other_numbers(run: Run
     assert row == f"100;25;{other};1{mark}1780972450961723e-8;"
 
 
+def test_commas_in_a_column_that_is_not_read_decide_nothing_between_tabs(run: Run) -> None:
+    """They may stand in lists; behind the first rows, a number that is read keeps its point."""
+    rows = ["R1 (nm)\tgamma (mJ/m2)\tplace", *["100\t25\t1,5"] * 200, "100.5\t25\t2,5", ""]
+    Path("x.tsv").write_text("\n".join(rows), encoding="utf-8")
+    assert run("batch x.tsv -o out.tsv --quantities pull_off_force --no-doubt").code == 0
+    assert Path("out.tsv").read_text(encoding="utf-8").splitlines()[1] == "100\t25\t1,5\t1.1780972450961723e-8\t"
+
+
 @pytest.mark.parametrize("words", ["", "--infer gamma --measured pull_off_force --radius2 plane"])
 def test_where_a_comma_may_be_of_thousands_the_table_is_refused(run: Run, words: str) -> None:
     other = "P_c (nN)" if words else "gamma (mJ/m2)"

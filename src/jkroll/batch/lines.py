@@ -256,11 +256,11 @@ def has_decimal_commas(
 ) -> bool:
     """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
 
-    The columns that are read decide, and all where these have no mark that is certainly decimal. Where nothing decides,
-    points are decimal, but of thousands between semicolons.
+    The columns that are read decide. All do where the marks of these may be of thousands, and between semicolons also
+    where these have none. Where nothing decides, points are decimal, but of thousands between semicolons.
     """
     unclear = [number.decode() for number in _decimal_marks(read) if len(number) > 1]
-    for some in (read, columns):
+    for some in (read, columns) if unclear or is_of_semicolons else (read,):
         marks = Counter(_decimal_marks(some))
         if marks[b","] != marks[b"."]:
             return marks[b","] > marks[b"."]

@@ -63,7 +63,7 @@ class Column(NamedTuple):
 
     def joined(self, *cells: str) -> str:
         """Return the cells of a value as one: 25 and 5 as 25±5. Cells with units of their own keep them."""
-        if without := next((cell for cell in cells if cell and has_no_value(cell)), ""):
+        if without := next((cell for cell in cells if cell.strip() and has_no_value(cell)), ""):
             return without
         first, *others = (cell.strip() for cell in cells)
         is_single = _are_equal(first, *others) if self.is_range else not any(others)
