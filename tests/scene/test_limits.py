@@ -124,6 +124,28 @@ def test_spheres_of_a_viscous_time_are_not_held_to_bounce_as_elastic_ones_do() -
         assert (solve("restitution", **QUARTZ, speed=1.0, **given) > 0) is is_in_doubt
 
 
+def test_spheres_of_a_viscous_time_bounce_where_they_are_faster_than_it_lets_them_stick() -> None:
+    """At every time e and the doubt say the same, also in columns and above T* = 0.68, where all stick."""
+    times, speeds = np.array([1e-13, 1e-12, 1e-11, 1e-10]), np.array([1.0, 30.0, 1.0, 1.0])
+    bounces = []
+    for time, speed in zip(times.tolist(), speeds.tolist(), strict=True):
+        given = {"radius": 1e-6, "viscous_time": time, "speed": speed}
+        bounces.append(verdicts("n_roll_after_impact", **given)["energy_over_sticking"] == "bounces")
+        limit = dict.fromkeys(["sticking_speed"], math.inf) | Scene({**QUARTZ, **given}).numbers("sticking_speed")
+        assert bounces[-1] is (speed > limit["sticking_speed"])
+    assert {*bounces} == {True, False}
+    scene = Scene({**QUARTZ, "radius": 1e-6, "viscous_time": times, "speed": speeds})
+    assert [*(bits(scene, ["n_roll_after_impact"]) & BITS["bounces"] > 0)] == bounces
+
+
+def test_a_number_beyond_a_limit_does_not_stand_beside_the_words_that_it_is_within() -> None:
+    """The smaller of two spheres, of 500 nm, is judged, and not R1 of 3 µm."""
+    scene = Scene({**QUARTZ, "radius": 3e-6, "radius2": 5e-7})
+    assert {doubt.text for doubt in doubts(scene, ["pull_off_force"]) if doubt.limit.name == "radius"} == {
+        "within the limit"
+    }
+
+
 def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_the_yield_energy() -> None:
     """The paper: "do not roll at all, if they are smaller than about 10 nm".
 

@@ -151,8 +151,9 @@ def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
 class Exceeded:
     """A limit of the model that does not hold; a text of it is the sentence.
 
-    `name` and `value` are of the number that limits the model, `limit` is the first threshold of what is judged, of a
-    law the factor between answers, and `factor` how many times that is beyond it; None if it is infinite, or over 0.
+    `name` and `value` are of the number that limits the model, `limit` is the first threshold of what is judged (of a
+    law the factor between answers, of radii the smaller), and `factor` how many times that is beyond it; None if it is
+    infinite, or over 0.
     """
 
     def __init__(self, text: str, doubt: "Doubt") -> None:

@@ -35,7 +35,7 @@ class Limit:
         applies: Callable[[Scene, Collection[str]], bool] | None = None,  # to some answers of a scene; None: to all
         ends_meaning: bool = False,  # a number that is said to be in doubt has no meaning
         conclusion: str = "",  # the name of what follows, if it is not that of the number
-        # What is judged in place of the number, as the factor between answers and what may stand in their place.
+        # What is judged in place of the number: of laws and data the factor between answers.
         factor: Callable[[Scene, Collection[str]], Any] | None = None,
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
@@ -59,7 +59,7 @@ class Limit:
 
 
 class Doubt:
-    """A limit that was judged: its number, and what is judged, which is another for a law: the factor between answers.
+    """A limit that was judged: its number, and what is judged, which is another where the limit has a factor.
 
     Both are numbers, or arrays for a scene of arrays.
     """
@@ -91,7 +91,12 @@ class Doubt:
 
     @property
     def text(self) -> str:
-        """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
+        """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)".
+
+        Where another number is within the limit, this one, which may be beyond it, does not stand beside.
+        """
+        if not self.is_exceeded and self.limit.factor is not None:
+            return "within the limit"
         number = f"{NOMENCLATURE[self.limit.name].symbol} = {amount(self.limit.name, self.value, _SHORT)}"
         return f"{self.limit.consequence if self.is_exceeded else 'within the limit'} ({number})"
 
@@ -132,6 +137,15 @@ DATA_MATTER = 1.0  # and between the assumed displacement and that of measured f
 def _is_stated(names: Collection[str]) -> Callable[[Scene, Collection[str]], bool]:
     """Return whether one of some inputs was stated, as a function of a scene."""
     return lambda scene, _: not scene.stated.keys().isdisjoint(names)
+
+
+def _energy_over_sticking(scene: Scene, _: Collection[str]) -> Any:
+    """Return an energy over the largest that sticks; with a viscous time, over that of the speed that this leads to."""
+    if "viscous_time" not in scene.stated:
+        return scene["energy_over_sticking"]
+    known = scene.numbers("energy", "reduced_mass", "sticking_speed")
+    speed = known.get("sticking_speed", inf)  # without a value, they stick at every speed
+    return 2 * known["energy"] / known["reduced_mass"] / speed / speed
 
 
 # The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
@@ -196,8 +210,11 @@ LIMITS = (
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
         "after a head-on impact on a held body 2, elastic spheres do not stick",
-        lambda scene, names: _is_stated(IMPACT)(scene, names) and "viscous_time" not in scene.stated,
+        lambda scene, names: _is_stated(IMPACT)(scene, names) and (
+            "viscous_time" not in scene.stated or bool(scene.possible(["sticking_speed"]))
+        ),
         ends_meaning=True,
+        factor=_energy_over_sticking,
     ),
     Limit(
         "hysteresis_ratio", _MOMENT, ">", {1.0: "moment-unexplained"},
