@@ -608,7 +608,7 @@ def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequen
     in_words = {verdict["code"] for verdict in found["validity"] if not verdict["holds"] and verdict["code"]}
     if in_words != {*codes(floats.doubts[row] & ~NOT_JUDGED).split()}:
         yield f"doubts {codes(floats.doubts[row])} and {in_words}"
-    not_judged = any(": not checked: " in note for note in found["notes"])
+    not_judged = any(note.startswith("not checked: ") for note in found["notes"])
     if not_judged != bool(floats.doubts[row] & NOT_JUDGED):
         yield f"{'not ' * not_judged}judged"
 

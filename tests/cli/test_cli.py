@@ -625,7 +625,16 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert "the contact springs back" in run("n-roll quartz 10nm --energy 1e-21J").err
     r_min = json.loads(run("r-min 100nm --json").out)
     assert [one["name"] for one in r_min["validity"] if one["holds"]] == ["yield_angle", "r_min_over_radius"]
-    assert any(note.startswith("ξ/ξ_max, ξ/a: not checked: need surface energy per surface") for note in r_min["notes"])
+    not_checked = "not checked: xi-over-limit, xi-over-contact: need surface energy per surface"
+    assert any(note.startswith(not_checked) for note in r_min["notes"])
+
+
+def test_an_explanation_has_an_empty_line_before_each_pair(run: Run) -> None:
+    first, second = "Eq 1\n  P_c", "note: γ of quartz: measured for micron-sized particles\n\npull_off_force"
+    text = run("pull-off quartz 100nm,1um --explain").out
+    assert text.count(first) == 2
+    assert text.count(second) == 1
+    assert not text.endswith("\n\n")
 
 
 # --- What a review found ----------------------------------------------------------------------------------------------

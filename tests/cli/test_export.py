@@ -8,6 +8,7 @@ import pytest
 
 from harness import Run
 from jkroll import solve
+from jkroll.output.exports import PROGRAMS
 from jkroll.physics.motion import ALL_STICK
 from relative import approx
 
@@ -138,6 +139,11 @@ def test_a_plane_is_a_wall(run: Run) -> None:
     assert cap == approx(solve("yield_moment", **scene) / (1e-6 * held), rel=1e-11)
     alone = run("export lammps quartz 1um").out
     assert coefficients(text) == coefficients(alone)  # of the spheres among each other
+
+
+def test_a_program_goes_by_the_name_that_its_authors_write(run: Run) -> None:
+    for name, program in PROGRAMS.items():
+        assert run(f"export {program.title} quartz 100nm --quiet").out == run(f"export {name} quartz 100nm --quiet").out
 
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts", "dust-collider", "dust-simulation"])

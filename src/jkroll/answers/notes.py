@@ -68,7 +68,7 @@ _OF_TURNING = {"yield_force", "sliding_force", "sliding_or_peeling_force", "twis
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
 _MAX_NOTES = 2  # below results, with the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
-_MAX_CODES = 4  # of doubts about rows, which are named
+_MAX_CODES = 4  # of doubts, which are named
 _MAX_MEANINGS = 2  # of such codes, which are explained
 _BEHIND = ("model", "data")  # kinds that change nothing that a reader does: in explanations
 _APART = ("assumed", "warning")  # kinds that stand above all others
@@ -217,14 +217,14 @@ def _first_to_yield(scene: Scene) -> Note:
 
 
 def about_limits(every: Iterable[Doubt]) -> list[Note]:
-    """Return notes on the limits of the model that could not be judged, by the inputs that they need."""
-    errors = {doubt.limit.name: doubt.error for doubt in every if doubt.error is not None}
-    return about_missing(errors, "not checked: ", "open")
+    """Return notes on the codes that could not be judged, of each limit the first, by the inputs that they need."""
+    errors = {next(iter(doubt.limit.codes.values())): doubt.error for doubt in every if doubt.error is not None}
+    return [Note("open", f"not checked: {first_of(codes, _MAX_CODES)}: {reason}") for codes, reason in grouped(errors)]
 
 
-def about_missing(errors: Mapping[str, JkrollError], lead: str = "", kind: Kind = "missing") -> list[Note]:
+def about_missing(errors: Mapping[str, JkrollError], lead: str = "") -> list[Note]:
     """Return a note for each reason why there are no values, behind a lead, with the names of all that it concerns."""
-    return [Note(kind, f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
+    return [Note("missing", f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
 
 
 def about_uncertainties(bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:

@@ -25,7 +25,8 @@ def run_export(call: Call) -> int:
     from ..answers.questions import Question
     from ..output.exports import PROGRAMS
 
-    program = PROGRAMS.get(call.subject.casefold())
+    said = call.subject.casefold()
+    program = next((each for name, each in PROGRAMS.items() if said in (name, each.title.casefold())), None)
     if program is None:
         raise BadRequest(f"export: {quoted(call.subject)} is not among the programs: {', '.join(PROGRAMS)}")
     if (count := len(call.sweep)) != 1:

@@ -55,7 +55,9 @@ def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> N
     """Write for each result its formula, inputs, steps, value, source, validity, accuracy and power law."""
     if not power_law.__doc__:
         raise BadRequest("--explain is worded from docstrings, which python -OO drops")
-    for answer in answers:
+    for place, answer in enumerate(answers):
+        if place:
+            say("", out)
         for result in answer.results:
             for line in [*_explanation(result, answer.scene, form), *_readings(result, answer, form), ""]:
                 say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
