@@ -269,6 +269,15 @@ def test_what_could_not_be_judged_is_said(run: Run) -> None:
     assert "not checked" not in run("pull-off quartz 100nm").err
 
 
+def test_the_default_energy_is_said_to_be_beyond_sticking(run: Run) -> None:
+    words = "the impact energy of the turns, P_cδ0 of JKR, is {:.3g} times the largest that sticks"
+    assert words.format(1.29) in run("n-roll quartz 100nm --explain").out
+    ratio = solve("energy_over_sticking", material="quartz", radius=1e-7, model="maugis")
+    assert words.format(ratio) in run("n-roll quartz 100nm --model maugis").err
+    for options in ("--energy-ratio 1", "--viscous-time 1ps", "--model dmt"):  # DMT has no energy that sticks
+        assert "impact energy of the turns" not in run(f"n-roll quartz 100nm --explain {options}").out
+
+
 def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
     """The momentum about the contact, m v R, is kept: (I + mR²)ω = m v R; ⟨M⟩ then takes the energy ½(I + mR²)ω²."""
     names = ["mass", "moment_of_inertia", "mean_rolling_moment", "n_roll_after_impact"]

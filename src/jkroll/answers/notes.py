@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
 from ..scene.alternatives import assumes_displacement, rolled_solid, rolling, solid_of_kind
 from ..scene.failures import NO_END, grouped
-from ..scene.limits import ENDING_MEANING, EVERY_DOUBT, MEANINGS, NOT_JUDGED, OF_LAW, Doubt, doubts, touched
+from ..scene.limits import ENDING_MEANING, EVERY_DOUBT, IMPACT, MEANINGS, NOT_JUDGED, OF_LAW, Doubt, doubts, touched
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
@@ -182,6 +182,10 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         yield Note("result", _STICKING)
     if scene.numbers(*{"restitution"}.intersection(names)).get("restitution") == 0:
         yield Note("result", "e = 0: they stick, as v is not above v_stick")
+    if "n_roll" in names and (IMPACT | {"viscous_time"}).isdisjoint(scene.stated):
+        for ratio in scene.numbers("energy_over_sticking").values():  # none in a law without U_stick
+            energy = "the impact energy of the turns, P_cδ0 of JKR,"
+            yield Note("result", f"{energy} is {ratio:.3g} times the largest that sticks")
     if unlike := [name for name in names if NOMENCLATURE[name].of_identical and not scene.is_identical]:
         yield Note("warning", f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone")
     if "n_grav" in names and not scene.is_identical:
