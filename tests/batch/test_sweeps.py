@@ -197,6 +197,14 @@ def test_what_is_not_written_into_a_file_of_json(run: Run) -> None:
     assert not Path("x.json").exists()
 
 
+@pytest.mark.parametrize("end", ["svg", "pdf", "png", "jpg", "svgz", "ps", "bmp"])
+def test_rows_are_not_written_under_the_name_of_a_picture(run: Run, end: str) -> None:
+    Path("grains.csv").write_text("radius [nm]\n100\n", encoding="utf-8")
+    for line in ("pull-off quartz 100nm,200nm", "batch grains.csv --material quartz"):
+        assert run(f"{line} -o rows.{end}").code == 2
+        assert not Path(f"rows.{end}").exists()
+
+
 def test_what_a_file_of_rows_is_not(run: Run) -> None:
     for form in ("json", "bare", "explain", "cite"):
         message = f"jkroll: -o 'x.csv' and --{form} exclude each other; redirect the output: > FILE\n"

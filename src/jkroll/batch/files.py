@@ -20,7 +20,7 @@ from ..rows.columns import BLOCK
 from ..text import ending, quoted, say
 from .lines import DELIMITERS, MAX_RECORD, Delimited, Ndjson, tabbed
 
-NOT_WRITTEN = ("xlsx", "xls", "ods", "json", "jpg", "jpeg", "gif", "tif", "tiff", "eps", "webp")  # ends of names
+NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 SEPARATORS = {"csv": ",", "tsv": "\t"}  # unless --delimiter says others
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
