@@ -168,6 +168,7 @@ def test_one_uncertainty_is_that_of_both_sides(sides: dict[str, float]) -> None:
         (Measured, (numpy.ones(2), 0.1), "is not a number"),
         (Interval, (0.025, 0.03, 0.02), "0.025 does not lie in the range from 0.03 to 0.02"),
         (Interval, (0.05, 0.02, 0.03), "0.05 does not lie in the range from 0.02 to 0.03"),
+        (Interval, (numpy.float64(0.05), 0, 0.03), "Interval: 0.05 does not lie in the range from 0.0 to 0.03"),
         (Interval, (0.025, None, 0.03), "'None' is not a number"),
         (Interval, (10**400, 0, 1), "is not a number"),
     ],

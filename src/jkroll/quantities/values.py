@@ -171,7 +171,7 @@ class Interval(Uncertain):
         """Raise BadRequest for what is no number, for ends in the wrong order, and for a value outside them."""
         self.value, low, high = (_checked_number("Interval", each) for each in (value, low, high))
         if not low <= self.value <= high:
-            raise BadRequest(f"Interval: {value!r} does not lie in the range from {low!r} to {high!r}")
+            raise BadRequest(f"Interval: {self.value!r} does not lie in the range from {low!r} to {high!r}")
         self.sides = {"low": low, "high": high}
 
 
