@@ -548,7 +548,7 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
         "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
         "assumed: no load (--load)",
         "note: no column and no option gives a radius; what needs one is left out",
-        "note: doubts in 1 of 1 rows (column doubt): unchecked 1",
+        "note: doubts in 1 of 1 rows (column doubt): unchecked 1 (a limit needs an input that is not given)",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[
         0

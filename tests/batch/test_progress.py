@@ -26,6 +26,6 @@ def test_no_bar_in_a_pipe(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm]\n" + "100\n" * 100, encoding="utf-8")
     before = {*sys.modules}
     assumed = "assumed: ξ = 200 pm (--xi), no load (--load)"
-    said = "note: doubts in 100 of 100 rows (column doubt): unchecked 100"
+    said = "note: doubts in 100 of 100 rows (column doubt): unchecked 100 (a limit needs an input that is not given)"
     assert run("batch grains.csv -o out.csv --jobs 1") == (0, "", f"read: radius [nm]\n{assumed}\n{said}\n")
     assert "rich.progress" not in {*sys.modules} - before

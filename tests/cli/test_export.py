@@ -199,10 +199,13 @@ def test_a_pair_of_rigid_bodies_is_left_out(run: Run) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("", "export: '' is not among the programs: lammps, liggghts, dust-collider, dust-simulation"),
+        (
+            "",
+            "export: which program, lammps, liggghts, dust-collider, dust-simulation? Write jkroll export lammps quartz 100nm",
+        ),
         (
             "yade quartz 100nm",
-            "export: 'yade' is not among the programs: lammps, liggghts, dust-collider, dust-simulation",
+            "export: which program, lammps, liggghts, dust-collider, dust-simulation? Write jkroll export lammps quartz 100nm",
         ),
         ("liggghts quartz 100nm --model dmt", "--model: LIGGGHTS has jkr, not 'dmt'"),
         ("liggghts quartz 100nm --load 1nN", "export: liggghts finds the load by itself; give none"),

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from itertools import starmap
 from math import erfc, hypot, sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
@@ -296,16 +297,22 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
 
     `bits`: the doubts that are told; `where`: the place at which there is more of them.
     """
-    if rows := tally.with_doubts(bits & ENDING_MEANING):
-        counts = [f"{code} {count} ({MEANINGS[code]})" for code, count in tally.counted(bits & ENDING_MEANING)]
-        text = first_of(counts, _MAX_MEANINGS)
-        yield Note("warning", f"numbers have no meaning in {rows} of {tally.rows} rows ({where}): {text}")
-    if rows := tally.with_doubts(bits & ~ENDING_MEANING):
-        counts = [f"{code} {count}" for code, count in tally.counted(bits & ~ENDING_MEANING)]
-        yield Note("rows", f"doubts in {rows} of {tally.rows} rows ({where}): {first_of(counts, _MAX_CODES)}")
+    kinds: tuple[tuple[Kind, str, int, int], ...] = (
+        ("warning", "numbers have no meaning", bits & ENDING_MEANING, _MAX_MEANINGS),
+        ("rows", "doubts", bits & ~ENDING_MEANING, _MAX_CODES),
+    )
+    for kind, lead, told, most in kinds:
+        if rows := tally.with_doubts(told):
+            texts = [*starmap(_with_meaning, tally.counted(told))]
+            yield Note(kind, f"{lead} in {rows} of {tally.rows} rows ({where}): {first_of(texts, most)}")
     for rows, first, words in tally.gaps.values():
         others = f", likewise {rows - 1} more" if rows > 1 else ""
         yield Note("missing", f"{words}: row {first}{others}")
+
+
+def _with_meaning(code: str, rows: int) -> str:
+    """Return the code of a doubt with its number of rows, and its meaning if that is told."""
+    return f"{code} {rows} ({MEANINGS[code]})" if code in MEANINGS else f"{code} {rows}"
 
 
 class OfRows:

@@ -28,7 +28,7 @@ def run_export(call: Call) -> int:
     said = call.subject.casefold()
     program = next((each for name, each in PROGRAMS.items() if said in (name, each.title.casefold())), None)
     if program is None:
-        raise BadRequest(f"export: {quoted(call.subject)} is not among the programs: {', '.join(PROGRAMS)}")
+        raise BadRequest(f"export: which program, {', '.join(PROGRAMS)}? Write jkroll export lammps quartz 100nm")
     if (count := len(call.sweep)) != 1:
         raise BadRequest(f"export takes one pair of spheres, not {count}")
     scene = next(call.sweep.scenes())

@@ -262,9 +262,13 @@ ASSUMED_DISPLACEMENT = Limit(
 UNCHECKED = "unchecked"
 CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
 BITS = {code: 1 << place for place, code in enumerate((*CODES, UNCHECKED))}
-MEANINGS = {code: limit.consequence.partition(";")[0] for limit in LIMITS for code in limit.codes.values()}
 ENDING_MEANING = sum(limit.bits for limit in LIMITS if limit.ends_meaning)
 NOT_JUDGED = BITS[UNCHECKED]
+# What is said beside codes: of those that take the meaning away, and of what was not judged.
+MEANINGS = {
+    code: limit.consequence.partition(";")[0] for limit in LIMITS if limit.ends_meaning for code in limit.codes.values()
+}
+MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
 EVERY_DOUBT = sum(BITS.values())
 OF_LAW = LIMITS[0].bits  # the codes of a law that is not exact
 
