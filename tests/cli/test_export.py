@@ -196,17 +196,15 @@ def test_a_pair_of_rigid_bodies_is_left_out(run: Run) -> None:
     assert [*coefficients(ran.out)] == ["1 1", "1 2"]
 
 
+_NAMES = "lammps, liggghts, dust-collider, dust-simulation"
+WHICH = f"export: which program, {_NAMES}? Write jkroll export lammps quartz 100nm"
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (
-            "",
-            "export: which program, lammps, liggghts, dust-collider, dust-simulation? Write jkroll export lammps quartz 100nm",
-        ),
-        (
-            "yade quartz 100nm",
-            "export: which program, lammps, liggghts, dust-collider, dust-simulation? Write jkroll export lammps quartz 100nm",
-        ),
+        ("", WHICH),
+        ("yade quartz 100nm", WHICH),
         ("liggghts quartz 100nm --model dmt", "--model: LIGGGHTS has jkr, not 'dmt'"),
         ("liggghts quartz 100nm --load 1nN", "export: liggghts finds the load by itself; give none"),
         ("liggghts quartz 100nm --young2 rigid", "export: liggghts needs a finite Young's modulus of each body"),
