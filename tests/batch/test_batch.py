@@ -282,8 +282,9 @@ HEADERS = {
         "header: 'radius' (first cell '100'): neither has a unit. Write --column 'radius=radius [UNIT]', "
         "or --column 'radius=' to pass it through"
     ),
-    "radius [nm],status": (
-        "header: the table already has a column 'status'; rename it, or leave the result out (--quantities, --no-doubt)"
+    "radius [nm],status": "header: the table already has a column 'status'; rename it",
+    "radius [nm],doubt": (
+        "header: the table already has a column 'doubt'; rename it, or leave the result out (--quantities, --no-doubt)"
     ),
     "radius [nm],r_min [m]": (
         "header: the table already has a column 'r_min [m]'; rename it, or leave the result out (--quantities, "

@@ -19,7 +19,7 @@ from ..scene.failures import MissingInput, NotInLaw
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
-from .columns import SIDES, Wanted, remarks_of
+from .columns import DOUBT, SIDES, Wanted, remarks_of
 from .header import Header, Reading, is_input, stated_meanings
 from .rows import BAD, Block, groups
 from .words import MATERIALS
@@ -88,8 +88,9 @@ class Table:
         ]
         for text in columns.texts:
             if text.strip() in self.added:
-                remedy = "rename it, or leave the result out (--quantities, --no-doubt)"
-                raise BadTable(f"header: the table already has a column {quoted(text)}; {remedy}")
+                can_go = text.strip() in (*self.wanted.heads(header), DOUBT)  # no option leaves out a law or a status
+                remedy = ", or leave the result out (--quantities, --no-doubt)" if can_go else ""
+                raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
 
     @property
     def added(self) -> list[str]:
