@@ -401,8 +401,14 @@ def test_critical_viscosity_by_the_equation_of_motion() -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("quartz 100nm", "below 246 nm stick at every speed: T* = (T_vis/ν²)√(E*a0/m) is above 0.6817, 1.95 here"),
-        ("quartz 600nm", "below 246 nm stick at every speed: T* = (T_vis/ν²)√(E*a0/m) is above 0.6817, 0.241 here"),
+        (
+            "quartz 100nm",
+            "below 246 nm stick at every speed: their T* = (T_vis/ν²)√(E*a0/m) is above 0.6817; here it is 1.95",
+        ),
+        (
+            "quartz 600nm",
+            "below 246 nm stick at every speed: their T* = (T_vis/ν²)√(E*a0/m) is above 0.6817; here it is 0.241",
+        ),
     ],
 )
 def test_grains_that_stick_at_every_speed_in_dust_simulation(run: Run, words: str, said: str) -> None:

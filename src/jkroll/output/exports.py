@@ -213,7 +213,7 @@ def _about_dust_simulation(scene: Scene) -> Iterator[str]:
     ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
     largest = amount("radius", scene["radius"] * (ratio / ALL_STICK) ** (6 / 7), Format(digits=3))
     sticks = f"with this viscous time all grains below {largest} stick at every speed"
-    number = f"T* = (T_vis/ν²)√(E*a0/m) is above {ALL_STICK:.4f}, {significant(ratio, 3)} here"
+    number = f"their T* = (T_vis/ν²)√(E*a0/m) is above {ALL_STICK:.4f}; here it is {significant(ratio, 3)}"
     yield f"viscous damping: {sticks}: {number}; the viscous time is fitted to measured sticking at a size: fit yours"
 
 
