@@ -95,3 +95,14 @@ def test_completion_that_cannot_be_written_is_said_in_a_line(tmp_path: Path) -> 
     words = ["bash", "--norc", "-c", f'"{sys.executable}" -m jkroll --install-completion; exit $?']
     ran = subprocess.run(words, capture_output=True, env=os.environ | {"HOME": str(home)}, encoding="utf-8")
     assert (ran.returncode, ran.stdout, ran.stderr) == (1, "", f"jkroll: cannot write '{home}': File exists\n")
+
+
+def test_a_shell_that_reads_no_candidates_is_told_nothing() -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    words = {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll pull-off ", "COMP_CWORD": "2"}
+    with open(writer, "wb") as closed:
+        ran = subprocess.run(
+            [sys.executable, "-m", "jkroll"], stdout=closed, stderr=subprocess.PIPE, env=os.environ | words
+        )
+    assert (ran.returncode, ran.stderr) == (141, b"")

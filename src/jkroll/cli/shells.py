@@ -27,6 +27,8 @@ def main() -> int:
         app(prog_name="jkroll")
     except SystemExit as end:
         return JkrollError.exit_code if end.code else 0
+    except BrokenPipeError:
+        return process.BROKEN_PIPE
     except Exception as error:
         return process.report(error, ())
     return 0
