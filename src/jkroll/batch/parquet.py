@@ -119,5 +119,11 @@ class Arrow:
 
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""
-        cells = {name: cells_of(batch.column(place).to_pylist(), name) for name, place in table.places.items()}
+        cells = {name: cells_of(_values(batch.column(place)), name) for name, place in table.places.items()}
         return Records(batch, cells, {}, range(batch.num_rows), batch.num_rows)
+
+
+def _values(column: Any) -> Any:
+    """Return the values of a column: an array of numbers where each row has one, which is twice as fast, or a list."""
+    is_whole = pyarrow.types.is_integer(column.type) or pyarrow.types.is_float64(column.type)
+    return column.to_numpy() if is_whole and not column.null_count else column.to_pylist()

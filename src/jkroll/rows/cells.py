@@ -216,12 +216,16 @@ def cell_of(value: object, name: str) -> str:
     return "" if value is None else str(value)
 
 
-def cells_of(values: Sequence[Any], name: str) -> list[bytes]:
-    """Return values of an input in a format with types as cells of texts."""
-    if {*map(type, values)} <= {int, float, type(None)}:
-        cells = orjson.dumps(values)[1:-1].split(b",")
-        if cells.count(b"null") == values.count(None):  # orjson has no nan and no infinity
-            return [b"" if cell == b"null" else cell for cell in cells] if values else []
+def cells_of(values: Any, name: str) -> list[bytes]:
+    """Return values of an input in a format with types, a list or an array of numbers, as cells of texts."""
+    if not len(values):
+        return []
+    is_list = isinstance(values, list)
+    if not is_list or {*map(type, values)} <= {int, float, type(None)}:
+        cells = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1].split(b",")
+        nulls = values.count(None) if is_list else 0
+        if cells.count(b"null") == nulls:  # orjson has no nan and no infinity
+            return [b"" if cell == b"null" else cell for cell in cells] if nulls else cells
     return [cell_of(value, name).encode() for value in values]
 
 
