@@ -125,7 +125,7 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
     if len(energies) == len(_ENERGIES) and max(energies) > _UNLIKE * min(energies):
         work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
         text = f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike"
-        yield Note("result", f"{text}: --work-of-adhesion")
+        yield Note("caveat", f"{text}: --work-of-adhesion")
     if "speed" in scene.stated and (spinning := [symbol_of(name) for name in _OF_SPINNING if name in names]):
         text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
         yield Note("caveat", f"{text}, {listed(spinning)}")
@@ -176,9 +176,11 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if "hamaker" in scene.inputs_of(*names):
         cutoff = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
         here, there = (
-            amount("work_of_adhesion", each["work_of_adhesion"]) for each in (scene, scene.replace(cutoff=cutoff))
+            amount("work_of_adhesion", each["work_of_adhesion"], _SHORT)
+            for each in (scene, scene.replace(cutoff=cutoff))
         )
-        yield Note("result", f"w = {here}, and {there} at D0 = {amount('cutoff', cutoff)} (--cutoff)")
+        spacing = amount("atomic_spacing", scene["atomic_spacing"], _SHORT)
+        yield Note("result", f"w = {here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)} (--cutoff) w = {there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("result", _STICKING)
     if scene.numbers(*{"restitution"}.intersection(names)).get("restitution") == 0:
