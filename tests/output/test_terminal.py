@@ -133,6 +133,13 @@ def test_doubts_stand_by_size_unless_error_bars_are_wider(run: Run, words: str, 
     assert [*map(said.index, kinds)] == sorted(map(said.index, kinds))
 
 
+def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
+    """No column has another law beside it, so that the doubts name the laws that are off."""
+    ran = run("pull-off quartz 100nm --model jkr,maugis,dmt --quantities P_c", terminal=True)
+    assert [line.split()[2:] for line in ran.out.splitlines()[-3:]] == [["law-off-25%"], [], []]
+    assert "law-off" not in run("pull-off quartz 100nm,1um --quantities P_c", terminal=True).out
+
+
 def test_a_list_counts_the_doubts_and_warns_of_numbers_without_a_meaning(run: Run) -> None:
     notes = run("pull-off quartz 100nm,900nm --model jkr,dmt").err.splitlines()
     assert notes[1].startswith("note: doubts in 3 of 4 rows (jkroll guide models): law-off-5% 2, law-off-25% 1")

@@ -13,7 +13,7 @@ from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
 from ..scene.alternatives import assumes_displacement, rolled_solid, rolling, solid_of_kind
 from ..scene.failures import NO_END, grouped
-from ..scene.limits import ENDING_MEANING, EVERY_DOUBT, IMPACT, MEANINGS, NOT_JUDGED, OF_LAW, Doubt, doubts, touched
+from ..scene.limits import ENDING_MEANING, IMPACT, MEANINGS, Doubt, doubts, touched
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
@@ -213,10 +213,10 @@ def _first_to_yield(scene: Scene) -> Note:
     """Return what yields first where a pair is pushed or turned. A brittle contact shrinks when pushed."""
     names = ("yield_force", "sliding_or_peeling_force", "yield_moment", "twisting_moment", "peeling_over_sliding")
     roll, first, bend, twist, ratio = scene.evaluate(names).values()
-    gives_way = "peels off before it slides" if ratio < 1 else "slides before it peels off"
     force = span("sliding_or_peeling_force", first, first)
+    gives_way = f"peels off at {force}, before it slides" if ratio < 1 else f"slides at {force}, before it peels off"
     rolls = "it rolls first; where it cannot, " if roll < first else ""
-    pushed = f"pushed, {rolls}it {gives_way} at {force}, as the contact shrinks"
+    pushed = f"pushed, {rolls}it {gives_way}: the contact shrinks under the push"
     return Note("caveat", f"{pushed}; turned, it {'rolls' if bend < twist else 'twists'} first")
 
 
@@ -325,21 +325,17 @@ class OfRows:
 
         self._kinds = [*kinds]
         self.assumed, self._idle = given_of_kinds(self._kinds)  # the assumptions are by name, with their options
-        self.tally = Tally()
+        self.tally, self._told = Tally(), 0
 
     def watch(self, blocks: "Iterable[Columns]") -> "Iterator[Columns]":
         """Iterate over columns, and count what is to be said of them."""
         for columns in blocks:
-            self.tally = self.tally.plus(self.tally.of(columns, first_symbols))
+            self.tally, self._told = self.tally.plus(self.tally.of(columns, first_symbols)), columns.told
             yield columns
 
     def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:
-        """Return the lines to print; `has_table`: whether they are below a table.
-
-        Its head has what was assumed, and columns beside the values of a law that is not exact say how far it is off.
-        """
-        told = EVERY_DOUBT ^ NOT_JUDGED ^ (OF_LAW if has_table else 0)
-        notes = [*about_rows(self.tally, told, "jkroll guide models")]
+        """Return the lines to print; `has_table`: whether they are below a table, whose head has what was assumed."""
+        notes = [*about_rows(self.tally, self._told, "jkroll guide models")]
         if not quiet:
             notes += dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
             notes += [*about_idle(self._idle), *about_assumed(self.assumed)]

@@ -13,7 +13,7 @@ from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA, SIO2, rolled_solid
-from ..scene.limits import NOT_JUDGED, OF_LAW, codes_of
+from ..scene.limits import OF_LAW, codes_of
 from ..text import say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:
@@ -122,7 +122,9 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     kinds = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
     common = {name: next(iter(values)) for name, values in kinds.items() if len(values) == 1}
     several = [name for name in inputs if name not in common]
-    count = f"{len(columns)} {'states' if 'state' in inputs else 'pairs'}"
+    laws = max(len(kinds.get("model", ())), 1)
+    number, noun = (len(columns), "states") if "state" in inputs else (len(columns) // laws, "pairs")
+    count = f"{number} {noun}" if number > 1 else ""
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
     _write_inputs(count, common, assumed, out, form)
@@ -134,7 +136,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     results = [
         each for name in columns.wanted.names if name not in inputs for each in _result_columns(name, columns, form)
     ]
-    doubts = [_worst(bits & ~(OF_LAW | NOT_JUDGED)) for bits in as_list(columns.doubts)]
+    doubts = [_worst(bits & columns.told) for bits in as_list(columns.doubts)]
     results += [Column(DOUBT, doubts, is_right=False)] if any(doubts) else []
     across = columns_of([(column.head, *column.cells) for column in (*leading, *results)], texts=1)
     if _size(across) <= terminal_width() + _GAP < _size([*leading, *results]):

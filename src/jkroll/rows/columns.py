@@ -16,7 +16,7 @@ from ..physics.elementary import where
 from ..quantities.values import is_uncertain, middle
 from ..scene.alternatives import DATA, beside, by_law, names_beside
 from ..scene.failures import OF_IDENTICAL_SPHERES, Failure
-from ..scene.limits import bits_of, doubts, touched
+from ..scene.limits import EVERY_DOUBT, NOT_JUDGED, OF_LAW, bits_of, doubts, touched
 from ..scene.scene import Scene
 from ..text import listed
 from .reasons import ROW, UNCERTAINTY, Reasons, lack, status_of
@@ -247,6 +247,11 @@ class Columns:
     def __len__(self) -> int:
         """Return the number of rows."""
         return len(self.doubts)
+
+    @property
+    def told(self) -> int:
+        """The doubts that are told of rows: not those of a law where columns of the other one say how far it is off."""
+        return EVERY_DOUBT ^ NOT_JUDGED ^ (OF_LAW if self.wanted.alternatives else 0)
 
     def column(self, key: str) -> Any:
         """Return the numbers of a column."""

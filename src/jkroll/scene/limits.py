@@ -209,7 +209,7 @@ LIMITS = (
     ),
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
-        "after a head-on impact on a held body 2, elastic spheres do not stick",
+        "elastic spheres bounce off a body 2 that is held, where turns have no meaning",
         lambda scene, names: _is_stated(IMPACT)(scene, names) and (
             "viscous_time" not in scene.stated or bool(scene.possible(["sticking_speed"]))
         ),
