@@ -19,11 +19,11 @@ RESISTANCES = [name for name in QUESTIONS["resistances"].quantities if name != "
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("quartz 100nm", "slides before it peels off"),
-        ("quartz 1um", "peels off before it slides"),
-        ("quartz 1um --shear-strength 10MPa", "slides before it peels off"),
+        ("quartz 100nm", "slides at 22 nN, before it peels off"),
+        ("quartz 1um", "peels off at 220 nN, before it slides"),
+        ("quartz 1um --shear-strength 10MPa", ", before it peels off"),
         ("quartz 100nm --xi 1nm", "pushed, it rolls first"),
-        ("quartz 0.5nm", "pushed, it slides before it peels off at"),
+        ("quartz 0.5nm", "pushed, it slides at 25 pN, before it peels off"),
         ("quartz 100nm", "at 22 nN"),  # where its whole area slides at 29.2 nN
     ],
 )
