@@ -8,12 +8,9 @@ import pytest
 
 from harness import Run
 from jkroll import JkrollError, solve
-from jkroll.answers.questions import QUESTIONS
 from jkroll.output.manual import page
 from relative import approx
 from scenes import QUARTZ
-
-RESISTANCES = [name for name in QUESTIONS["resistances"].quantities if name != "yield_displacement"]  # an input
 
 
 @pytest.mark.parametrize(

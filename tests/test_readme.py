@@ -12,7 +12,6 @@ from transcripts import commands, copied_once, exit_code, printed, rounded, tran
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 MOST = 9_000  # bytes
-MOST_LINES_OF_A_RECIPE = 8
 
 
 @pytest.mark.parametrize("block", transcripts(README), ids=lambda block: commands(block)[0])
