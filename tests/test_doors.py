@@ -735,13 +735,18 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                     continue  # a number from which more follows needs less
                 for row in places:
                     expected = floats.values[row].get(name, floats.reasons[row].get(name))
-                    if expected is not None and str(expected) != str(error):
+                    if expected is not None and str(expected) != str(error) and not _is_of_another(expected, name):
                         yield f"row {row}: {name}: {expected} and {error}"
                 continue
             for row, element in zip(places, elements, strict=True):
                 found = floats.values[row].get(name, floats.reasons[row].get(name))
                 if not _is_element(scenes[row], name, found, element, is_special=is_special):
                     yield f"row {row}: {name} = {found!r} and {element!r}"
+
+
+def _is_of_another(outcome: Any, name: str) -> bool:
+    """Return whether a quantity fails as one does on which it rests: for all rows it may fail for another reason."""
+    return isinstance(outcome, Failure) and outcome.name != name
 
 
 def _is_of_all_rows(error: JkrollError) -> bool:
