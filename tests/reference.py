@@ -4,10 +4,12 @@ Inputs are doubles and taken as exact. Nothing is rearranged to save digits, the
 cancellation, in the rolling of spheres whose radii differ 1e15 times, leaves 76. Nothing is shared with `jkroll`.
 """
 
-# ruff: noqa: N803, N806  (the paper's symbols)
+# ruff: noqa: N803  (the paper's symbols)
 
 import math
 from collections.abc import Callable, Mapping
+from functools import cache
+from types import MappingProxyType
 
 import law_reference
 from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
@@ -32,6 +34,7 @@ def ulp_error(value: float, exact: Exact, of: Exact = None) -> float:
     return abs((value - nearest) / unit - float(exact - nearest) / unit)
 
 
+@cache
 def root(approach_ratio: Exact) -> Exact:
     """√â at an approach: 3y⁴ − 2y = δ̂ is convex, so that Newton's steps from above do not pass its root."""
     if approach_ratio < FOLD:
@@ -45,282 +48,45 @@ def root(approach_ratio: Exact) -> Exact:
 
 
 def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
-    """Every result for one scene. What is not said of sphere 2 is as for sphere 1; its radius may be infinite.
+    """Return every result for one scene, each by its equation from the exact values of those before it.
 
-    The state of the contact is that of a load or, if `approach_at_load` is given, of an approach.
+    What is not said of sphere 2 is as for sphere 1; its radius may be infinite. The state of the contact is that of a
+    load or, if `approach_at_load` is given, of an approach.
     """
     known = {name: mpf(value) for name, value in {**DEFAULTS, **given}.items()}
-
-    def pair(name: str) -> tuple[Exact, Exact]:
-        return known[name], known.get(name + "2", known[name])
-
-    (R1, R2), (E1, E2), (nu1, nu2), (rho1, rho2) = map(pair, ("radius", "youngs_modulus", "poisson_ratio", "density"))
-    gamma1, gamma2 = pair("surface_energy")
-    xi, g, z0 = known["yield_displacement"], known["gravity"], known["atomic_spacing"]
-    on_plane = digits.isinf(R2)
-
-    # Eqs 1-3
-    gamma = sqrt(gamma1 * gamma2)
-    R = 1 / (1 / R1 + 1 / R2)
-    E = 1 / ((1 - nu1**2) / E1 + (1 - nu2**2) / E2)
-    P_c = 3 * pi * gamma * R
-    a0 = cbrt(9 * pi * gamma * R**2 / E)
-    delta0 = P_c / (E * a0)
-
-    # Eqs 4-9: the larger root of P/P_c = 4(x² - x) with x = â^(3/2), and the slope of P(δ) through those of P(â), δ(â)
-    of_approach: dict[str, Exact] = {}
+    values = Values({name + "2": value for name, value in known.items()} | known)
     if "approach_at_load" in known:
-        delta = known["approach_at_load"]
-        x = root(delta / delta0) ** 3
-        s = 2 * x - 1
-        P = 4 * P_c * (x**2 - x)
-        of_approach = {"load_factor_at_approach": x, "load": P, "load_at_factor": P}
-    else:
-        P = known["load"]
-        s = sqrt(1 + P / P_c)
-        x = (1 + s) / 2
-    a_ = cbrt(x**2)
-    delta = known.get("approach_at_load", delta0 * (3 * a_**2 - 2 * sqrt(a_)))
-    slope = (12 * a_**2 - 6 * sqrt(a_)) / (6 * a_ - 1 / sqrt(a_))
-
-    # Eqs 25, 39 and 43
-    M = 4 * P_c * x * xi
-    k = 4 * P_c * x * R
-    mean_M = M / 2
-
-    # Eqs 33, 37-40
-    m1, m2 = 4 * pi / 3 * R1**3 * rho1, 4 * pi / 3 * R2**3 * rho2
-    I1, I2 = 2 * m1 * R1**2 / 5, 2 * m2 * R2**2 / 5
-    m = 1 / (1 / m1 + 1 / m2)
-    I = 1 / (1 / I1 + 1 / I2)  # noqa: E741
-    if on_plane:  # which does not move
-        m_eff = (I1 + m1 * R1**2) / R**2
-    else:
-        m_eff = I1 / R1**2 + I2 / R2**2 - (I1 / R1 - I2 / R2) ** 2 / (m * (R1 + R2) ** 2 + I1 + I2)
-
-    # Eqs 45-48
-    adhesion_energy = P_c * delta0
-    kinetic = {"kinetic_energy": m1 * known["speed"] ** 2 / 2} if "speed" in known else {}
-    W0 = known.get("energy", kinetic.get("kinetic_energy", known["energy_ratio"] * adhesion_energy))
-    yield_energy = M**2 / (2 * k)
-    vibration = {"vertical_frequency": sqrt(P_c / delta0 * slope / m) / (2 * pi)} if slope >= 0 else {}
-
-    return (
-        kinetic
-        | of_approach
-        | vibration
-        | _head_on(known.get("speed"), m, ENERGIES["sticking_energy"] * adhesion_energy)
-        | _aggregates(known, gamma, R1, m1, xi, adhesion_energy)
-        | _peeling((E1, E2), (nu1, nu2), E, P_c, a0, s, M / R1)
-        | {
-            "work_of_adhesion": 2 * gamma,
-            "radius_ratio": R1 / R2,
-            "reduced_radius": R,
-            "contact_modulus": E,
-            "mass": m1,
-            "mass2": m2,
-            "moment_of_inertia": I1,
-            "moment_of_inertia2": I2,
-            "reduced_mass": m,
-            "reduced_moment_of_inertia": I,
-            "rolling_mass": m_eff,
-            "modulus_over_energy": E / gamma,
-            "contact_modulus_of_ratio": E,
-            "pull_off_force": P_c,
-            "pull_off_force_ratio": P_c / (2 * pi * gamma * R),
-            "pull_off_force_dmt": 4 * pi * gamma * R,
-            "contact_radius": a0,
-            "approach": delta0,
-            "load_margin": s,
-            "load_margin_of_factor": s,
-            "load_margin_at_approach": s,
-            "load_factor": x,
-            "contact_radius_at_load": a0 * a_,
-            "approach_at_load": delta,
-            "load_ratio": P / P_c,
-            "contact_radius_ratio": a_,
-            "approach_ratio": delta / delta0,
-            "contact_area": pi * (a0 * a_) ** 2,
-            **_breaking(a0, delta0),
-            "stiffness": P_c / delta0 * slope,
-            "hertz_pressure": 6 * P_c / (pi * a0**2) * a_,
-            "boussinesq_pressure": -2 * P_c / (pi * a0**2) / sqrt(a_),
-            "adhesive_force": 4 * E * (a0 * a_) ** 3 / (3 * R) - P,
-            "yield_moment": M,
-            "unloaded_moment": 4 * P_c * xi,
-            "half_circles_moment": 2 * xi * E * a0 * a_ * (((a0 * a_) ** 2 + xi**2) / R - delta),
-            "fixed_approach_moment": M + E * a0 * a_ * xi**3 / R,
-            "rolling_stiffness": k,
-            "rolling_spring_constant": k / R**2,
-            "rolling_friction_coefficient": M / R / (P + 2 * P_c),
-            **(
-                {"rolling_resistance_coefficient": M / R / P} if P / P_c > 1e-12 else {}
-            ),  # not a rounding of an approach
-            "yield_force": M / R1,
-            "yield_force_fixed_load": M / R1 - P * xi / R2,
-            "yield_force_ratio": M / R1 / P_c,
-            "yield_angle": xi / R,
-            "mean_rolling_moment": mean_M,
-            "mean_rolling_force": mean_M / R1,
-            "r_min": R1 * R2 / xi,
-            "n_grav": sqrt(M / (m1 * g * R1)),
-            **({"gravity_moment": m1 * g * R1 * known["monomers"] ** 2} if "monomers" in known else {}),
-            "bond_number": P_c / (m1 * g),
-            "rolling_frequency": sqrt(k / I) / (2 * pi),
-            "rolling_frequency_as_printed": 3 / (2 * pi) * sqrt(gamma / (5 * R1**3 * rho1)),
-            "rolling_frequency_no_slip": sqrt(4 * P_c * x / (R * m_eff)) / (2 * pi),
-            "rayleigh_time": pi * R1 * sqrt(2 * (1 + nu1) * rho1 / E1) / (mpf(0.8766) + mpf(0.1631) * nu1),
-            "adhesion_energy": adhesion_energy,
-            "energy": W0,
-            **{name: factor * adhesion_energy for name, factor in ENERGIES.items()},
-            **_sliding((E1, E2), (nu1, nu2), (m1, m2) if not on_plane else (m1,), a0 * a_),
-            **_shearing((E1, E2), (nu1, nu2), I, a0 * a_, P + 2 * P_c),
-            **_conventions(gamma, R, E, m, xi, adhesion_energy, known.get("rolling_angle")),
-            "n_roll": W0 / (7 * pi * mean_M),
-            "n_roll_energy_balance": W0 / (2 * pi * mean_M),
-            "n_roll_after_impact": 5 * W0 / 7 / (2 * pi * mean_M),
-            "tabor_parameter": cbrt(4 * R * gamma**2 / (E**2 * z0**3)),
-            "displacement_limit": a0 / (3 * sqrt(a_)),
-            "displacement_ratio": 3 * xi * sqrt(a_) / a0,
-            "contact_radius_in_spacings": a0 * a_ / z0,
-            "hertz_pressure_over_modulus": 2 * a0 * a_ / (pi * R),
-            "profile_error": (a0 * a_) ** 2 * (1 / R1**3 + 1 / R2**3) / (4 * (1 / R1 + 1 / R2)),
-            "displacement_over_contact_radius": xi / (a0 * a_),
-            "r_min_over_radius": R2 / xi,
-            "yield_energy": yield_energy,
-            "energy_over_yield": W0 / yield_energy,
-            "energy_over_sticking": W0 / (ENERGIES["sticking_energy"] * adhesion_energy),
-        }
-    )
+        del values["load"]
+        values.routes = AT_AN_APPROACH
+    if "speed" in known and "energy" not in known:
+        values["energy"] = values["kinetic_energy"]
+    names = {*EQUATIONS, *OF_A_SCENE, "load"} - {*law_reference.EQUATIONS, *AT_AN_APPROACH.values(), *NO_RESULTS}
+    names |= {"adhesive_force", *values.routes.values()}
+    results = {name: values.get_exact(name) for name in names - given.keys()}
+    if abs(values["load_margin"]) < 1e-7:  # within the rounding of a load, which may put it at pull-off
+        del results["rolling_over_sliding"]
+    if values["load"] / values["pull_off_force"] < 1e-12:  # within the rounding of an approach
+        del results["rolling_resistance_coefficient"]
+    return {name: value for name, value in results.items() if value is not None}
 
 
-def _head_on(v: Exact | None, m: Exact, U_stick: Exact) -> dict[str, Exact]:
-    """A head-on collision at a relative speed, that takes U_stick or all there is."""
-    if v is None:
-        return {}
-    W = m * v**2 / 2
-    lost = min(U_stick, W)
-    return {"restitution": sqrt(1 - lost / W), "lost_energy": lost}
+class Values(dict[str, Exact]):
+    """The values of a scene: those that are given, and those that equations make of them once they are asked for."""
 
+    routes: Mapping[str, str] = MappingProxyType({})  # the equations of quantities that have others as well
 
-def _breaking(a0: Exact, delta0: Exact) -> dict[str, Exact]:
-    """The states where the contact breaks, by √â there: under a constant tension and between fixed grips."""
-    found = {}
-    for name, y in (("pull_off", PULL_OFF_ROOT), ("fold", FOLD_ROOT)):
-        radius = a0 * y**2
-        found[f"contact_radius_at_{name}"] = radius
-        found[f"contact_area_at_{name}"] = pi * radius**2
-        found[f"approach_at_{name}"] = delta0 * (3 * y**4 - 2 * y)
-    return found
+    def __missing__(self, name: str) -> Exact:
+        equation = OF_A_SCENE.get(name) or EQUATIONS[self.routes.get(name, name)]
+        self[name] = value = equation(*(self[parameter] for parameter in parameters(equation)))
+        return value
 
-
-def _sliding(
-    moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], masses: tuple[Exact, ...], a: Exact
-) -> dict[str, Exact]:
-    """The contact against sliding: a force on it moves the centres, 1/m, and turns the spheres, R²/I = 5/(2m)."""
-    G = 1 / sum((2 - nu) * 2 * (1 + nu) / modulus for nu, modulus in zip(ratios, moduli, strict=True))
-    k_s = 8 * G * a
-    f_slide = sqrt(k_s * sum(1 / m + 5 / (2 * m) for m in masses)) / (2 * pi)
-    return {
-        "contact_shear_modulus": G,
-        "tangential_stiffness": k_s,
-        "sliding_frequency": f_slide,
-        "time_step": 1 / (20 * f_slide),
-    }
-
-
-def _shear_moduli(moduli: tuple[Exact, ...], ratios: tuple[Exact, ...]) -> list[Exact]:
-    """Shear moduli; infinite where Poisson's ratio is −1."""
-    return [modulus / (2 * (1 + nu)) if nu > -1 else mpf("inf") for modulus, nu in zip(moduli, ratios, strict=True)]
-
-
-def _shearing(
-    moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], inertia: Exact, a: Exact, cap: Exact
-) -> dict[str, Exact]:
-    """The contact where its shear strength is reached: uniform over the circle, ∫ r τ 2πr dr for the moment.
-
-    `cap`: P + 2P_c.
-    """
-    shear = _shear_moduli(moduli, ratios)
-    tau = min(shear) / (4 * pi**2)
-    force, moment = tau * pi * a**2, tau * 2 * pi * a**3 / 3
-    k_s = 8 * a / sum((2 - nu) / G for nu, G in zip(ratios, shear, strict=True))
-    k_t = 16 * a**3 / 3 / sum(1 / G for G in shear)
-    return {
-        "shear_strength": tau,
-        "sliding_force": force,
-        "sliding_displacement": force / k_s,
-        "sliding_energy": force**2 / (2 * k_s),
-        "twisting_stiffness": k_t,
-        "twisting_moment": moment,
-        "twisting_angle": moment / k_t,
-        "twisting_energy": moment**2 / (2 * k_t),
-        "twisting_frequency": sqrt(k_t / inertia) / (2 * pi),
-        "sliding_friction_coefficient": force / cap,
-        "twisting_friction_coefficient": moment / cap,
-    }
-
-
-def _peeling(
-    moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], E: Exact, P_c: Exact, a0: Exact, s: Exact, Q: Exact
-) -> dict[str, Exact]:
-    """The contact that peels under a tangential force, at a load that it holds by itself."""
-    if s < 0:
-        return {}
-    P = P_c * (s**2 - 1)
-    shear = _shear_moduli(moduli, ratios)
-    G = 1 / sum((2 - nu) / each for nu, each in zip(ratios, shear, strict=True))
-    force, radius = 4 * sqrt(P_c * (P + P_c) * G / E), a0 * cbrt((P + 2 * P_c) / (4 * P_c))
-    ratio = force / (min(shear) / (4 * pi) * radius**2)
-    first = _given_way(force, ratio, s)
-    found = {"peeling_force": force, "peeling_radius": radius, "peeling_over_sliding": ratio}
-    at_pull_off = s < 1e-7  # within the rounding of a load, which may put it there
-    return found | {"sliding_or_peeling_force": first, "rolling_over_sliding": mpf("inf") if at_pull_off else Q / first}
-
-
-def _aggregates(
-    known: Mapping[str, Exact], gamma: Exact, R1: Exact, m1: Exact, xi: Exact, adhesion_energy: Exact
-) -> dict[str, Exact]:
-    """Two equal aggregates of N grains: ½(Nm1/2)v²; E_roll is 6π²γξ times R, and of the whole grain twice that."""
-    if "monomers" not in known:
-        return {}
-    N, phi = known["monomers"], known["filling_factor"]
-    R = 1 / (1 / R1 + 1 / known.get("radius2", R1))
-    contacts = known.get("contacts", N)
-    roll = 6 * pi**2 * gamma * R * xi
-    broken = {"": ENERGIES["pull_off_work"], "_dust_simulation": mpf("1.8") * -FOLD}
-    energies = {"restructuring": ("", 5 * roll), "restructuring_ormel": ("_ormel", roll)}
-    energies |= {"disruption" + end: (end, 20 * contacts * broken[end] * adhesion_energy) for end in broken}
-    found = {"contacts": contacts}
-    for kind, (end, energy) in energies.items():
-        name = kind.partition("_")[0]
-        found |= {f"{name}_energy{end}": energy, f"{name}_speed{end}": sqrt(4 * energy / (N * m1))}
-    return found | {
-        "compressive_strength": 2 * roll / R1**3 / (1 / phi - 1 / mpf("0.74")) ** 3,
-        "tensile_strength": mpf("0.6") * phi ** mpf("1.8") * gamma / R1,
-    }
-
-
-def _conventions(
-    gamma: Exact, R: Exact, E: Exact, m: Exact, xi: Exact, adhesion_energy: Exact, angle: Exact | None
-) -> dict[str, Exact]:
-    """Energies and speeds as others define them."""
-    stuck = gamma * cbrt((gamma * R**2 / E) ** 2)
-    exact, slow, fast = (
-        ENERGIES["sticking_energy"] * adhesion_energy, 8 * pi / 3 * mpf("1.07") ** 2 * stuck, mpf("19.2") * stuck
-    )  # fmt: skip
-    return {
-        "fold_energy": -FOLD * adhesion_energy,
-        "break_energy_dust_simulation": mpf("1.8") * -FOLD * adhesion_energy,
-        "roll_energy_quarter_turn": 6 * pi**2 * gamma * R * xi,
-        "roll_energy_half_turn": 12 * pi**2 * gamma * R * xi,
-        **({} if angle is None else {"roll_energy": 12 * pi * gamma * R * xi * angle}),
-        "sticking_energy_paszun_dominik": slow,
-        "sticking_energy_pencil_code": fast,
-        "sticking_speed": sqrt(2 * exact / m),
-        "sticking_speed_paszun_dominik": sqrt(2 * slow / m),
-        "sticking_speed_pencil_code": sqrt(2 * fast / m),
-    }
+    def get_exact(self, name: str) -> Exact | None:
+        """Return a value; None where the scene lacks an input, or the equation has no real value."""
+        try:
+            value = self[name]
+        except (KeyError, ValueError, ZeroDivisionError):
+            return None
+        return value if isinstance(value, digits.mpf) else None
 
 
 def released(y: Exact, y2: Exact) -> Exact:
@@ -391,8 +157,14 @@ def condition(formula: str, arguments: Mapping[str, float]) -> float:
 
 
 def _evaluate(equation: Callable[..., Exact], arguments: Mapping[str, float]) -> Exact:
-    names = [SYMBOLS[symbol] for symbol in equation.__code__.co_varnames[: equation.__code__.co_argcount]]
-    return equation(*(mpf(arguments[name]) if name in arguments else exact(name, arguments) for name in names))
+    values = Values({name: mpf(value) for name, value in arguments.items()})
+    return equation(*(values[name] for name in parameters(equation)))
+
+
+@cache
+def parameters(equation: Callable[..., Exact]) -> list[str]:
+    """Return the names of the quantities that an equation takes."""
+    return [SYMBOLS[symbol] for symbol in equation.__code__.co_varnames[: equation.__code__.co_argcount]]
 
 
 SYMBOLS = {
@@ -401,6 +173,7 @@ SYMBOLS = {
     "gamma1": "surface_energy", "gamma2": "surface_energy2", "w": "work_of_adhesion",
     "E1": "youngs_modulus", "E2": "youngs_modulus2", "E": "contact_modulus",
     "E_over_gamma": "modulus_over_energy", "nu1": "poisson_ratio", "nu2": "poisson_ratio2", "rho1": "density",
+    "rho2": "density2",
     "g": "gravity",
     "m1": "mass", "m2": "mass2", "m": "reduced_mass", "m_eff": "rolling_mass",
     "I1": "moment_of_inertia", "I2": "moment_of_inertia2", "I": "reduced_moment_of_inertia",
@@ -473,7 +246,7 @@ def _half_circle_pressure(r: Exact, A: Exact, delta: Exact, E: Exact, R: Exact) 
     return [hertz * depth, E * delta / (pi * A) / depth, -hertz / 2 / depth]
 
 
-# The equation of each formula, for its own accuracy; `exact_results`, for that of the whole, uses none of them.
+# The equation of each formula.
 EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     # the pair
     "work_of_adhesion": lambda gamma1, gamma2: 2 * sqrt(gamma1 * gamma2),
@@ -637,6 +410,17 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "unloaded_half_width": lambda w, R_c, E_strain: cbrt(32 * w * R_c**2 / (pi * E_strain)),
     **law_reference.EQUATIONS,
 }
+
+# What only scenes have: sphere 2, and a quantity that is another one by definition.
+OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
+    "mass2": lambda R2, rho2: 4 * pi / 3 * R2**3 * rho2,
+    "moment_of_inertia2": lambda m2, R2: 2 * m2 * R2**2 / 5,
+    "restructuring_energy_ormel": lambda E_roll: E_roll,
+}
+AT_AN_APPROACH = {
+    "load": "load_at_factor", "load_margin": "load_margin_of_factor", "load_factor": "load_factor_at_approach",
+}  # fmt: skip
+NO_RESULTS = ("boussinesq_pressure_at_approach", "initial_angular_speed")  # formulas that no plan takes
 
 # Formulas whose accuracy is stated for the ratio of two arguments as it is rounded.
 OF_A_RATIO = ("load_factor_at_approach", "load_margin_at_approach")

@@ -8,10 +8,12 @@ import pytest
 
 from audit.checks import Check, Terms, Verdict
 from audit.claims import PAGE, claims, table
-from audit.moment import XI, A, C, E, R
+from audit.moment import XI, A, C, E, R, X
 from audit.pair import pair, twins
 from harness import Run
 from jkroll import solve
+from jkroll.physics import cylinder, shifted
+from jkroll.scene.wiring import parameters_of
 from relative import approx
 
 CLAIMS = claims()
@@ -108,6 +110,41 @@ GIVEN: dict[str, Any] = {
 )
 def test_the_program_computes_what_follows(wanted: str, loaded: bool, follows: float) -> None:
     assert solve(wanted, load=pair.p if loaded else 0.0, **GIVEN) == approx(follows, rel=1e-9)
+
+
+STRIP = {
+    "contact_half_width": A, "yield_displacement": XI, "load_constant": C, "cylinder_radius": R,
+    "plane_strain_modulus": E, "position": X, "position_in_strip": X,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "equation"),
+    [
+        ("symmetric_pressure", "54-56"),
+        ("load_per_length", "57-59"),
+        ("asymmetric_pressure", "63, 64"),
+        ("strip_moment", "66-68"),
+        ("contact_point_moment", "69"),
+        ("half_strips_moment", "77"),
+    ],
+)
+def test_the_program_computes_what_follows_for_a_strip(name: str, equation: str) -> None:
+    formula = getattr(cylinder, name)
+    value = formula(**{parameter: STRIP[parameter] for parameter in parameters_of(formula)})
+    assert value == approx(claim(equation, "holds").row().follows, rel=1e-9)
+
+
+@pytest.mark.parametrize("place", [-0.8, 0.0, 0.3])
+def test_the_pressure_that_is_drawn_dents_to_the_shifted_sphere(place: float) -> None:
+    """That of `shifted_pressure` does, by the audit of Eq 25; its load is kept at an approach higher by ξ²/2R."""
+    value = shifted.exact_pressure(
+        position_in_circle=place * pair.a, contact_radius_at_load=pair.a, contact_modulus=pair.e,
+        reduced_radius=pair.r, yield_displacement=pair.xi, hertz_pressure=pair.hertz(pair.a),
+        boussinesq_pressure=pair.griffith(pair.a),
+    )  # fmt: skip
+    approach = pair.delta + pair.xi**2 / (2 * pair.r)
+    assert value == approx(pair.shifted_pressure(place * pair.a, 0.0, approach), rel=1e-9)
 
 
 # --- The page ---------------------------------------------------------------------------------------------------------

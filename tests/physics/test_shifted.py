@@ -13,35 +13,6 @@ from jkroll.quantities.markup import plain
 from relative import approx
 
 
-def test_the_exact_pressure_bears_the_load_and_the_moment_of_eq_25() -> None:
-    """Summed over the circle, by Gauss and Chebyshev: nothing at its rim is lost."""
-    names = ["contact_radius_at_load", "contact_modulus", "reduced_radius", "hertz_pressure", "boussinesq_pressure"]
-    state = solve([*names, "yield_moment"], material="quartz", radius=1e-7, load=3e-9)
-    shift, a = 2e-10, state["contact_radius_at_load"]
-    angles = (np.arange(400) + 0.5) * math.pi / 400
-    directions = (np.arange(64) + 0.5) * 2 * math.pi / 64
-    radii = a * np.sin(angles / 2)[:, None]  # r dr = (a²/2) sin cos dangle, which meets the rim softly
-    across = radii * np.cos(directions)[None, :]
-    parts = {
-        name: state[name] for name in ("contact_modulus", "reduced_radius", "hertz_pressure", "boussinesq_pressure")
-    }
-    along = np.linspace(-a, a, 9)[1:-1]
-    even = np.asarray(
-        shifted.exact_pressure(position_in_circle=along, contact_radius_at_load=a, yield_displacement=shift, **parts)
-    )
-    depth = np.sqrt(1 - (along / a) ** 2)
-    odd = (even - even[::-1]) / 2  # the tilt alone
-    tilt = 2 * state["contact_modulus"] * shift / (math.pi * state["reduced_radius"])
-    np.testing.assert_allclose(odd, tilt * along / a / depth, rtol=1e-9)
-    root = np.sqrt(1 - (radii / a) ** 2)
-    pressures = state["hertz_pressure"] * root + (state["boussinesq_pressure"] + tilt * across / a) / root
-    weights = (math.pi / 400) * (2 * math.pi / 64) * a * a * np.sin(angles / 2) * np.cos(angles / 2) / 2
-    load = float((pressures * weights[:, None]).sum())
-    about_contact_point = float(((across - shift) * pressures * weights[:, None]).sum())
-    assert load == approx(3e-9, rel=1e-4)
-    assert about_contact_point == approx(state["yield_moment"], rel=1e-4)
-
-
 def test_the_strip_without_load_meets_griffiths_criterion() -> None:
     """K²/(2E′) = w, with K = √(2πd) times the tension at a small distance d from the rim."""
     given = {"cylinder_radius": 2e-8, "plane_strain_modulus": 5.5e10}
