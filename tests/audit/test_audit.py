@@ -106,6 +106,11 @@ GIVEN: dict[str, Any] = {
         ("n_roll_energy_balance", False, claim("48", "wrong").row().follows),
         ("sticking_energy", False, claim("48 text", "approximate").row().follows * pair.p_c * pair.delta0),
         ("rolling_frequency", False, claim("40", "approximate").row().printed),
+        ("hertz_pressure", True, pair.hertz(pair.a)),
+        ("boussinesq_pressure", True, pair.griffith(pair.a)),
+        ("half_circles_moment", True, claim("16-20", "holds").row().follows),
+        ("vertical_frequency", False, claim("35", "holds").row().follows),
+        ("n_roll", False, claim("48", "holds").row().follows),
     ],
 )
 def test_the_program_computes_what_follows(wanted: str, loaded: bool, follows: float) -> None:

@@ -362,42 +362,6 @@ def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:
     assert "note: computed with the middle of γ1 = 25.0 ± 5.0 mJ/m²" in drawn.err.splitlines()
 
 
-def bounces(viscosity: float, speed: float) -> bool:
-    """Return whether grains that meet part again, by DustSimulation's force 2(T_vis/ν²)E*a dδ/dt on the JKR curve.
-
-    In units of δ0 and √(P_cδ0/m), with dt = 2·6^(-1/3)(z³ - 1)dσ: the motion is polynomial in z and u; they part at z =
-    1.
-    """
-    from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
-
-    c = 6 ** (-1 / 3)
-
-    def motion(_: float, state: Any) -> list[float]:
-        z, u = state
-        return [u, 2 * c * (z**3 - 1) * (-(z**3) * (z**3 - 6) / 9 - 2 * viscosity * c**2 * z**2 * u)]
-
-    def parts(_: float, state: Any) -> float:
-        return float(state[0] - 1.0000001)
-
-    def turns(_: float, state: Any) -> float:
-        """Return the speed, which rises through 0 where grains that were leaving are drawn back."""
-        return float(state[1])
-
-    for event, direction in ((parts, -1), (turns, 1)):
-        event.terminal, event.direction = True, direction  # type: ignore[attr-defined]
-    start = [4 ** (1 / 3), speed]
-    found = solve_ivp(motion, (0, 1e3), start, "DOP853", events=(parts, turns), rtol=1e-9, atol=1e-12)
-    return bool(len(found.t_events[0]))
-
-
-def test_critical_viscosity_by_the_equation_of_motion() -> None:
-    """Slightly below it a fast grain bounces, and slightly above it none does."""
-    for speed in (30.0, 300.0, 3000.0):
-        assert not bounces(1.005 * ALL_STICK, speed)
-    assert bounces(0.98 * ALL_STICK, 300.0)
-    assert not bounces(0.98 * ALL_STICK, 3.0)  # too slow
-
-
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -24,22 +24,6 @@ def test_two_aggregates_at_the_speed_have_the_energy(name: str) -> None:
     assert math.isclose(2 * (1000 * mass / 2 * (speed / 2) ** 2), energy, rel_tol=1e-14)
 
 
-def test_energies_are_those_of_one_contact_times_a_number() -> None:
-    """5 and 1 times 6π²γRξ, and 10 times all contacts of both, each 1.5426 or 1.8 F_cδ_c."""
-    names = [
-        "restructuring_energy",
-        "restructuring_energy_ormel",
-        "disruption_energy",
-        "disruption_energy_dust_simulation",
-    ]
-    unit = solve("fold_energy", **AGGREGATE)
-    five, one, exact, rule = (solve(names, contacts=1800, **AGGREGATE)[name] for name in names)
-    assert math.isclose(one, 6 * math.pi**2 * 0.025 * 5e-8 * 2e-10, rel_tol=1e-14)
-    assert math.isclose(five, 5 * one, rel_tol=1e-15)
-    assert math.isclose(exact, 10 * 2 * 1800 * 1.5426 * unit, rel_tol=3e-5)
-    assert math.isclose(rule, 10 * 2 * 1800 * 1.8 * unit, rel_tol=1e-14)
-
-
 def test_without_contacts_there_are_as_many_as_grains() -> None:
     for name in ("disruption_energy", "disruption_speed_dust_simulation"):
         assert solve(name, **AGGREGATE) == solve(name, contacts=1000, **AGGREGATE)
