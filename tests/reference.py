@@ -391,9 +391,6 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "energy_over_yield": lambda W0, W_yield: W0 / W_yield,
     "energy_over_sticking": lambda W0, U_stick: W0 / U_stick,
     # the strip of Appendix A, corrected as the docstrings say
-    "symmetric_pressure": lambda pos, b, R_c, E_strain, C: (
-        E_strain / (2 * R_c) * (sqrt(b**2 - pos**2) + (C - b**2 / 2) / sqrt(b**2 - pos**2))
-    ),
     "asymmetric_pressure": lambda X, b, xi, R_c, E_strain, C: (
         E_strain / (2 * R_c) * (sqrt(b**2 - X**2) + (C - b**2 / 2 + xi * X) / sqrt(b**2 - X**2))
     ),
@@ -438,9 +435,6 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
     "pressure": lambda r, a, p_H, p_B: max(p_H * sqrt(1 - (r / a) ** 2), abs(p_B) / sqrt(1 - (r / a) ** 2)),
     "boussinesq_pressure_at_approach": lambda delta, a, E, p_H: max(E * abs(delta) / (pi * a), p_H / 2),
     "yield_force_fixed_load": lambda M, R1, P, xi, R2: max(M / R1, abs(P * xi / R2)),
-    "symmetric_pressure": lambda pos, b, R_c, E_strain, C: (
-        E_strain / (2 * R_c) * max(b**2 - pos**2, abs(C), b**2 / 2) / sqrt(b**2 - pos**2)
-    ),
     "asymmetric_pressure": lambda X, b, xi, R_c, E_strain, C: (
         E_strain / (2 * R_c) * max(b**2 - X**2, abs(C), b**2 / 2, abs(xi * X)) / sqrt(b**2 - X**2)
     ),

@@ -70,7 +70,6 @@ from .physics.conventions import disruption_energy as disruption_energy
 from .physics.conventions import disruption_energy_dust_simulation as disruption_energy_dust_simulation
 from .physics.conventions import disruption_speed as disruption_speed
 from .physics.conventions import disruption_speed_dust_simulation as disruption_speed_dust_simulation
-from .physics.conventions import fold_energy as fold_energy
 from .physics.conventions import restructuring_energy as restructuring_energy
 from .physics.conventions import restructuring_speed as restructuring_speed
 from .physics.conventions import restructuring_speed_ormel as restructuring_speed_ormel
@@ -98,6 +97,7 @@ from .physics.jkr import contact_area_at_fold as contact_area_at_fold
 from .physics.jkr import contact_area_at_pull_off as contact_area_at_pull_off
 from .physics.jkr import contact_radius_at_fold as contact_radius_at_fold
 from .physics.jkr import contact_radius_at_pull_off as contact_radius_at_pull_off
+from .physics.jkr import fold_energy as fold_energy
 from .physics.jkr import load_at_factor as load_at_factor
 from .physics.jkr import load_factor_at_approach as load_factor_at_approach
 from .physics.jkr import load_margin_at_approach as load_margin_at_approach

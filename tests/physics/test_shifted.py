@@ -7,7 +7,7 @@ import numpy as np
 
 from jkroll import known_materials, solve
 from jkroll.physics import shifted
-from jkroll.physics.cylinder import symmetric_pressure
+from jkroll.physics.cylinder import asymmetric_pressure
 from jkroll.pictures.figures import figure_2, figure_9
 from jkroll.quantities.markup import plain
 from relative import approx
@@ -18,7 +18,8 @@ def test_the_strip_without_load_meets_griffiths_criterion() -> None:
     given = {"cylinder_radius": 2e-8, "plane_strain_modulus": 5.5e10}
     a = shifted.unloaded_half_width(work_of_adhesion=0.05, **given)
     distance = 1e-8 * a
-    tension = -symmetric_pressure(position=a - distance, contact_half_width=a, load_constant=0.0, **given)
+    symmetric = {"contact_half_width": a, "yield_displacement": 0.0, "load_constant": 0.0}
+    tension = -asymmetric_pressure(position_in_strip=a - distance, **symmetric, **given)
     assert 2 * math.pi * distance * tension**2 / (2 * given["plane_strain_modulus"]) == approx(0.05, rel=1e-6)
 
 

@@ -9,24 +9,12 @@ from __future__ import annotations
 
 from .dimensions import Angle, Energy, Length, Mass, Moment, Number, Speed, Stress, SurfaceEnergy
 from .elementary import cube, pi, sqrt
-from .jkr import FOLD_APPROACH
 
 # In P_cδ0, which is (81π⁵)^(1/3) γ^(5/3)R^(4/3)/E*^(2/3).
 STICKING_PASZUN_DOMINIK = 0.32895869205467987  # (8π/3) 1.07²/(81π⁵)^(1/3)
 STICKING_PENCIL_CODE = 0.6585009935846583  # 19.2/(81π⁵)^(1/3)
 CLOSEST_PACKING = 0.74  # the largest filling factor of equal spheres
 _BELOW = 8.881784197001253e-18  # by which 0.74 exceeds its double
-
-
-def fold_energy(*, adhesion_energy: Energy) -> Energy:
-    """Return the product of the pull-off force and the approach at the fold, a unit of energies.
-
-        F_cδ_c = (9/16)^(1/3) P_cδ0, F_c = P_c, δ_c = a0²/(2·6^(1/3)R) = |δ_min|
-
-    Source:   F_c and δ_c of the code Lumajord/DustSimulation, after Wada et al. 2007.
-    Valid:    JKR.
-    """
-    return -FOLD_APPROACH * adhesion_energy
 
 
 def break_energy_dust_simulation(*, fold_energy: Energy) -> Energy:

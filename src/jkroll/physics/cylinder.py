@@ -11,26 +11,6 @@ from .dimensions import Area, ForcePerLength, Length, MomentPerLength, Stress
 from .elementary import pi, sqrt
 
 
-def symmetric_pressure(
-    *,
-    position: Length,
-    contact_half_width: Length,
-    cylinder_radius: Length,
-    plane_strain_modulus: Stress,
-    load_constant: Area,
-) -> Stress:
-    """Return the pressure at a position in a strip that is centred on the contact point.
-
-        p_s = (E′/2R)[√(a² − x²) + (C − a²/2)/√(a² − x²)]
-
-    Source:   Eq (56), which solves Eq (51).
-    Valid:    |x| < a ≪ R, C ≤ a²/2; beyond, the surfaces would interpenetrate outside the strip.
-    """
-    depth = sqrt((contact_half_width - position) * (contact_half_width + position))
-    neck = load_constant - contact_half_width * contact_half_width / 2
-    return plane_strain_modulus / (2 * cylinder_radius) * (depth + neck / depth)
-
-
 def asymmetric_pressure(
     *,
     position_in_strip: Length,
@@ -44,7 +24,8 @@ def asymmetric_pressure(
 
         p_a = (E′/2R)[√(a² − X²) + (C − a²/2 + ξX)/√(a² − X²)]
 
-    Source:   Eq (64), which solves Eq (51). The C inside Eq (63) is minus this one.
+    Source:   Eq (64), and Eq (56), which is Eq (64) at ξ = 0; both solve Eq (51). The C inside Eq (63) is minus this
+              one.
     Valid:    |X| < a ≪ R, ξ ≤ a/2 − C/a; beyond, the leading edge, X = a, would interpenetrate.
     """
     depth = sqrt((contact_half_width - position_in_strip) * (contact_half_width + position_in_strip))

@@ -6,17 +6,9 @@ of the nomenclature (`typing.get_type_hints` with the names of this module). At 
 texts, and the formulas import `annotations` from `__future__`, so that `help` shows the dimension by its name.
 """
 
-from typing import TYPE_CHECKING, Annotated, TypeAlias
+from typing import Annotated, TypeAlias
 
-if TYPE_CHECKING:  # the formulas run without numpy
-    from numpy import bool_, float64
-    from numpy.typing import NDArray
-
-    FloatOrArray = float | NDArray[float64]
-    Condition = bool | NDArray[bool_]
-else:
-    FloatOrArray = float
-    Condition = bool
+from .elementary import FloatOrArray
 
 Length: TypeAlias = "Annotated[FloatOrArray, 'm']"
 PerLength: TypeAlias = "Annotated[FloatOrArray, 'm^-1']"

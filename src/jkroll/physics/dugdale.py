@@ -22,8 +22,7 @@ is near enough for a fixed number of steps.
 import math
 from collections.abc import Callable
 
-from .dimensions import Condition, FloatOrArray
-from .elementary import absolute, arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
+from .elementary import FloatOrArray, Truth, absolute, arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
 
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): below, a vanishes before fixed grips let go
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): below, approaching spheres attract before they touch
@@ -249,7 +248,7 @@ def approach_slope(transition: FloatOrArray, ring: Shape, span: FloatOrArray) ->
     return (ring.g3 - q * ring.h) * _stretch(transition, ring, span, q)
 
 
-def _is_any(condition: Condition) -> bool:
+def _is_any(condition: Truth) -> bool:
     """Return whether a condition is met, by any element for arrays."""
     return condition if isinstance(condition, bool) else bool(condition.any())
 

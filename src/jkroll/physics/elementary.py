@@ -8,8 +8,17 @@ before.
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
-from .dimensions import Condition, FloatOrArray
+if TYPE_CHECKING:  # the formulas run without numpy
+    from numpy import bool_, float64
+    from numpy.typing import NDArray
+
+    FloatOrArray = float | NDArray[float64]
+    Truth = bool | NDArray[bool_]
+else:
+    FloatOrArray = float
+    Truth = bool
 
 pi = math.pi
 NUMBER = float, int  # named once: `float | int` would be made anew by each call
@@ -118,7 +127,7 @@ def quotient(value: FloatOrArray, divisor: FloatOrArray, otherwise: float) -> Fl
     return where(is_known, value / where(is_known, divisor, 1.0), otherwise)
 
 
-def where(condition: Condition, value: FloatOrArray, otherwise: FloatOrArray) -> FloatOrArray:
+def where(condition: Truth, value: FloatOrArray, otherwise: FloatOrArray) -> FloatOrArray:
     """Return the one value or the other, element by element for arrays."""
     if isinstance(condition, bool):
         return value if condition else otherwise
@@ -127,7 +136,7 @@ def where(condition: Condition, value: FloatOrArray, otherwise: FloatOrArray) ->
     return numpy.where(condition, value, otherwise)
 
 
-def within(condition: Condition, value: FloatOrArray) -> FloatOrArray:
+def within(condition: Truth, value: FloatOrArray) -> FloatOrArray:
     """Return a value that is defined under a condition.
 
     Elsewhere a number raises ValueError, and an array holds nan.

@@ -7,8 +7,8 @@ have two between the fold and 0.
 
 from __future__ import annotations
 
-from .dimensions import Area, Energy, FloatOrArray, Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, pi, sqrt, where, within
+from .dimensions import Area, Energy, Force, Length, Number, Stress, SurfaceEnergy
+from .elementary import FloatOrArray, cbrt, pi, sqrt, where, within
 
 FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
 FOLD_APPROACH_REST = 1.4776601947357812e-17  # what rounding took from it
@@ -218,3 +218,14 @@ def sticking_energy(*, adhesion_energy: Energy) -> Energy:
     Valid:    JKR; no other loss.
     """
     return STICKING * adhesion_energy
+
+
+def fold_energy(*, adhesion_energy: Energy) -> Energy:
+    """Return the product of the pull-off force and the approach at the fold, a unit of energies.
+
+        F_cδ_c = (9/16)^(1/3) P_cδ0, F_c = P_c, δ_c = a0²/(2·6^(1/3)R) = |δ_min|
+
+    Source:   F_c and δ_c of the code Lumajord/DustSimulation, after Wada et al. 2007.
+    Valid:    JKR.
+    """
+    return -FOLD_APPROACH * adhesion_energy

@@ -8,8 +8,8 @@ Where the spheres attract without contact, v is 0 and T is c. `dugdale` has the 
 from __future__ import annotations
 
 from . import dugdale
-from .dimensions import Energy, FloatOrArray, Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
+from .dimensions import Energy, Force, Length, Number, Stiffness, Stress, SurfaceEnergy
+from .elementary import FloatOrArray, arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
 
 
 def length_unit_maugis(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:

@@ -8,7 +8,6 @@ from .dimensions import (
     AngularSpeed,
     Density,
     Energy,
-    FloatOrArray,
     Frequency,
     Inertia,
     Length,
@@ -22,7 +21,7 @@ from .dimensions import (
     SurfaceEnergy,
     Time,
 )
-from .elementary import at_least, at_most, cube, ln, pi, sqrt, within
+from .elementary import FloatOrArray, at_least, at_most, cube, ln, pi, sqrt, within
 
 
 def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency:

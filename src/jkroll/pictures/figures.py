@@ -12,7 +12,7 @@ import numpy
 from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
-from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
+from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment
 from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
@@ -184,10 +184,13 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     left, right = across(-a - shift, 0.0), across(0.0, a - shift)
     of_shifted = {"contact_half_width": a, "yield_displacement": shift, **size}
     exact = asymmetric_pressure(position_in_strip=shifted + shift, **of_shifted)
-    behind = symmetric_pressure(position=left, contact_half_width=a + shift, **size)
-    ahead = symmetric_pressure(position=right, contact_half_width=a - shift, **size)
+    size["yield_displacement"] = 0.0  # of each half
+    behind = asymmetric_pressure(position_in_strip=left, contact_half_width=a + shift, **size)
+    ahead = asymmetric_pressure(position_in_strip=right, contact_half_width=a - shift, **size)
     highest = modulus * a / (2 * radius)
-    symmetric = Curve("exact, Eq (56)", centred, symmetric_pressure(position=centred, contact_half_width=a, **size))
+    symmetric = Curve(
+        "exact, Eq (56)", centred, asymmetric_pressure(position_in_strip=centred, contact_half_width=a, **size)
+    )
     curves = [
         Curve("exact, Eq (64)", shifted, exact),
         Curve("half-strip ⟦a + ξ⟧", left, behind, 1, is_dashed=True),
