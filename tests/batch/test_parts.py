@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from harness import Run
-from jkroll.batch import command
+from jkroll.batch import run as command
 from jkroll.batch.run import Job, convert_one
 from jkroll.rows.reasons import Tally
 from tables import random_table
@@ -131,7 +131,7 @@ def test_a_run_that_was_ended_goes_on(run: Run, monkeypatch: pytest.MonkeyPatch,
         return convert_one(path, job)
 
     with monkeypatch.context() as patch:
-        patch.setattr("jkroll.batch.command.convert_one", until)
+        patch.setattr("jkroll.batch.run.convert_one", until)
         with pytest.raises(KeyboardInterrupt):
             run(*words, "-o", "forces/")
     before = times("forces")

@@ -58,21 +58,14 @@ class Delimited:
         if b'"' not in text:
             return end
         lines = as_lines(text[:end])
-        with suppress(csv.Error):
-            for _ in self._reader(lines):
-                pass
-            return end
         last = next((start for start, *_, problem in self.records(lines) if problem == _OPEN), len(lines))
         return sum(map(len, lines[:last]))
-
-    def _reader(self, lines: Iterable[str]) -> Any:
-        return csv.reader(lines, delimiter=self.separator, strict=True)
 
     def records(self, lines: Sequence[str]) -> Iterator[Record]:
         """Iterate over records. Their cells have a character for each byte. A line that is no record has none."""
         start = 0
         while start < len(lines):
-            reader, begin = self._reader(lines[start:]), start
+            reader, begin = csv.reader(lines[start:], delimiter=self.separator, strict=True), start
             try:
                 for cells in reader:
                     stop = begin + reader.line_num
@@ -110,14 +103,12 @@ class Delimited:
         self.header = self._safe(cells, line).rstrip("\r\n").encode(_BYTES)
         self.lines = self.preamble + stop
         whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
-        sample = [[cell.encode(_BYTES) for cell in row] for row in whole]
+        self.sample = [[*map(_text, row)] for row in whole]
         if self.separator != ",":
-            columns = [*zip(*sample, strict=True)]
-            read = [*compress(columns, map(is_read, self.names))]
-            self.has_decimal_commas = has_decimal_commas(read, columns, is_of_semicolons=self.separator == ";")
+            read = compress(zip(*self.sample, strict=True), map(is_read, self.names))
+            self.has_decimal_commas = has_decimal_commas(read, is_of_semicolons=self.separator == ";")
         if self.has_decimal_commas:
-            sample = [*map(with_points, sample)]
-        self.sample = [[cell.decode("utf-8", "replace") for cell in row] for row in sample]
+            self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
         end = "\r\n" if line.endswith("\r\n") else "\n"
         self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
         return sum(map(len, lines[: self.lines]))
@@ -129,7 +120,7 @@ class Delimited:
         """
         count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
         for place in (count, *reversed(range(count))):
-            text = _COMMENT.sub("", "".join(lines[place : place + 1])).encode(_BYTES).decode("utf-8", "replace").strip()
+            text = _text(_COMMENT.sub("", "".join(lines[place : place + 1]))).strip()
             if any(is_read(cell.strip('"')) for cell in text.split(self.separator)):
                 return place
         return count
@@ -191,31 +182,31 @@ class Delimited:
         odd: dict[int, str] = {}
         starts: list[int] = []
         lines = as_lines(text)
-        for start, stop, cells, problem in self.records(lines):
-            line = lines[start] if stop == start + 1 else "".join(lines[start:stop])
+        for start, stop, row, problem in self.records(lines):
+            line, cells = "".join(lines[start:stop]).rstrip("\r\n"), row
             if not line.strip(self.blanks):
                 continue
-            row, line = cells, line.rstrip("\r\n")
-            if len(cells) != width:
-                odd[len(rows)] = problem or _of_other_width(len(cells), width)
-                row = self._squared(cells or [line])
-                line = self._line(row)
+            if len(row) != width:
+                odd[len(rows)] = problem or _of_other_width(len(row), width)
+                padded = (row or [line]) + [""] * (width - max(len(row), 1))
+                rest = self.separator.join(padded[width - 1 :])  # with what is too much
+                cells = [*padded[: width - 1], rest]
+                line = self._line(cells)
             starts.append(start)
-            before.append(self._safe(row, line).encode(_BYTES))
-            rows.append(row)
+            before.append(self._safe(cells, line).encode(_BYTES))
+            rows.append(cells)
         columns = {name: [row[place].encode(_BYTES) for row in rows] for name, place in places.items()}
         return Records(before, columns, odd, starts, len(lines))
-
-    def _squared(self, cells: list[str]) -> list[str]:
-        """Return as many cells as the header has: what is too much stays in the last."""
-        last = len(self.names) - 1
-        rest = [self._line(cells[last:])] if len(cells) > last + 1 else cells[last:]
-        return [*cells[:last], *rest, *[""] * (last + 1 - len(cells))]
 
 
 def as_lines(text: bytes) -> list[str]:
     """Return the lines of a text with their ends, a character for each byte."""
     return io.StringIO(text.decode(_BYTES), newline="\n").readlines()
+
+
+def _text(cell: str) -> str:
+    """Return a cell with a character for each byte as text."""
+    return cell.encode(_BYTES).decode("utf-8", "replace")
 
 
 def _problem(error: str) -> str:
@@ -245,25 +236,30 @@ def tabbed(block: bytes) -> bytes:
 
 # --- Decimal commas ---------------------------------------------------------------------------------------------------
 
-_NUMERIC = re.compile(rb"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
-_MARKED = re.compile(rb"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
-_UNCLEAR = re.compile(rb"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
+_NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
+_MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
+_UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
 _POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
 
 
-def has_decimal_commas(
-    read: Sequence[Sequence[bytes]], columns: Sequence[Sequence[bytes]], *, is_of_semicolons: bool
-) -> bool:
-    """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
+def has_decimal_commas(columns: Iterable[Iterable[str]], *, is_of_semicolons: bool) -> bool:
+    """Return whether the numbers of columns have decimal commas. Raises BadTable for those that may be of thousands.
 
-    The columns that are read decide. All do where the marks of these may be of thousands, and between semicolons also
-    where these have none. Where nothing decides, points are decimal, but of thousands between semicolons.
+    A mark that stands in a number more than once is of thousands or of a list, and decides nothing. Where nothing
+    decides, points are decimal, but may be of thousands between semicolons.
+
+    >>> has_decimal_commas([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], is_of_semicolons=False)
+    True
     """
-    unclear = [number.decode() for number in _decimal_marks(read) if len(number) > 1]
-    for some in (read, columns) if unclear or is_of_semicolons else (read,):
-        marks = Counter(_decimal_marks(some))
-        if marks[b","] != marks[b"."]:
-            return marks[b","] > marks[b"."]
+    marks, unclear = Counter[str](), list[str]()
+    for cells in columns:
+        for whole, mark, fraction in _MARKED.findall(";".join(filter(_NUMERIC.match, cells))):
+            if _UNCLEAR.fullmatch(whole + mark + fraction):
+                unclear.append(whole + mark + fraction)
+            elif mark not in whole:
+                marks[mark] += 1
+    if marks[","] != marks["."]:
+        return marks[","] > marks["."]
     for number in unclear:
         if "," in number or is_of_semicolons:
             digits = number.replace(",", "").replace(".", "")
@@ -271,21 +267,6 @@ def has_decimal_commas(
                 f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
             )
     return False
-
-
-def _decimal_marks(columns: Iterable[Sequence[bytes]]) -> Iterator[bytes]:
-    """Iterate over the decimal marks of the numbers of columns; one that may be of thousands comes with its number.
-
-    A mark that stands in a number more than once is of thousands or of a list, and is left out.
-
-    >>> [*_decimal_marks([(b"0,125", b"1,200e3", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3")])]
-    [b',', b',', b',', b'1,200']
-    """
-    for cells in columns:
-        for whole, mark, fraction in _MARKED.findall(b";".join(filter(_NUMERIC.match, cells))):
-            number = whole + mark + fraction
-            if mark not in whole:
-                yield number if _UNCLEAR.fullmatch(number) else mark
 
 
 def _with_decimal_points(records: Records) -> Records:
@@ -297,13 +278,8 @@ def _with_decimal_points(records: Records) -> Records:
             text = quoted(column[row].decode("utf-8", "replace"))
             remedy = "write numbers without marks of thousands"
             odd.setdefault(row, f"{text} has a point, and this table has decimal commas: {remedy}")
-    points = {name: with_points(column) for name, column in cells.items()}
+    points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
     return records._replace(cells={**records.cells, **points}, odd=odd)
-
-
-def with_points(cells: Iterable[bytes]) -> list[bytes]:
-    """Return cells with decimal points in place of commas."""
-    return [cell.replace(b",", b".") for cell in cells]
 
 
 # --- NDJSON -----------------------------------------------------------------------------------------------------------

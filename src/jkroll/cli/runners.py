@@ -95,8 +95,7 @@ def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spre
 
 def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
-    from ..batch.command import run
-    from ..batch.run import Job
+    from ..batch.run import Job, run
     from ..rows.table import Asked
 
     if not call.subject:

@@ -91,8 +91,6 @@ class Column(NamedTuple):
         """Return the numbers of a block of cells, by the names of the columns."""
         cells = columns[self.name] if not self.sides else self._with_sides(columns)
         values = None if self.exponent is None else plain_numbers(cells, self.exponent)
-        if values is None:
-            values = self._of_one_unit(cells)
         return Numbers(values) if values is not None else self._of_many_kinds(cells)
 
     def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
@@ -100,36 +98,23 @@ class Column(NamedTuple):
         rows = zip(*(columns[name] for name in self.places), strict=True)
         return [self.joined(*(cell.decode(errors="replace") for cell in row)).encode() for row in rows]
 
-    def _of_one_unit(self, cells: Sequence[bytes]) -> Floats | None:
-        """Return the numbers of cells that are empty or have the same unit behind them; None if there are others."""
-        match = _CELL.fullmatch(next(filter(None, cells), b""))
-        unit = match[2] if match else None
-        exponent = _exponent(unit, self.name) if unit else None
-        if not unit or exponent is None:
-            return None
-        texts = [cell.removesuffix(unit) for cell in cells]
-        if unit in cells:  # without a number, which is no empty cell
-            return None
-        removed = sum(map(len, cells)) - sum(map(len, texts))
-        return plain_numbers(texts, exponent) if removed == len(unit) * (len(cells) - cells.count(b"")) else None
-
     def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
         """Return the numbers of cells of which some are no numbers, or have units of their own."""
         values = numpy.full(len(cells), numpy.nan)
-        by_exponent: dict[int, dict[int, bytes]] = {}
+        by_unit: dict[bytes | None, dict[int, bytes]] = {}
         others: list[int] = []
         for place, cell in enumerate(cells):
-            match = _CELL.fullmatch(cell)
-            exponent = (_exponent(match[2], self.name) if match[2] else self.exponent) if match else None
-            if match and exponent is not None:
-                by_exponent.setdefault(exponent, {})[place] = match[1]
+            if match := _CELL.fullmatch(cell):
+                by_unit.setdefault(match[2], {})[place] = match[1]
             elif cell and not cell.isspace():
                 others.append(place)
-        for exponent, texts in by_exponent.items():
-            if (numbers := plain_numbers([*texts.values()], exponent)) is not None:
-                values[[*texts]] = numbers
-            else:
+        for unit, texts in by_unit.items():
+            exponent = _exponent(unit, self.name) if unit else self.exponent
+            numbers = None if exponent is None else plain_numbers([*texts.values()], exponent)
+            if numbers is None:
                 others += texts
+            else:
+                values[[*texts]] = numbers
         meanings = {place: _meaning(self, cells[place]) for place in others}
         odd = [place for place, meaning in meanings.items() if isinstance(meaning, JkrollError)]
         uncertain = {place: meaning for place, meaning in meanings.items() if is_uncertain(meaning)}
