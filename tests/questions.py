@@ -1,6 +1,7 @@
 """Questions about rows at random, in texts: any command, law, materials, pair, state, energy and uncertainty."""
 
 import math
+import shlex
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import product
 from random import Random
@@ -50,6 +51,25 @@ class Ask(NamedTuple):
         first = [name for name in SPHERES if name in self.inputs]
         names = first + [name for name in NOMENCLATURE if name in self.inputs and name not in first]
         return [dict(zip(names, row, strict=True)) for row in product(*(self.inputs[name] for name in names))]
+
+
+def ask_of(line: str) -> Ask:
+    """Return the question of a command line; of a table, the material of sphere 2 is an option if it is one."""
+    command, *words = shlex.split(line)
+    inputs: dict[str, list[str]] = {}
+    others = {"--quantities": "", "--model": None}
+    while words:
+        word = words.pop(0)
+        if word in others:
+            others[word] = words.pop(0)
+        else:
+            name = _OF_OPTION.get(word) or ("radius" if word[0].isdigit() else "material")
+            inputs[name] = (words.pop(0) if word in _OF_OPTION else word).split(",")
+    options = [name for name in SPHERES[1:] if len(inputs.get(name, ())) == 1]
+    return Ask(command, inputs, others["--quantities"] or "", others["--model"], options)
+
+
+_OF_OPTION = {quantity.option: name for name, quantity in NOMENCLATURE.items() if quantity.option}
 
 
 class Sheet(NamedTuple):

@@ -52,7 +52,7 @@ from jkroll.scene.failures import (
 )
 from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
-from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
+from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
 FEW, MANY = range(10, 16), 1000
 PARTS = [range(first, first + MANY // 5) for first in range(0, MANY, MANY // 5)]  # of many questions
@@ -110,162 +110,84 @@ def _lacks(text: str) -> bool:
 
 # --- Tests ------------------------------------------------------------------------------------------------------------
 
-QUARTZ = {"material": ["quartz"], "radius": ["1e-7 m"]}
-PLAIN = {
-    "radius": ["1e-7 m"],
-    "surface_energy": ["0.025 J/m^2"],
-    "youngs_modulus": ["54e9 Pa"],
-    "poisson_ratio": ["0.17"],
-    "density": ["2600 kg/m^3"],
-}
-PLAIN_VALUES = {name: value_of(texts[0], name) for name, texts in PLAIN.items()}
+PLAIN = "'1e-7 m' --gamma '0.025 J/m^2' --young '54e9 Pa' --poisson 0.17 --density '2600 kg/m^3'"
 # What was found by random questions, as small as it shows.
-FOUND = {
-    "a row that is computed again, of an uncertain input": Ask(
-        "contact", {**QUARTZ, "radius": ["1e-7±1e-8 m", "1e-7 m"], "load": ["-1.17e-8 N"]}
+FOUND: Mapping[str, str] = {
+    "a row that is computed again, of an uncertain input": "contact quartz '1e-7±1e-8 m,1e-7 m' --load '-1.17e-8 N'",
+    "a load about 0, beside what the pull-off force follows from": (
+        "report quartz '8e-8 to 1.6e-7 m,1e-8 to 3e-7 m' --load '-4e-9 to 4e-9 N,(0±1e-9) N' --quantities "
+        "yield_force,load_margin"
     ),
-    "a load about 0, beside what the pull-off force follows from": Ask(
-        "report",
-        {**QUARTZ, "radius": ["8e-8 to 1.6e-7 m", "1e-8 to 3e-7 m"], "load": ["-4e-9 to 4e-9 N", "(0±1e-9) N"]},
-        "yield_force,load_margin",
+    "kinds of rows, and one law without any value": (
+        "n-grav ice-warm,iron '1e-7 m' --adhesion-hysteresis '0.006 J/m^2' --model dmt"
     ),
-    "kinds of rows, and one law without any value": Ask(
-        "n-grav",
-        {"material": ["ice-warm", "iron"], "radius": ["1e-7 m"], "adhesion_hysteresis": ["0.006 J/m^2"]},
-        model="dmt",
+    "a headline that does not concern the scene": "yield-force quartz '1e-7 m' --quantities yield_force,contact",
+    "an infinite result of JKR, too": (
+        "report quartz '1e-7 m' --radius2 plane --model dmt --quantities mass2,pull_off_force"
     ),
-    "a headline that does not concern the scene": Ask("yield-force", QUARTZ, "yield_force,contact"),
-    "an infinite result of JKR, too": Ask("report", {**QUARTZ, "radius2": ["plane"]}, "mass2,pull_off_force", "dmt"),
-    "an infinite result": Ask("report", {**QUARTZ, "radius2": ["plane", "1 um"]}, "mass2,reduced_mass"),
-    "ranges beside standard uncertainties": Ask(
-        "contact", {**QUARTZ, "radius": ["1e-7 m", "1e-7±1e-8 m"], "load": ["-1e-9 to 1e-9 N"]}
+    "an infinite result": "report quartz '1e-7 m' --radius2 'plane,1 um' --quantities mass2,reduced_mass",
+    "ranges beside standard uncertainties": "contact quartz '1e-7 m,1e-7±1e-8 m' --load '-1e-9 to 1e-9 N'",
+    "ranges about a value at which a quantity turns": (
+        f"contact {PLAIN} --poisson '-0.1 to 0.1,-0.2 to 0.2' --quantities contact_modulus,contact_radius"
     ),
-    "ranges about a value at which a quantity turns": Ask(
-        "contact", {**PLAIN, "poisson_ratio": ["-0.1 to 0.1", "-0.2 to 0.2"]}, "contact_modulus,contact_radius"
+    "five ranges": (
+        "contact '9e-8 to 1.1e-7 m,9e-7 to 1.1e-6 m' --radius2 '1e-7 to 2e-7 m' --gamma '0.02 to 0.03 J/m^2' "
+        "--young '5e10 to 6e10 Pa' --poisson '0.15 to 0.2' --quantities pull_off_force,contact_radius"
     ),
-    "five ranges": Ask(
-        "contact",
-        {
-            "radius": ["9e-8 to 1.1e-7 m", "9e-7 to 1.1e-6 m"],
-            "radius2": ["1e-7 to 2e-7 m"],
-            "surface_energy": ["0.02 to 0.03 J/m^2"],
-            "youngs_modulus": ["5e10 to 6e10 Pa"],
-            "poisson_ratio": ["0.15 to 0.2"],
-        },
-        "pull_off_force,contact_radius",
+    "more ranges than can be combined": (
+        f"report {PLAIN} '1e-7 to 1.1e-07 m' --gamma '0.025 to 0.027500000000000004 J/m^2' --young '54e9 to "
+        "59400000000.00001 Pa' --poisson '0.17 to 0.18700000000000003' --density '2600 to 2860.0000000000005 "
+        "kg/m^3' --xi '1e-10 to 2e-10 m' --gravity '9 to 10 m/s^2' --speed '1 to 2 m/s' --load '0 to 1e-9 N'"
     ),
-    "more ranges than can be combined": Ask(
-        "report",
-        {
-            name: [
-                (
-                    f"{texts[0].split()[0]} to "
-                    f"{float(texts[0].split()[0]) * 1.1!r}{texts[0].partition(' ')[1]}{texts[0].partition(' ')[2]}"
-                )
-            ]
-            for name, texts in PLAIN.items()
-        }
-        | {
-            "yield_displacement": ["1e-10 to 2e-10 m"],
-            "gravity": ["9 to 10 m/s^2"],
-            "speed": ["1 to 2 m/s"],
-            "load": ["0 to 1e-9 N"],
-        },
+    "ranges in a part of which the spheres do not touch": (
+        f"resistances {PLAIN} '3e-7 to 7.5e-7 m' --gamma '0.01 J/m^2' --young '4.3e10 to 1.36e11 Pa' --poisson "
+        "-0.4 --approach '-2.5e-11 m,-2.6e-11 m' --model maugis --quantities tangential_stiffness"
     ),
-    "ranges in a part of which the spheres do not touch": Ask(
-        "resistances",
-        {
-            **PLAIN,
-            "radius": ["3e-7 to 7.5e-7 m"],
-            "surface_energy": ["0.01 J/m^2"],
-            "poisson_ratio": ["-0.4"],
-            "youngs_modulus": ["4.3e10 to 1.36e11 Pa"],
-            "approach_at_load": ["-2.5e-11 m", "-2.6e-11 m"],
-        },
-        "tangential_stiffness",
-        "maugis",
+    "a range in which a quantity rises, jumps and falls": (
+        f"resistances {PLAIN} --young '1.2421e9 to 2.47835e10 Pa' --poisson 0.2 --poisson2 0.3 --young2 '1e10 "
+        "Pa,1.1e10 Pa' --quantities sliding_displacement"
     ),
-    "a range in which a quantity rises, jumps and falls": Ask(
-        "resistances",
-        {
-            **PLAIN,
-            "poisson_ratio": ["0.2"],
-            "poisson_ratio2": ["0.3"],
-            "youngs_modulus": ["1.2421e9 to 2.47835e10 Pa"],
-            "youngs_modulus2": ["1e10 Pa", "1.1e10 Pa"],
-        },
-        "sliding_displacement",
+    "a range with a least and a largest value inside": (
+        "contact '1.0601e-6 m' --gamma '0.07226 J/m^2' --young '1e9 Pa' --poisson '-0.49 to 0.3,-0.49 to 0.2' "
+        "--approach '-1.3e-9 m' --quantities stiffness"
     ),
-    "a range with a least and a largest value inside": Ask(
-        "contact",
-        {
-            "radius": ["1.0601e-6 m"],
-            "surface_energy": ["0.07226 J/m^2"],
-            "youngs_modulus": ["1e9 Pa"],
-            "poisson_ratio": ["-0.49 to 0.3", "-0.49 to 0.2"],
-            "approach_at_load": ["-1.3e-9 m"],
-        },
-        "stiffness",
+    "a contact of no radius": f"contact {PLAIN} --approach '0 m,1e-10 m' --model dmt",
+    "doubts of what rests on no contact": "report quartz '1e-9 m,1e-8 m' --load '-1 N,0 N' --xi '1e-9 m'",
+    "two holds of one row": (
+        "report quartz '3e-11 m,1e-12 m' --load '-3.56e-10 N' --quantities "
+        "zone_radius,reduced_moment_of_inertia,zone_span_at_approach"
     ),
-    "a contact of no radius": Ask("contact", {**PLAIN, "approach_at_load": ["0 m", "1e-10 m"]}, model="dmt"),
-    "doubts of what rests on no contact": Ask(
-        "report", {**QUARTZ, "radius": ["1e-9 m", "1e-8 m"], "load": ["-1 N", "0 N"], "yield_displacement": ["1e-9 m"]}
+    "a hold of all rows": "contact quartz '1e-7 m,2e-7 m' --approach '-1e-10 m' --model dmt",
+    "a quantity of identical spheres that lacks an input": (
+        "report '1e-7 m' --gamma '0.025 J/m^2' --young '54e9 Pa' --poisson 0.17 --radius2 '1e-7 m,2e-7 m'"
     ),
-    "two holds of one row": Ask(
-        "report",
-        {**QUARTZ, "radius": ["3e-11 m", "1e-12 m"], "load": ["-3.56e-10 N"]},
-        "zone_radius,reduced_moment_of_inertia,zone_span_at_approach",
+    "a result that is echoed as an input": "n-roll quartz '1e-7 m' --quantities energy,n_roll",
+    "an input that follows in some rows": f"n-roll {PLAIN} --young 'rigid,54e9 Pa' --young2 rigid",
+    "a zero of a quantity that has no value": (
+        "report graphite '1e-7 m,1e-8 m' --young rigid --model dmt --quantities edge_ratio_at_fold"
     ),
-    "a hold of all rows": Ask(
-        "contact", {**QUARTZ, "radius": ["1e-7 m", "2e-7 m"], "approach_at_load": ["-1e-10 m"]}, model="dmt"
+    "a state beyond the fold": (
+        "moment quartz '1e-7 m,1e-6 m' --approach '-1e-9 m' --quantities contact_displacement,zone_span"
     ),
-    "a quantity of identical spheres that lacks an input": Ask(
-        "report",
-        {name: texts for name, texts in PLAIN.items() if name != "density"} | {"radius2": ["1e-7 m", "2e-7 m"]},
+    "a state without contact": (
+        "moment quartz '1e-8 m' --approach '-3.8e-10 m,0 m' --model maugis --quantities contact_displacement,zone_span"
     ),
-    "a result that is echoed as an input": Ask("n-roll", QUARTZ, "energy,n_roll"),
-    "an input that follows in some rows": Ask(
-        "n-roll", {**PLAIN, "youngs_modulus": ["rigid", "54e9 Pa"], "youngs_modulus2": ["rigid"]}
+    "two rigid bodies beyond pull-off, among others": (
+        f"report {PLAIN} --young '1e9 Pa,rigid' --load '-1 N' --adhesion-hysteresis '0.003 J/m^2' --model dmt"
     ),
-    "a zero of a quantity that has no value": Ask(
-        "report",
-        {"material": ["graphite"], "radius": ["1e-7 m", "1e-8 m"], "youngs_modulus": ["rigid"]},
-        "edge_ratio_at_fold",
-        "dmt",
+    "nothing that concerns the scene": "aggregates quartz '1e-7 m' --radius2 '1e-6 m,2e-6 m'",
+    "nothing that concerns some rows": "aggregates quartz '1e-7 m' --radius2 '1e-6 m,1e-7 m'",
+    "a quantity that concerns one row, by the radius of sphere 1": (
+        "frequencies quartz '3e-9 m,4e-9 m' --radius2 '4e-9 m' --load '-1 N'"
     ),
-    "a state beyond the fold": Ask(
-        "moment",
-        {**QUARTZ, "radius": ["1e-7 m", "1e-6 m"], "approach_at_load": ["-1e-9 m"]},
-        "contact_displacement,zone_span",
+    "inputs of a quantity that concerns some rows": (
+        "frequencies gold,quartz '1e-7 m' --radius2 '1e-7 m,2e-7 m' --load '1e-9 N'"
     ),
-    "a state without contact": Ask(
-        "moment",
-        {**QUARTZ, "radius": ["1e-8 m"], "approach_at_load": ["-3.8e-10 m", "0 m"]},
-        "contact_displacement,zone_span",
-        "maugis",
+    "a rigid body of a material without a Poisson's ratio": (
+        f"frequencies {PLAIN} --material2 gold --radius2 '1e-7 m' --young2 rigid --load '-1e-9 N' --model maugis"
     ),
-    "two rigid bodies beyond pull-off, among others": Ask(
-        "report",
-        {**PLAIN, "youngs_modulus": ["1e9 Pa", "rigid"], "load": ["-1 N"], "adhesion_hysteresis": ["0.003 J/m^2"]},
-        model="dmt",
-    ),
-    "nothing that concerns the scene": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "2e-6 m"]}),
-    "nothing that concerns some rows": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "1e-7 m"]}),
-    "a quantity that concerns one row, by the radius of sphere 1": Ask(
-        "frequencies", {**QUARTZ, "radius": ["3e-9 m", "4e-9 m"], "radius2": ["4e-9 m"], "load": ["-1 N"]}
-    ),
-    "inputs of a quantity that concerns some rows": Ask(
-        "frequencies", {**QUARTZ, "material": ["gold", "quartz"], "radius2": ["1e-7 m", "2e-7 m"], "load": ["1e-9 N"]}
-    ),
-    "a rigid body of a material without a Poisson's ratio": Ask(
-        "frequencies",
-        {**PLAIN, "material2": ["gold"], "radius2": ["1e-7 m"], "youngs_modulus2": ["rigid"], "load": ["-1e-9 N"]},
-        model="maugis",
-        options=("material2",),
-    ),
-    "two reasons that are not those of all rows": Ask(
-        "contact",
-        {**QUARTZ, "material": ["quartz", "gold"], "load": ["-1 N", "0 N"], "material2": ["graphite", "gold"]},
+    "two reasons that are not those of all rows": (
+        "contact quartz,gold '1e-7 m' --load '-1 N,0 N' --material2 graphite,gold"
     ),
 }
 
@@ -277,13 +199,11 @@ LONG = ("five ranges", "ranges in a part of which the spheres do not touch")
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in FOUND]
 )
 def test_doors_agree_on_what_was_found(run: Run, name: str) -> None:
-    assert [*disagreements(run, FOUND[name])] == []
+    assert [*disagreements(run, ask_of(FOUND[name]))] == []
 
 
 def test_an_error_bar_that_no_double_holds_in_a_unit(run: Run) -> None:
-    assert [
-        *disagreements(run, Ask("moment", {"material": ["ice-warm"], "radius": ["1e-7 m", "1e-6 m"]}), UNITS[-1])
-    ] == []
+    assert [*disagreements(run, ask_of("moment ice-warm '1e-7 m,1e-6 m'"), UNITS[-1])] == []
 
 
 def test_doors_agree(run: Run) -> None:
@@ -323,36 +243,25 @@ def test_doors_agree_on_alternatives_of_fresh_questions(run: Run, numbers: range
     check_alternatives(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 
-QUARTZ_TO_ROLL = {"material": ["quartz"], "radius": ["1e-7 m", "1e-6 m"]}
-BESIDE = {
-    "one pair": Ask("yield-force", {**QUARTZ_TO_ROLL, "radius": ["3e-7 m"]}),
-    "one pair with an error bar": Ask(
-        "yield-force", {**QUARTZ_TO_ROLL, "radius": ["3e-7 m"], "surface_energy": ["0.022±0.002 J/m^2"]}
-    ),
-    "sizes about those that were measured": Ask("report", {**QUARTZ_TO_ROLL, "radius": ["9e-8 m", "1e-6 m", "4e-6 m"]}),
-    "several solids": Ask(
-        "n-grav", {"material": ["iron", "quartz", "silica-dry", "PS"], "radius": ["1e-7 m", "5e-6 m"]}
-    ),
-    "the size that was measured": Ask("yield-force", {"material": ["PS"], "radius": ["1e-5 m", "5e-6 m"]}),
-    "standard uncertainties": Ask(
-        "yield-force", {**QUARTZ_TO_ROLL, "surface_energy": ["0.022±0.002 J/m^2", "0.024 J/m^2"]}
-    ),
-    "ranges": Ask("r-min", {**QUARTZ_TO_ROLL, "radius": ["2e-7 to 3e-7 m", "1e-6 m"]}),
-    "an uncertain load": Ask("n-roll", {**QUARTZ_TO_ROLL, "load": ["1e-9±1e-10 N", "1e-8±1e-10 N"]}, model="maugis"),
-    "an uncertain atomic spacing": Ask(
-        "pull-off", {**QUARTZ_TO_ROLL, "atomic_spacing": ["3e-10±1e-10 m", "2e-10 to 4e-10 m"]}
-    ),
-    "sources of two kinds": Ask(
-        "pull-off", {**QUARTZ_TO_ROLL, "surface_energy": ["0.022±0.002 J/m^2"], "atomic_spacing": ["2e-10 to 4e-10 m"]}
-    ),
-    "another law": Ask("yield-force", QUARTZ_TO_ROLL, model="dmt"),
-    "a displacement that was given": Ask("yield-force", {**QUARTZ_TO_ROLL, "yield_displacement": ["1e-10 m"]}),
+BESIDE: Mapping[str, str] = {
+    "one pair": "yield-force quartz '3e-7 m'",
+    "one pair with an error bar": "yield-force quartz '3e-7 m' --gamma '0.022±0.002 J/m^2'",
+    "sizes about those that were measured": "report quartz '9e-8 m,1e-6 m,4e-6 m'",
+    "several solids": "n-grav iron,quartz,silica-dry,PS '1e-7 m,5e-6 m'",
+    "the size that was measured": "yield-force PS '1e-5 m,5e-6 m'",
+    "standard uncertainties": "yield-force quartz '1e-7 m,1e-6 m' --gamma '0.022±0.002 J/m^2,0.024 J/m^2'",
+    "ranges": "r-min quartz '2e-7 to 3e-7 m,1e-6 m'",
+    "an uncertain load": "n-roll quartz '1e-7 m,1e-6 m' --load '1e-9±1e-10 N,1e-8±1e-10 N' --model maugis",
+    "an uncertain atomic spacing": "pull-off quartz '1e-7 m,1e-6 m' --z0 '3e-10±1e-10 m,2e-10 to 4e-10 m'",
+    "sources of two kinds": "pull-off quartz '1e-7 m,1e-6 m' --gamma '0.022±0.002 J/m^2' --z0 '2e-10 to 4e-10 m'",
+    "another law": "yield-force quartz '1e-7 m,1e-6 m' --model dmt",
+    "a displacement that was given": "yield-force quartz '1e-7 m,1e-6 m' --xi '1e-10 m'",
 }
 
 
 @pytest.mark.parametrize("name", BESIDE)
 def test_doors_agree_on_what_stands_beside(run: Run, name: str) -> None:
-    assert [*alternative_disagreements(run, BESIDE[name])] == []
+    assert [*alternative_disagreements(run, ask_of(BESIDE[name]))] == []
 
 
 def check_alternatives(run: Run, seed: int, numbers: range) -> None:
@@ -483,7 +392,8 @@ def _in_lines(run: Run, ask: Ask, values: Mapping[str, float]) -> Iterator[str]:
 
 @pytest.mark.parametrize("quantity", ["pull_off_force", "yield_force", "n_roll"])
 def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
-    scene, x, y = Scene(PLAIN_VALUES), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
+    given = {name: value_of(text, name) for name, (text,) in ask_of(f"report {PLAIN}").inputs.items()}
+    scene, x, y = Scene(given), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
     request = PlotRequest(quantity, x, y, (("", scene),), (), known_materials())
     regions, _ = Layer(request, "", scene, [x, y]).regions()
     marks = {"a/z0": "few-atoms", "more than 5 %": "law-off", "more than a factor of 2": "law-off-2x"}

@@ -3,7 +3,6 @@
 import csv
 import io
 import math
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -461,18 +460,6 @@ def test_empty_cells_are_no_formulas(run: Run) -> None:
     assert safe == Path("out.tsv").read_bytes().replace(b'"=1+1"', b"'=1+1")
 
 
-def test_both_solids_may_differ_from_row_to_row(run: Run) -> None:
-    pairs = [("iron", "graphite"), ("graphite", "iron"), ("gold", "iron"), ("silica-dry", "gold")]
-    lines = ["material,material2,radius", *(f"{first},{second},1um" for first, second in pairs)]
-    Path("pairs.csv").write_text("\n".join(lines), encoding="utf-8")
-    assert run("batch pairs.csv -o out.csv").code == 0
-    with open("out.csv", encoding="utf-8", newline="") as file:
-        forces = [float(row["pull_off_force [N]"]) for row in csv.DictReader(file)]
-    for (first, second), force in zip(pairs, forces, strict=True):
-        alone = run(f"pull-off {first} 1um --material2 {second} --bare").out.split()[0]
-        assert force == approx(float(alone), rel=1e-12)
-
-
 @pytest.mark.parametrize("end", ENDS)
 def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
     rows: list[dict[str, Any]] = [
@@ -501,19 +488,6 @@ def test_the_input_is_not_overwritten(run: Run) -> None:
         assert run("batch", name, "-o", target).err == f"jkroll: -o: '{target}' is the input; it is not overwritten\n"
     assert run("batch", name, "-o", ".").code == 2
     assert Path(name).read_text() == GRAINS
-
-
-@pytest.mark.parametrize("jobs", ["1", pytest.param("2", marks=pytest.mark.slow)])
-def test_a_full_disk_is_an_error(jobs: str) -> None:
-    name = table(random_table(200, 5))
-    command = [sys.executable, "-m", "jkroll", "batch", name, "--quiet", "--no-doubt", "--jobs", jobs, "-o"]
-    full = subprocess.run([*command, "/dev/full"], capture_output=True, text=True)
-    assert (full.returncode, full.stderr) == (1, "jkroll: cannot write '/dev/full': No space left on device\n")
-    limited = subprocess.run(
-        ["sh", "-c", f"ulimit -f 30; exec {' '.join(command)} out.csv"], capture_output=True, text=True
-    )
-    assert (limited.returncode, limited.stderr) == (1, "jkroll: cannot write 'out.csv': File too large\n")
-    assert os.listdir() == [name]
 
 
 def test_a_closed_pipe_ends_it() -> None:

@@ -6,7 +6,6 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-import numpy as np
 import pytest
 
 from harness import Run
@@ -48,43 +47,6 @@ def test_a_row_says_why_it_has_no_value(run: Run) -> None:
     low, high = float(last["surface_energy [J/m^2]"]), float(first["surface_energy [J/m^2]"])
     assert "2 of 5 rows; median 14.5892 mJ/m²" in ran.err.replace("\n  ", " ")
     assert (low + high) / 2 == approx(14.5892e-3, rel=1e-5)
-
-
-@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
-def test_many_rows_are_what_infer_makes_of_arrays(run: Run, model: str) -> None:
-    random = Random(model)
-    forces = [f"{random.uniform(50, 900):.4g}" for _ in range(300)]
-    assert (
-        run(f"batch {table([['x', '2', force, ''] for force in forces])} -o out.csv {WORDS} --model {model}").code == 0
-    )
-    expected = infer(
-        "gamma", measured={"pull_off_force": np.array([float(f"{force}e-9") for force in forces])},
-        radius="2 um", radius2="plane", material="quartz", model=model,
-    )  # fmt: skip
-    found = [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")]
-    np.testing.assert_allclose(found, expected, rtol=1e-12)
-
-
-@pytest.mark.parametrize("name", ["surface_energy", pytest.param("youngs_modulus", marks=pytest.mark.slow)])
-@pytest.mark.parametrize(
-    "materials", [["quartz"], pytest.param(["iron"], marks=pytest.mark.slow), ["quartz", "iron", "ice-warm"]]
-)
-def test_what_is_inferred_is_of_both_spheres_where_they_are_of_one_material(
-    run: Run, name: str, materials: list[str]
-) -> None:
-    random = Random(7)
-    rows = [(random.choice(materials), random.uniform(12, 20)) for _ in range(6)]
-    lines = [f"{material},100,0,{size}\n" for material, size in rows]
-    Path("pairs.csv").write_text("".join(["material,R1 [nm],load [nN],a [nm]\n", *lines]), encoding="utf-8")
-    words = f"--infer {name} --measured contact_radius_at_load"
-    run(f"batch pairs.csv -o out.csv {words} --material2 quartz")
-    found = [float(row[next(key for key in row if key.startswith(name))]) for row in results("out.csv")]
-    for (material, size), value in zip(rows, found, strict=True):
-        expected = infer(
-            name, measured={"contact_radius_at_load": size * 1e-9},
-            material=material, material2="quartz", radius=1e-7, load=0.0,
-        )  # fmt: skip
-        assert value == approx(expected, rel=1e-12), material
 
 
 MATERIALS = ["quartz", "iron", "ice-warm", "polystyrene", "silica-dry", "gold"]

@@ -1,35 +1,20 @@
 """The rivals of the benchmark do the work that `jkroll batch` does."""
 
 import csv
-import importlib.util
 import shutil
-import sys
 from pathlib import Path
-from types import ModuleType
 
 import pytest
 
+from benchmarks import rivals
 from relative import approx
 
 ROWS = 300
 
 
-@pytest.fixture
-def rivals(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """The benchmark."""
-    path = Path(__file__).parents[1] / "benchmarks" / "rivals.py"
-    spec = importlib.util.spec_from_file_location("rivals", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    monkeypatch.setitem(sys.modules, "rivals", module)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
-def test_rivals_write_the_same_numbers(rivals: ModuleType, tmp_path: Path) -> None:
+def test_rivals_write_the_same_numbers(tmp_path: Path) -> None:
     table = tmp_path / "grains.csv"
     rivals.write_table(table, ROWS)
     found: dict[str, list[list[str]]] = {}

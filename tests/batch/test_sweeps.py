@@ -36,9 +36,6 @@ INFERENCES = [
 ]
 
 
-TEXTS = ("material", "model", "doubt", "status")
-
-
 def table(text: str) -> list[list[str]]:
     """The cells of a CSV table."""
     return list(csv.reader(text.splitlines()))
@@ -136,36 +133,6 @@ def test_what_is_named_is_a_column_whether_a_command_shows_it_there_or_not(
             empty = {name for name, cell in zip(header, row, strict=True) if not cell}
             shown = {"n_roll_after_impact", "yield_force_fixed_load [N]", "roll_energy_quarter_turn [J]"}
             assert not empty & (shown | {"rolling_frequency_as_printed [Hz]", "pull_off_force_lennard_jones [N]"})
-
-
-@pytest.mark.parametrize("end", ["csv", "parquet"])
-def test_rows_do_not_depend_on_the_blocks(run: Run, monkeypatch: pytest.MonkeyPatch, end: str) -> None:
-    """Neither do they on where a block ends among the laws, and Parquet has the cells of CSV."""
-    if end == "parquet":
-        pytest.importorskip("pyarrow")
-    sweep = [
-        "yield-force",
-        "quartz,ice-warm",
-        "10nm:1um:9",
-        "--model",
-        "jkr,maugis",
-        "--xi",
-        "2±0.2angstrom",
-        "--quiet",
-    ]
-    by("arrays", monkeypatch)
-    assert run(*sweep, "-o", "whole.csv") == (0, "", "")
-    monkeypatch.setattr("jkroll.rows.columns.BLOCK", 7)
-    assert run(*sweep, "-o", f"out.{end}") == (0, "", "")
-    if end == "csv":
-        assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
-        return
-    found = pytest.importorskip("pyarrow.parquet").read_table("out.parquet")
-    header, *rows = table(Path("whole.csv").read_text(encoding="utf-8"))
-    assert found.column_names == header
-    for place, name in enumerate(header):
-        cells = [row[place] or None for row in rows]
-        assert found[name].to_pylist() == (cells if name in TEXTS else [cell and float(cell) for cell in cells]), name
 
 
 def test_a_value_of_many_rows_is_rounded_once(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

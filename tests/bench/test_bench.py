@@ -6,13 +6,12 @@ import json
 import math
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from harness import Run, Stream
-from jkroll import physics, solve
+from jkroll import physics
 from jkroll.bench.report import (
     DEFAULT,
     HEADS,
@@ -29,8 +28,7 @@ from jkroll.bench.report import (
     write_bench,
 )
 from jkroll.bench.ways import DECIMALS, OTHER_WAYS, QUANTITIES, exact
-from maugis_reference import at_load, mpf
-from reference import BOUND, conditions, exact_results, ulp_error
+from reference import BOUND, conditions, exact_results
 from relative import approx
 
 OF_MAUGIS = "contact_radius_maugis"
@@ -106,27 +104,6 @@ def test_quadrature_converges_in_the_angle_and_hardly_in_the_radius() -> None:
     assert in_angle < min(10, 1e-9 * in_radius)
 
 
-@pytest.mark.parametrize("points", [regions(40)["ordinary"], regions(40)["extreme"]], ids=["ordinary", "extreme"])
-def test_two_references_agree(points: dict[str, np.ndarray]) -> None:
-    """The package's reference and that of the tests take the load in different terms."""
-    for point in each(points):
-        given = {
-            "radius": point["radius"],
-            "radius2": point["radius2"],
-            "surface_energy": point["work_of_adhesion"] / 2,
-            "youngs_modulus": 2 * point["contact_modulus"],
-            "poisson_ratio": 0.0,
-            "density": point["density"],
-            "yield_displacement": point["yield_displacement"],
-            "gravity": point["gravity"],
-        }
-        wanted = exact_results(given)
-        for quantity in QUANTITIES:
-            if quantity not in ("load_factor_at_approach", OF_MAUGIS):
-                nearest = exact(quantity, {**point, "load": 0.0}).nearest
-                assert ulp_error(nearest, wanted[quantity]) <= 0.5 + 1e-9
-
-
 def test_two_conditions_agree() -> None:
     """κ in the load, by the package's decimals and by the tests' mpmath."""
     names = ("contact_radius_at_load", "stiffness", "yield_moment", "vertical_frequency", "n_roll")
@@ -140,22 +117,6 @@ def test_two_conditions_agree() -> None:
         wanted = conditions(given, exact_results(given))
         for quantity in names:
             assert exact(quantity, point).condition == approx(wanted[quantity], rel=1e-6)
-
-
-def test_the_reference_of_maugis_law_solves_his_equations() -> None:
-    """Against the equations of the tests, which were written for another unknown and another precision."""
-    for point in each(regions(8)["ordinary"]):
-        pair: dict[str, Any] = {
-            name: point[name] for name in ("radius", "radius2", "work_of_adhesion", "contact_modulus")
-        }
-        names = ("transition_parameter", "reduced_radius")
-        transition, reduced = solve(
-            names, model="maugis", **pair, load=point["load"], atomic_spacing=point["atomic_spacing"]
-        ).values()
-        force = math.pi * point["work_of_adhesion"] * reduced
-        length = (math.pi * point["work_of_adhesion"] * reduced**2 / (4 / 3 * point["contact_modulus"])) ** (1 / 3)
-        radius, _ = at_load(mpf(transition), mpf(point["load"] / force))
-        assert exact("contact_radius_maugis", point)[0] == approx(float(radius) * length, rel=1e-12)
 
 
 @pytest.fixture

@@ -1,11 +1,11 @@
-"""`jkroll batch` against other ways: C++, polars, duckdb, pyarrow, pandas, awk, Miller; Parquet; small files.
+"""`jkroll batch` against other ways: C++, polars, duckdb, pyarrow, pandas; Parquet; small files.
 
     python tests/benchmarks/rivals.py [ROWS] [NAME...]          QUANTITIES=12 for the first twelve quantities alone
 
 Every rival reads the same table and writes the same columns, by the formulas of formulas.txt. They run in turns, ROUNDS
 (3) times; of each the best rate counts, by the clock. polars, duckdb and pyarrow have a thread for each core, `jkroll`
 a process, the others one thread. Memory is the proportional set size of all processes, at its highest. Needs g++, and
-whichever of the rivals is to be compared: `pip install 'jkroll[rivals]'`, gawk, mlr.
+whichever of the rivals is to be compared: `pip install 'jkroll[rivals]'`.
 """
 
 import contextlib
@@ -13,7 +13,6 @@ import importlib.util
 import math
 import os
 import resource
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -28,14 +27,7 @@ HEADER = (
     "[g/cm3],yield_displacement [nm],load [nN]"
 )
 NAMES = [text.split(" ")[0] for text in HEADER.split(",")][1:]
-SCALES = {
-    "radius": "/ 1e9",
-    "radius2": "/ 1e9",
-    "surface_energy": "/ 1e3",
-    "youngs_modulus": "* 1e9",
-    "poisson_ratio": "* 1",
-}
-SCALES |= {"density": "* 1e3", "yield_displacement": "/ 1e9", "load": "/ 1e9"}
+SCALES = dict(zip(NAMES, ("1e-9", "1e-9", "1e-3", "1e9", "1", "1e3", "1e-9", "1e-9"), strict=True))
 
 
 def formulas() -> list[tuple[str, str]]:
@@ -84,42 +76,9 @@ def write_cpp(folder: Path) -> Path:
     (folder / "formulas.h").write_text("\n".join(lines) + "\n", encoding="utf-8")
     names = ", ".join(f'",{name}"' for name in results())
     program = folder / "rival"
-    command = [
-        "g++",
-        "-std=c++17",
-        "-O2",
-        "-I",
-        str(folder),
-        f"-DNAMES={names}",
-        str(HERE / "rival.cpp"),
-        "-o",
-        str(program),
-    ]
-    subprocess.run(command, check=True)
+    options = ["-std=c++17", "-O2", "-I", str(folder), f"-DNAMES={names}"]
+    subprocess.run(["g++", *options, str(HERE / "rival.cpp"), "-o", str(program)], check=True)
     return program
-
-
-def awk_program() -> str:
-    """The same in awk."""
-    given = "".join(f"{name}=${place}{SCALES[name]};" for place, name in enumerate(NAMES, 2))
-    steps = "".join(f"{name}={expression};" for name, expression in formulas())
-    functions = (
-        "function fmin(a,b){return a<b?a:b} function fmax(a,b){return a>b?a:b} function cbrt(a){return "
-        "a<0?-((-a)^(1/3)):a^(1/3)}"
-    )
-    header = "".join(f",{name}" for name in results()) + ",status"
-    return (
-        f'{functions} BEGIN{{FS=OFS=",";OFMT=CONVFMT="%.17g";pi=atan2(0,-1)}} NR==1{{print $0 "{header}";next}}'
-        f'{{{given}{steps}print $0,{",".join(results())},""}}'
-    )
-
-
-def miller_program() -> str:
-    """The same in Miller's language."""
-    given = "".join(f"num {name}=$[[[{place}]]]{SCALES[name]};" for place, name in enumerate(NAMES, 2))
-    steps = "".join(f"num {name}={expression};" for name, expression in formulas() if name not in NAMES)
-    steps = steps.replace("fmin(", "min(").replace("fmax(", "max(").replace("pi ", "M_PI ").replace("pi)", "M_PI)")
-    return given + steps + "".join(f"${name}={name};" for name in results()) + '$status=""'
 
 
 def python_source() -> str:
@@ -132,13 +91,12 @@ CSV_MODULE = """
 import csv, sys
 from math import cbrt, pi, sqrt
 fmin, fmax = min, max
+scales = {scales}
 {source}
 reader, writer = csv.reader(sys.stdin), csv.writer(sys.stdout, lineterminator="\\n")
 writer.writerow([*next(reader), *{names}, "status"])
 for row in reader:
-    radius, radius2, gamma, young, poisson, density, xi, load = map(float, row[1:])
-    given = radius / 1e9, radius2 / 1e9, gamma / 1e3, young * 1e9, poisson, density * 1e3, xi / 1e9, load / 1e9
-    writer.writerow([*row, *function(*given), ""])
+    writer.writerow([*row, *function(*(float(cell) * scale for cell, scale in zip(row[1:], scales))), ""])
 """
 PANDAS = """
 import sys
@@ -146,7 +104,7 @@ import pandas
 from numpy import cbrt, fmax, fmin, pi, sqrt
 {source}
 table = pandas.read_csv(sys.stdin)
-scales = [1e-9, 1e-9, 1e-3, 1e9, 1, 1e3, 1e-9, 1e-9]
+scales = {scales}
 columns = [table.iloc[:, place + 1] * scale for place, scale in enumerate(scales)]
 for name, values in zip({names}, function(*columns)):
     table[name] = values
@@ -159,7 +117,7 @@ import numpy
 from numpy import cbrt, fmax, fmin, pi, sqrt
 {source}
 NAMES = {names}
-scales = [1e-9, 1e-9, 1e-3, 1e9, 1, 1e3, 1e-9, 1e-9]
+scales = {scales}
 def results(columns):
     return function(*(column * scale for column, scale in zip(columns, scales)))
 """
@@ -201,7 +159,7 @@ duckdb.sql(f"COPY ({query}) TO '{{sys.argv[2]}}' (HEADER)".replace("FROM input",
 def duckdb_query() -> str:
     """The formulas in SQL: a table after another, each with one more column."""
     given = ", ".join(
-        f'"{text}" {SCALES[name]} AS {name}' for text, name in zip(HEADER.split(",")[1:], NAMES, strict=True)
+        f'"{text}" * {SCALES[name]} AS {name}' for text, name in zip(HEADER.split(",")[1:], NAMES, strict=True)
     )
     query = f"SELECT *, {given} FROM input"
     for name, expression in formulas():
@@ -237,18 +195,14 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
         words = [str(folder / "grains.parquet"), "-o", str(folder / "jkroll.parquet")]
         found.append(Rival("jkroll, Parquet", [*batch, *words]))
     found.append(Rival("C++", [str(write_cpp(folder))]))
-    for program, words in (
-        ("gawk", ["gawk", awk_program()]),
-        ("mlr", ["mlr", "--icsv", "--ocsv", "put", miller_program()]),
-    ):
-        if shutil.which(program):
-            found.append(Rival(program, words))
     for name, text in scripts.items():
         if name != "csv module" and not importlib.util.find_spec(name):
             continue
         path = folder / f"rival_{name.split()[0]}.py"
         query = duckdb_query() if name == "duckdb" else ""
-        path.write_text(text.format(source=python_source(), names=results(), query=query), encoding="utf-8")
+        scales = f"[{', '.join(SCALES.values())}]"
+        source = text.format(source=python_source(), names=results(), query=query, scales=scales)
+        path.write_text(source, encoding="utf-8")
         words = [str(table), str(folder / f"{name}.csv")] if name in ("polars", "pyarrow", "duckdb") else []
         found.append(Rival(name, [sys.executable, str(path), *words]))
     return found

@@ -44,13 +44,6 @@ def field_of(name: str) -> Field:
     return field
 
 
-def at(name: str, x: float, y: float) -> float:
-    """Return the value at the nearest point of a map."""
-    column = int(np.argmin(abs(np.log(panel_of(name).x.values() / x))))
-    row = int(np.argmin(abs(np.log(panel_of(name).y.values() / y))))
-    return float(field_of(name).values[row, column])
-
-
 @pytest.mark.parametrize(
     ("name", "formula"),
     [
@@ -90,28 +83,6 @@ def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
     assert panel_of("3b").y.low < 0.8e-9
     assert 1.0 in field_of("3b").levels()
     assert "0.8 nm; the text has 1 nm" in paper("3b").remarks[0]
-
-
-def test_fig_3c_50_um_at_100_nm() -> None:
-    assert at("3c", 1e-2, 1e-7) == approx(solve("r_min", radius=1e-7), rel=0.3)
-    assert solve("r_min", radius=1e-7) == approx(50e-6, rel=1e-9)
-
-
-def test_fig_3d_a_thousand_spheres_and_a_single_one() -> None:
-    given: dict[str, Any] = {"density": 2000.0, "gravity": 9.80665}
-    (point,) = [mark for mark in panel_of("3d").marks if mark.y is not None]
-    assert round(solve("n_grav", surface_energy=point.x, radius=point.y, **given)) == int(point.text)
-    for material, radius in (("polystyrene", 8e-6), ("iron", 52e-6)):
-        gamma = known_materials()[material].properties["surface_energy"]
-        assert solve("n_grav", surface_energy=gamma, radius=radius, **given) == approx(1, abs=0.05)
-
-
-def test_fig_6_ghz_and_how_much_slower_rolling_is() -> None:
-    for gamma, radius in ((1e-3, 35e-9), (1e1, 130e-9)):
-        scene: dict[str, Any] = {**SOFT, "density": 2000.0, "surface_energy": gamma, "radius": radius}
-        assert solve("vertical_frequency", **scene) == approx(1e9, rel=0.03)
-    both = solve(["vertical_frequency", "rolling_frequency"], **SOFT, density=2000.0, surface_energy=0.1, radius=1e-7)
-    assert both["vertical_frequency"] / both["rolling_frequency"] == approx(5.3, abs=0.06)
 
 
 def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:

@@ -3,7 +3,6 @@
 import csv
 import json
 import math
-from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -105,15 +104,6 @@ def test_all_solutions_are_named() -> None:
     assert str(caught.value) == "radius: 352.067 nm and 846.302 nm both give approach_at_load = 300 pm"
 
 
-def test_two_solutions_between_two_points_of_the_scan_are_found() -> None:
-    scene = Scene({"load": 5e-8}, known_materials()["quartz"])
-    least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))
-    with pytest.raises(SeveralSolutions) as caught:
-        solution("radius", "approach_at_load", 1.00001 * least, scene)
-    low, high = (one["radius"] for one in caught.value.values)
-    assert 1 < high / low < 1.1
-
-
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 @pytest.mark.parametrize("quantity", ["rolling_frequency", "n_grav", "sliding_frequency"])
 def test_two_solutions_between_pull_off_and_the_scan_are_found(quantity: str, model: str) -> None:
@@ -191,26 +181,6 @@ def test_a_stretch_without_dependence_is_told(ulp: int) -> None:
     assert math.isnan(infer("radius", measured={"sticking_speed": [speed, speed]}, **given)[0])
 
 
-def test_a_load_is_found_up_to_pull_off() -> None:
-    scene = Scene(PLANE, known_materials()["quartz"])
-    force = scene["pull_off_force"]
-    at_pull_off = scene.replace(load=-force)["contact_radius_at_load"]
-    assert solution("load", "contact_radius_at_load", at_pull_off, scene).values["load"] == approx(-force, rel=1e-12)
-    unloaded = solution("load", "contact_radius_at_load", scene["contact_radius"], scene)
-    assert abs(unloaded.values["load"]) < 1e-15 * force
-    with pytest.raises(NoSolution):
-        solution("load", "contact_radius_at_load", 0.9 * at_pull_off, scene)
-
-
-def test_both_spheres_of_one_material_are_inferred_together() -> None:
-    quartz = known_materials()["quartz"]
-    alone, twice = Scene({"radius": 1e-6}, quartz), Scene({"radius": 1e-6}, quartz, quartz)
-    values = [
-        solution("surface_energy", "pull_off_force", 1e-7, scene).values["surface_energy"] for scene in (alone, twice)
-    ]
-    assert values[0] == values[1]
-
-
 @pytest.mark.parametrize(
     ("name", "quantity", "given", "error", "words"),
     [
@@ -276,13 +246,6 @@ def test_both_ends_of_what_a_quantity_can_be_are_exact(measured: float) -> None:
 def test_wrong_arguments_are_refused_in_words(name: Any, measured: Any, words: str) -> None:
     with pytest.raises(jkroll.JkrollError, match=words):
         infer(name, measured=measured, **PLANE)
-
-
-def test_arrays_hold_nan_where_there_is_no_solution() -> None:
-    found = infer("gamma", measured={"pull_off_force": [1e-7, 2e-7, 1e26]}, radius=[[1e-6], [2e-6]], radius2="plane")
-    assert found.shape == (2, 3)
-    assert numpy.isnan(found[:, 2]).all()
-    assert found[0, 0] == approx(2 * found[1, 0], rel=1e-15)
 
 
 def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
@@ -396,19 +359,6 @@ def test_more_rows_than_are_explained(run: Run) -> None:
     refused = run(f"{words} --json")
     assert (refused.code, refused.out) == (2, "")
     assert refused.err == "jkroll: --json: 10001 pairs are more than 10000; --csv writes any number\n"
-
-
-def test_a_material_that_lacks_an_input_fails_its_rows_alone(run: Run, tmp_path: Path) -> None:
-    (tmp_path / "own.toml").write_text(
-        '[materials.soft]\nyoungs_modulus = "1 GPa"\n[materials.stiff]\nyoungs_modulus = "1 GPa"\npoisson_ratio = 0.3\n'
-    )
-    words = "infer gamma soft,stiff 2um --measured contact_radius=30nm --materials own.toml --csv"
-    ran = run(words)
-    assert ran.code == 1
-    values = column(ran.out, "surface_energy [J/m^2]")
-    assert (values[0], values[1] != "") == ("", True)
-    assert column(ran.out, "status")[0] == "needs poisson_ratio"
-    assert run(words.replace(",stiff", "")).code == 2
 
 
 def test_rows_that_all_lack_an_input_say_so_one_by_one(run: Run) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy
 import pytest
 
-from jkroll import infer, known_materials, solve
+from jkroll import infer, known_materials
 from jkroll.errors import NoResult
 from jkroll.quantities.laws import LAWS
 from jkroll.scene import unknowns
@@ -170,13 +170,6 @@ def test_infer_takes_arrays_with_special_values_among_others() -> None:
         assert found[place] == approx(expected, rel=1e-14)
 
 
-@pytest.mark.slow
-def test_more_values_than_are_inferred_at_once() -> None:
-    forces = numpy.geomspace(1e-9, 1e-6, 9000)
-    found = infer("gamma", measured={"pull_off_force": forces}, radius=2e-6, radius2="plane")
-    assert found == approx(forces / (3 * math.pi * 2e-6), rel=1e-15)
-
-
 def test_no_values_are_no_values() -> None:
     found = infer("gamma", measured={"pull_off_force": numpy.zeros((0, 3))}, radius=2e-6)
     assert found.shape == (0, 3)
@@ -185,10 +178,3 @@ def test_no_values_are_no_values() -> None:
 def test_an_input_that_arrays_lack_is_named() -> None:
     with pytest.raises(MissingInput, match="contact radius without load needs Young's modulus"):
         infer("gamma", measured={"contact_radius": [1e-8, 2e-8]}, radius=2e-6)
-
-
-def test_what_arrays_infer_gives_what_was_measured() -> None:
-    loads = numpy.linspace(-2e-8, 2e-8, 7)
-    radii = solve("contact_radius_at_load", material="quartz", radius=1e-6, load=loads, model="maugis")
-    found = infer("load", measured={"contact_radius_at_load": radii}, material="quartz", radius=1e-6, model="maugis")
-    assert found == approx(loads, rel=1e-13, abs=1e-20)

@@ -25,124 +25,18 @@ from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.physics import jkr
 from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
-from jkroll.scene.alternatives import at_half_spacing, at_other_reading, by_law, factor_of_law, in_place_of
+from jkroll.scene.alternatives import factor_of_law, in_place_of
 from jkroll.scene.failures import Failure, NotInLaw
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import plan_for, steps_to
-from maugis_reference import Exact, cbrt, mpf, pi
+from maugis_reference import cbrt, mpf, pi
 from relative import approx
 from scenes import log_uniform
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
-STATE = ("contact_radius_at_load", "zone_radius", "approach_at_load", "stiffness", "yield_moment", "load")
-
-
-class Units:
-    """The units of Maugis' equations and λ for a pair of spheres, exactly."""
-
-    def __init__(self, scene: dict[str, float]) -> None:
-        of = {name: mpf(value) for name, value in scene.items() if not math.isinf(value)}
-        radius2 = scene["radius2"]
-        curvature = 1 / of["radius"] + (0 if math.isinf(radius2) else 1 / of["radius2"])
-        modulus = 1 / sum(
-            (1 - of["poisson_ratio" + of_sphere] ** 2) / of["youngs_modulus" + of_sphere] for of_sphere in ("", "2")
-        )
-        self.R, self.w, self.K = (
-            1 / curvature,
-            2 * reference.sqrt(of["surface_energy"] * of["surface_energy2"]),
-            4 * modulus / 3,
-        )
-        stress = 16 * self.w / (9 * reference.sqrt(mpf(3)) * of["atomic_spacing"])
-        self.transition = 2 * stress / cbrt(pi * self.w * self.K**2 / self.R)
-        self.length = cbrt(pi * self.w * self.R**2 / self.K)
-        self.approach = cbrt(pi**2 * self.w**2 * self.R / self.K**2)
-        self.force = pi * self.w * self.R
-
-    def state(self, a: Exact, t: Exact) -> dict[str, Exact]:
-        """Return a state in SI units."""
-        load = reference.load(a, t, self.transition)
-        return {
-            "contact_radius_at_load": a * self.length,
-            "zone_radius": a * reference.sqrt(1 + t**2) * self.length,
-            "approach_at_load": reference.approach(a, t, self.transition) * self.approach,
-            "stiffness": reference.stiffness(t, self.transition) * self.force / self.approach,
-            "yield_moment": (a**3 - load) * self.force * mpf(2e-10),
-            "load": load * self.force,
-        }
-
-
-def random_pair(source: random.Random) -> dict[str, Any]:
-    """Return an unequal pair of spheres, or a sphere on a plane."""
-    scene: dict[str, Any] = {"radius": 10 ** source.uniform(-9, -4), "atomic_spacing": 10 ** source.uniform(-10, -9)}
-    scene["radius2"] = source.choice([math.inf, scene["radius"] * 10 ** source.uniform(-1, 1)])
-    for sphere in ("", "2"):
-        scene["surface_energy" + sphere] = 10 ** source.uniform(-2, 0.5)
-        scene["youngs_modulus" + sphere] = 10 ** source.uniform(8, 11.5)
-        scene["poisson_ratio" + sphere] = source.uniform(0, 0.49)
-    return scene
-
-
-@pytest.mark.parametrize("given_state", ["load", "approach_at_load"])
-def test_states_of_random_pairs_are_those_of_maugis(given_state: str) -> None:
-    source = random.Random(1992)
-    for _ in range(12):
-        pair = random_pair(source)
-        units = Units(pair)
-        unloaded = solve(["pull_off_force", "approach"], model="maugis", **pair)
-        value = (
-            unloaded["pull_off_force"] * source.choice([0.0, source.uniform(-0.9, 0), 10 ** source.uniform(-2, 3)])
-            if given_state == "load"
-            else unloaded["approach"] * source.uniform(0.2, 5)
-        )
-        found = solve(STATE, model="maugis", **pair, **{given_state: value})
-        if given_state == "load":
-            exact = units.state(*reference.at_load(units.transition, mpf(value) / units.force))
-        else:
-            exact = units.state(*reference.at_approach(units.transition, mpf(value) / units.approach))
-        for name in STATE:
-            scale = max(abs(exact[name]), units.force * mpf(10) ** -3 if name == "load" else 0)
-            assert abs(mpf(found[name]) - exact[name]) <= mpf(10) ** -12 * scale, (name, pair, value)
-
-
-def test_the_pull_off_force_of_random_pairs_is_that_of_maugis() -> None:
-    source = random.Random(1976)
-    for _ in range(12):
-        pair = random_pair(source)
-        units = Units(pair)
-        least = reference.load(*reference.pull_off(units.transition), units.transition)
-        force = solve("pull_off_force", model="maugis", **pair)
-        assert abs(mpf(force) + least * units.force) <= mpf(10) ** -14 * units.force
 
 
 # --- What follows from the state --------------------------------------------------------------------------------------
-
-
-def test_numbers_of_a_grain() -> None:
-    """Quartz of 100 nm at z0 = 4 Å, over JKR: computed from Maugis' equations apart from the program."""
-    names = [
-        "pull_off_force",
-        "contact_radius_at_load",
-        "approach_at_load",
-        "vertical_frequency",
-        "yield_moment",
-        "well_energy",
-    ]
-    between, jkr = (solve(names, model=model, **QUARTZ) for model in ("maugis", "jkr"))
-    ratios = [between[name] / jkr[name] for name in names]
-    assert [round(ratio, 3) for ratio in ratios] == [1.274, 0.754, 1.139, 1.043, 0.429, 2.848]
-
-
-@pytest.mark.parametrize("model", ["maugis", "dmt"])
-def test_what_is_made_of_the_moment_follows_it(model: str) -> None:
-    names = [
-        "yield_moment", "yield_force", "mean_rolling_moment", "n_grav", "rolling_stiffness", "rolling_frequency",
-        "rolling_frequency_no_slip", "n_roll", "n_roll_energy_balance", "yield_energy", "energy_over_yield",
-    ]  # fmt: skip
-    jkr, other = (solve(names, **QUARTZ, radius2=3e-7, load=1e-9, model=law) for law in ("jkr", model))
-    ratio = other["yield_moment"] / jkr["yield_moment"]
-    powers = [1, 1, 1, 0.5, 1, 0.5, 0.5, -1, -1, 1, -1]
-    for name, power in zip(names, powers, strict=True):
-        assert math.isclose(other[name] / jkr[name], ratio**power, rel_tol=1e-13), name
 
 
 @given(
@@ -186,14 +80,6 @@ def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: floa
 
 
 # --- Hysteresis of adhesion -------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("model", "edge"), [("jkr", "contact_radius_at_load"), ("maugis", "zone_radius")])
-def test_hysteresis_gives_the_moment_that_it_supplies(model: str, edge: str) -> None:
-    names = ["yield_moment", edge, "reduced_radius", "hysteresis_ratio", "work_of_adhesion"]
-    found = solve(names, model=model, **QUARTZ, load=2e-9, adhesion_hysteresis=0.01)
-    assert math.isclose(found["yield_moment"], 2 * found[edge] * found["reduced_radius"] * 0.01, rel_tol=1e-14)
-    assert math.isclose(found["hysteresis_ratio"], 0.01 / found["work_of_adhesion"], rel_tol=1e-14)
 
 
 def test_hysteresis_is_at_most_the_work_of_adhesion() -> None:
@@ -321,36 +207,6 @@ def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.Monkey
     for name, values in solve(names, **given).items():
         assert numpy.shape(values) == numpy.shape(whole[name])
         assert numpy.array_equal(values, whole[name]), name
-
-
-def test_arrays_that_are_the_same_under_both_laws_are_evaluated_once() -> None:
-    """Each value of an alternative is that of the scene made anew, also where a load is beyond pull-off."""
-    radii = numpy.geomspace(2e-8, 2e-6, 20)
-    given = {"surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17, "density": 2650.0}
-    scene = Scene({**given, "radius": radii, "load": -1e-8})
-    names = ["mass", "pull_off_force", "yield_moment", "n_grav", "stiffness", "rolling_frequency"]
-    scene.evaluate(names)
-    other, reading = by_law(scene), at_other_reading(scene)
-    assert reading is not None
-    assert other["mass"] is scene["mass"]
-    for alternative in (other, reading, at_half_spacing(other)):
-        anew = Scene(alternative.stated, model="maugis").evaluate(names)
-        assert numpy.isnan(anew["yield_moment"]).any()
-        for name, values in alternative.evaluate(names).items():
-            assert numpy.array_equal(values, anew[name], equal_nan=True), name
-
-
-def test_the_curve_of_dmt_is_that_of_hertz_below_its_pull_off_force() -> None:
-    scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model="dmt")
-    force, radius, modulus = (scene[name] for name in ("pull_off_force", "reduced_radius", "contact_modulus"))
-    rows = [*map(AtState, at_states([scene]))]
-    loads = [row.value("load") or 0.0 for row in rows]
-    assert loads == sorted(loads)
-    assert (loads[0], rows[0].state.name) == (-force, "pull-off")
-    assert loads[-1] == approx(16 / 9 * force)
-    for row, load in zip(rows, loads, strict=True):
-        hertz = 4 / 3 * modulus * math.sqrt(radius) * row.state.value**1.5
-        assert load + force == approx(hertz, rel=1e-9, abs=1e-12 * force)
 
 
 @pytest.mark.parametrize("radius", [1e-8, 1e-7, 1e-5, 1e-3])
@@ -532,16 +388,6 @@ def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
         load = -solve("pull_off_force", model=law, **grain)
         one = solve("contact_radius_at_load", model=law, load=load, **grain)
         assert solve("contact_radius_at_load", model=law, load=[load, 0.0], **grain)[0] == approx(one, rel=1e-6)
-
-
-@pytest.mark.parametrize("approach", [-3e-10, 1e-9, 2e-9])
-def test_at_an_approach_the_quantities_of_maugis_are_those_of_its_own_state(approach: float) -> None:
-    """Under JKR, too, which has another load there."""
-    grain: dict[str, Any] = {"surface_energy": 0.05, "youngs_modulus": 1e9, "poisson_ratio": 0.3, "radius": 1e-7}
-    names = ("approach_maugis_at_load", "approach_maugis", "load_maugis", "contact_radius_maugis")
-    jkr, maugis = (solve(names, **grain, approach_at_load=approach, model=law) for law in ("jkr", "maugis"))
-    assert jkr == approx(maugis, rel=1e-15)
-    assert jkr["approach_maugis_at_load"] == approx(approach, rel=1e-13)
 
 
 # Within 5 % of Maugis' law: JKR for μ above, DMT for μ below, as `jkroll guide models` and the docstring of μ have it.

@@ -114,7 +114,7 @@ def compared(random: Random) -> str:
     assert all(is_near(*both) for both in zip(pairs, backwards, strict=True)), problem
     for pair in pairs:
         forward = scene.replace(**dict(zip(names, pair, strict=True))).numbers(*measured)
-        assert all(math.isclose(forward[name], level, rel_tol=1e-8) for name, level in measured.items()), (
+        assert all(math.isclose(forward[name], level, rel_tol=1e-11) for name, level in measured.items()), (
             problem,
             pair,
         )

@@ -17,12 +17,9 @@ from harness import Run
 from jkroll import Interval, Material, Materials, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest
 from jkroll.quantities.values import QuantityError, Uncertain, value_of
-from jkroll.scene.failures import BEYOND_PULL_OFF, Failure
 from jkroll.scene.scene import Scene
 from jkroll.scene.uncertainty import (
     Propagated,
-    Source,
-    Sources,
     uncertainties,
 )
 from relative import approx
@@ -147,34 +144,6 @@ def test_a_load_about_0_is_not_taken_for_none() -> None:
     assert [displacement.high, displacement.low] == approx([2e-10 * 9e-11 / end for end in ends], rel=1e-12)
 
 
-def test_floats_and_arrays_give_the_same_range() -> None:
-    """One range is computed by floats, and three are by arrays; the third has next to no width."""
-    ranges: dict[str, Any] = {"radius": Interval(1e-7, 9e-8, 1.2e-7), "surface_energy": Interval(0.025, 0.02, 0.04)}
-    thin: dict[str, Any] = {"youngs_modulus": Interval(54e9, 54e9, 54e9 * (1 + 1e-14))}
-    names = ["pull_off_force", "contact_radius_at_load", "sliding_force"]
-    by_floats, _ = uncertainties(Scene({**QUARTZ, **ranges}), names)
-    by_arrays, _ = uncertainties(Scene({**QUARTZ, **ranges, **thin}), names)
-    for name in names:
-        one, other = by_floats[name], by_arrays[name]
-        assert isinstance(one, Propagated)
-        assert isinstance(other, Propagated)
-        assert one.uncertainty.value == approx(other.uncertainty.value, rel=1e-12)
-        assert one.uncertainty.sides == approx(other.uncertainty.sides, rel=1e-12)
-        assert {each: other.shares[each] for each in one.shares} == approx(one.shares, rel=1e-9)
-
-
-def test_a_place_among_many_without_a_value_says_why() -> None:
-    """As one of a few does."""
-    ranges: dict[str, Any] = {"load": Interval(-10e-9, -13e-9, -8e-9), "radius": Interval(1e-7, 9e-8, 1.1e-7)}
-    more = {"surface_energy": Interval(0.025, 0.02, 0.03)}
-    for given in (ranges, ranges | more):
-        found, _ = uncertainties(Scene({**QUARTZ, **given}), ["contact_radius_at_load", "pull_off_force"])
-        error = found["contact_radius_at_load"]
-        assert isinstance(error, Failure)
-        assert error.kind == BEYOND_PULL_OFF
-        assert isinstance(found["pull_off_force"], Propagated)
-
-
 @pytest.mark.parametrize(
     ("name", "spans", "extreme"),
     [
@@ -196,21 +165,6 @@ def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(
     known = solve(name, **{**given, **dict.fromkeys(moduli, extreme)})
     one = solve(name, **given, **ranges)
     assert known - 0.02 * (known - one.low) <= one.high <= known * (1 + 1e-12)
-
-
-@pytest.mark.parametrize("name", ["twisting_energy", "sliding_displacement", "peeling_over_sliding", "sliding_force"])
-@pytest.mark.parametrize("count", [2, pytest.param(3, marks=pytest.mark.slow)])
-def test_the_ends_are_those_of_a_grid(name: str, count: int) -> None:
-    """Which body is the weaker depends on E/(1 + ν) of both, and changes within these ranges."""
-    given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "surface_energy2": 0.08, "poisson_ratio2": 0.2}
-    given |= {"youngs_modulus2": 4e9}
-    spans = {"youngs_modulus": (1.9e9, 4.8e9), "poisson_ratio": (0.03, 0.46), "youngs_modulus2": (2.2e9, 5e9)}
-    ranges = {each: Interval(sum(span) / 2, *span) for each, span in [*spans.items()][:count]}
-    one = solve(name, **{**given, **ranges})
-    axes = [numpy.linspace(span.low, span.high, 201 if count == 2 else 41) for span in ranges.values()]
-    grid = dict(zip(ranges, numpy.meshgrid(*axes), strict=True))
-    values = solve(name, **{**given, **grid})
-    assert_spans(one, values.ravel(), outer=0.03)
 
 
 def test_what_is_copied_moves_together() -> None:
@@ -368,33 +322,6 @@ def test_a_turning_point_next_to_an_end_of_a_range_is_found(low: float) -> None:
 @pytest.mark.parametrize("gamma", ["25±5 mJ/m2", "20 to 30 mJ/m2"])
 def test_rounding_is_no_uncertainty(gamma: str) -> None:
     assert isinstance(solve("energy_over_sticking", **{**QUARTZ, "surface_energy": gamma}), float)
-
-
-@pytest.mark.parametrize("given", [Measured(1e-7, 1e-8, 1e-8), Interval(1e-7, 9e-8, 1.1e-7)])
-def test_elements_have_the_uncertainties_of_their_scenes(given: Uncertain) -> None:
-    """And none where no source moves a result, as R1/R2 on a plane, which is zero."""
-    radii2, names = [math.inf, 1e-7, 3e-7], ["radius_ratio", "pull_off_force"]
-    scene = Scene({**QUARTZ, "radius2": numpy.array(radii2)})
-    elements, _ = uncertainties(scene, names, sources=Sources([Source(("radius",), given)]))
-    for place, radius2 in enumerate(radii2):
-        alone, _ = uncertainties(Scene({**QUARTZ, "radius": given, "radius2": radius2}), names)
-        known = {name: one.uncertainty for name, one in alone.items() if isinstance(one, Propagated)}
-        assert ("radius_ratio" in known) == (radius2 < math.inf)
-        for name in names:
-            bar = elements[name]
-            assert isinstance(bar, Propagated)
-            arrays: Any = bar.uncertainty
-            if name not in known:
-                assert arrays.low[place] == arrays.high[place]
-                continue
-            for side, values in arrays.sides.items():
-                assert values[place] == approx(known[name].sides[side], rel=1e-12)
-
-
-def test_a_quantity_that_no_source_moves_has_no_uncertainty_in_arrays_either() -> None:
-    scene = Scene({**QUARTZ, "radius2": numpy.array([1e-7, 3e-7]), "radius": Interval(1e-7, 9e-8, 1.1e-7)})
-    bars, _ = uncertainties(scene, ["contact_modulus", "pull_off_force"])
-    assert [*bars] == ["pull_off_force"]
 
 
 def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_beside_one(tmp_path: Path) -> None:
