@@ -22,9 +22,7 @@ from jkroll.cli.process import read
 from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
-from jkroll.rows.columns import SIDES, Columns, Row, Wanted
-from jkroll.rows.reasons import ROW
-from jkroll.rows.rows import Block, evaluated
+from jkroll.rows.columns import ROW, SIDES, Block, Columns, Row, Wanted, evaluated
 from jkroll.rows.table import Table
 from jkroll.scene.alternatives import at_least_measured, at_most_measured, by_law
 from jkroll.scene.failures import Failure

@@ -14,7 +14,7 @@ import pytest
 from harness import Run
 from jkroll.batch import run as command
 from jkroll.batch.run import Job, convert_one
-from jkroll.rows.reasons import Tally
+from jkroll.rows.columns import Tally
 from tables import random_table
 
 PARTS = 5

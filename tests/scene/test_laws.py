@@ -18,7 +18,7 @@ from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.answers.advice import over_this_law
 from jkroll.answers.answer import Answer
-from jkroll.answers.curve import AtState, at_states
+from jkroll.answers.curve import FORCE_CURVE, at_states
 from jkroll.answers.questions import QUESTIONS, question_about
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
@@ -213,7 +213,7 @@ def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.Monkey
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
 def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(model: str, radius: float) -> None:
     quartz = known_materials()["quartz"]
-    rows = [*map(AtState, at_states([Scene({"radius": radius}, quartz, model=model)]))]
+    rows = [*at_states([Scene({"radius": radius}, quartz, model=model)], FORCE_CURVE)]
     held = [row for row in rows if row.state.name != "unstable"]
     places: list[Any] = [row.inputs.get("approach_at_load", row.value("approach_at_load")) for row in held]
     assert len(held) > 15

@@ -12,12 +12,12 @@ from ..scene.alternatives import (
     FORCES,
     ROLLED,
     SIO2,
+    alternatives_of,
     assumes_displacement,
     at_half_spacing,
     at_least_measured,
     at_most_measured,
     at_other_reading,
-    beside,
     by_law,
     displacements_where_measured,
     factor_of_data,
@@ -85,7 +85,9 @@ def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] |
         both = [name for name in rolled if ours.get(name) and name in low and name in high]
         worth["here"] = [end[XI] for end in ends]
         worth["over_assumed"] = {name: [low[name] / ours[name], high[name] / ours[name]] for name in both}
-        worth["values"] = {name: [*ends_of(value)] for name, value in beside(scene, {DATA: both})[DATA].items()}
+        worth["values"] = {
+            name: [*ends_of(value)] for name, value in alternatives_of(scene, {DATA: both})[DATA].items()
+        }
     return worth
 
 
@@ -140,7 +142,7 @@ def _about_displacement(scene: Scene, names: Sequence[str]) -> str:
 
     The moment is proportional to what adhesion hysteresis supplies, which has an end.
     """
-    values = beside(scene, {DATA: names[:MAX_TOLD]})[DATA]
+    values = alternatives_of(scene, {DATA: names[:MAX_TOLD]})[DATA]
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(value))}" for name, value in values.items() if value)
     text = f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi)"
     most = at_most_measured(scene).numbers("hysteresis_ratio", "yield_force")

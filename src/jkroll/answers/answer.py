@@ -9,6 +9,7 @@ from ..errors import JkrollError
 from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
+from ..quantities.values import middle
 from ..scene.alternatives import at_half_spacing, factor_of_law, in_place_of, uses_law
 from ..scene.failures import (
     BEYOND_PULL_OFF,
@@ -20,7 +21,7 @@ from ..scene.failures import (
     rests_on_spacing,
     without_value,
 )
-from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, doubts
+from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, Evaluation
 from ..scene.scene import Scene
 from .advice import about_doubt, displacement_in_full, over_this_law
 from .notes import (
@@ -41,7 +42,7 @@ from .questions import Question
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
-    from ..scene.uncertainty import Propagated, Sources
+    from ..scene.uncertainty import Propagated
 else:
     Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
 
@@ -144,21 +145,18 @@ def with_force_by_maugis(error: Failure, scene: Scene) -> Failure:
 # --- Answers ----------------------------------------------------------------------------------------------------------
 
 
-class Answer:
-    """The results of a command for one scene. Each part is computed when something shows it."""
+class Answer(Evaluation):
+    """The results of a command for one scene, with all that is to be said of them."""
 
+    limits = (*LIMITS, ASSUMED_DISPLACEMENT)
     condition: float | None = None  # of two inferred inputs together
 
     def __init__(self, question: Question, scene: Scene) -> None:
         """Compute the quantities of a question as far as the scene allows."""
-        self.question, self.scene = question, scene
-        self.outcomes = scene.outcomes(question.quantities, question.named)
-        self.shown = [*self.outcomes]
-        self.errors = {
-            name: self._error(name, outcome)
-            for name, outcome in self.outcomes.items()
-            if isinstance(outcome, JkrollError)
-        }
+        super().__init__(scene, scene.outcomes(question.quantities, question.named))
+        self.question = question
+        for name in filter(lambda name: rests_on_spacing(self.errors[name]), self.errors):
+            self.errors[name] = without_value(name, over_spacing(name, scene))
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
@@ -177,52 +175,14 @@ class Answer:
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
         """The inputs on which the results depend, as they were understood."""
-        used = self.scene.inputs_used(self.question.quantities, self.shown)
-        return {name: in_words(name, value) for name, value in self.scene.echo(used).items()}
-
-    @cached_property
-    def results(self) -> tuple[Result, ...]:
-        """The quantities that are shown, with the reasons of those that have no value."""
-        return tuple(map(self._result, self.shown))
-
-    def _result(self, name: str) -> Result:
-        """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
-        law = "" if self.scene.law.is_default else self.scene.law.name
-        if name in self.errors:
-            return Result(name, None, reason_of(name, self.errors[name]), law=law)
-        result = Result(
-            name, self.outcomes[name], error=model_error(name, self.scene), propagated=self._propagated(name)
-        )
-        if law and uses_law(self.scene, name):
-            result.law, result.of_law = law, equation_of(self.scene, name)
-        return result
-
-    def _error(self, name: str, error: JkrollError) -> JkrollError:
-        """Return why a quantity has no value: of one that the atomic spacing decides on, with its values."""
-        return without_value(name, over_spacing(name, self.scene)) if rests_on_spacing(error) else error
-
-    def _propagated(self, name: str) -> "Propagated | None":
-        """Return the uncertainty of a result; None if it has none, or an error says why it has none."""
-        bar = self._uncertainties[0].get(name)
-        return None if isinstance(bar, JkrollError) else bar
-
-    @cached_property
-    def _known(self) -> list[str]:
-        return [name for name in self.shown if name not in self.errors]
-
-    @cached_property
-    def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        if not self.scene.is_uncertain:
-            return {}, None
-        from ..scene.uncertainty import uncertainties
-
-        return uncertainties(self.scene, self.shown)
+        given = self.inputs_of([*self.outcomes])
+        return {name: in_words(name, middle(value)) for name, value in given.items()}
 
     @cached_property
     def uncertain(self) -> "Mapping[str, Uncertain]":
         """The inputs that are uncertain."""
-        _, sources = self._uncertainties
-        return {name: given for name, given in sources.given.items() if name in self.inputs} if sources else {}
+        given = self.sources.given if self.sources is not None else {}
+        return {name: value for name, value in given.items() if name in self.inputs}
 
     @property
     def measures(self) -> "Mapping[str, float | str | Uncertain]":
@@ -230,39 +190,54 @@ class Answer:
         return {**self.inputs, **self.uncertain}
 
     @cached_property
+    def results(self) -> tuple[Result, ...]:
+        """The quantities that are shown, with the reasons of those that have no value."""
+        return tuple(map(self._result, self.outcomes))
+
+    def _result(self, name: str) -> Result:
+        """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
+        law = "" if self.scene.law.is_default else self.scene.law.name
+        if name in self.errors:
+            return Result(name, None, reason_of(name, self.errors[name]), law=law)
+        result = Result(name, self.values[name], error=model_error(name, self.scene), propagated=self.propagated(name))
+        if law and uses_law(self.scene, name):
+            result.law, result.of_law = law, equation_of(self.scene, name)
+        return result
+
+    def propagated(self, name: str) -> "Propagated | None":
+        """Return the uncertainty of a result; None if it has none, or an error says why it has none."""
+        bar = self.bars.get(name)
+        return None if isinstance(bar, JkrollError) else bar
+
+    @cached_property
     def laws(self) -> Mapping[str, Mapping[str, Any]]:
         """The results under the other law, and their distance from these."""
         if self.scene.missing(["tabor_parameter"]):
             return {}
-        return over_this_law(self.scene, self.beside.get(other_law(self.scene.law.name), {}))
+        return over_this_law(self.scene, self.others.get(other_law(self.scene.law.name), {}))
 
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
         """The values of JKR, to stand beside those of another law."""
-        numbers = self.scene.replace(model=DEFAULT_LAW).numbers(*self.shown)
+        numbers = self.scene.replace(model=DEFAULT_LAW).numbers(*self.outcomes)
         return {name: number for name, number in numbers.items() if number < INFINITY}
 
     @cached_property
     def displacement(self) -> Mapping[str, Any] | None:
         """The worth of the assumed displacement for the results, as far as forces were measured."""
-        return displacement_in_full(self.scene, self._known) if XI in self.inputs else None
+        return displacement_in_full(self.scene, [*self.values]) if XI in self.inputs else None
 
     @cached_property
-    def beside(self) -> Mapping[str, Mapping[str, Any]]:
+    def others(self) -> Mapping[str, Mapping[str, Any]]:
         """Values that may stand in place of the results, by kind: the name of the other law, or DATA."""
-        return in_place_of(self.scene, self.shown) if self._known else {}
+        return in_place_of(self.scene, [*self.outcomes]) if self.values else {}
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
-        """Those beside the results that matter: by the other law where it moves one, and by measured forces."""
+        """Those of these values that matter: by the other law where it moves a result, and by measured forces."""
         law_matters = any(doubt.is_exceeded for doubt in self.validity if doubt.limit.factor is factor_of_law)
         is_shown = law_matters or self.scene.law.name == BETWEEN
-        return {kind: values for kind, values in self.beside.items() if is_shown or kind not in LAWS}
-
-    @cached_property
-    def validity(self) -> tuple[Doubt, ...]:
-        """The limits of the model, judged for these results or with the reason why not."""
-        return tuple(doubts(self.scene, self._known, (*LIMITS, ASSUMED_DISPLACEMENT)))
+        return {kind: values for kind, values in self.others.items() if is_shown or kind not in LAWS}
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
@@ -275,38 +250,39 @@ class Answer:
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for these results, with the values that may stand in their place."""
-        headline = [name for name in self._known if name in self.question.headline]
-        return about_doubt(doubt, self.scene, headline, self._known)
+        headline = [name for name in self.values if name in self.question.headline]
+        return about_doubt(doubt, self.scene, headline, [*self.values])
 
     @cached_property
     def _entering(self) -> tuple[set[str], set[str]]:
-        return entering(self.scene, self.shown)
+        return entering(self.scene, [*self.outcomes])
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
         """The assumptions, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
         return assumed(self.scene, self._entering[0], self._possible)
 
-    @cached_property
+    @property
     def _possible(self) -> list[str]:
-        return [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
+        return [name for name in self.outcomes if not isinstance(self.errors.get(name), MissingInput)]
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
-        scene, (bars, sources) = self.scene, self._uncertainties
+        scene, known = self.scene, [*self.values]
+        inputs, needed = self._entering
         notes = (
             *about_assumed(self.assumed),
-            *about_given(scene, self._possible, self._entering[0]),
-            *about_idle(idle_of(scene, self._entering[1])),
-            *about_values(scene, self._known),
+            *about_given(scene, self._possible, inputs),
+            *about_idle(idle_of(scene, needed)),
+            *about_values(scene, known),
             *about_missing(self.errors),
             *about_limits(self.validity),
         )
-        if sources is None:
+        if self.sources is None:
             return notes
-        lost = about_lost_contacts(scene, bars, sources) if "load" in self.inputs else ()
-        return (*notes, *about_uncertainties(bars, sources), *lost)
+        lost = about_lost_contacts(scene, self.bars, self.sources) if "load" in self.inputs else ()
+        return (*notes, *about_uncertainties(self.bars, self.sources), *lost)
 
     @cached_property
     def failure(self) -> JkrollError | None:
@@ -314,4 +290,4 @@ class Answer:
         for error in self.errors.values():
             if isinstance(error, Failure) and not error.kind.has_contact:
                 return with_force_by_maugis(error, self.scene) if error.kind == BEYOND_PULL_OFF else error
-        return None if self._known else next(iter(self.errors.values()), Failure(OF_IDENTICAL_SPHERES))
+        return None if self.values else next(iter(self.errors.values()), Failure(OF_IDENTICAL_SPHERES))

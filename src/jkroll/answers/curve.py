@@ -1,16 +1,14 @@
 """The force curve of a contact as rows: both branches, and the named states on them."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Iterable, Iterator, Sequence
 from math import inf, isfinite
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, NoResult
 from ..quantities.values import parse_quantity
-from ..rows.columns import Row, Wanted
-from ..rows.sweep import entering
+from ..rows.columns import Wanted, sides_in
 from ..scene.failures import MissingInput, without_value
-from ..scene.limits import Doubt, bits_of
+from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from ..text import quoted
@@ -116,76 +114,38 @@ def _without_contact(scene: Scene, ratio: float, steps: int) -> Iterator[State]:
         yield State("approach_at_load", fold + (touch - fold) * step / steps, "without contact" if step else FOLD)
 
 
-class At(NamedTuple):
-    """A state of a force curve, the scene at it, and the answer that stands for the whole curve: its pull-off force."""
-
-    state: State
-    scene: Scene
-    curve: Answer
-
-
-def at_states(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[At]:
-    """Iterate over the states of each scene, under its own law."""
-    for scene in scenes:
-        curve = Answer(OF_CURVE, scene)
-        for state in states(scene, loads):
-            at = At(state, state.of(scene), curve)
-            if state.name == FOLD:
-                at.scene.lose(without_value("stiffness", "infinite where fixed grips let go"))
-            yield at
-
-
 class AtState(Answer):
-    """The answer at a state of the force curve."""
+    """The answer at a state of a force curve. What is said of the law and of its limits is that of the whole curve."""
 
-    def __init__(self, at: At, question: Question = FORCE_CURVE) -> None:
-        self.state, scene, self.curve = at
-        super().__init__(question, scene)
+    def __init__(self, question: Question, state: State, curve: Answer) -> None:
+        """`curve`: the answer that stands for the whole curve, its pull-off force."""
+        scene = state.of(curve.scene)
+        if state.name == FOLD:
+            scene.lose(without_value("stiffness", "infinite where fixed grips let go"))
+        super().__init__(Question(question.headline, question.quantities, question.quantities), scene)
+        self.state, self.curve, self.laws, self.validity = state, curve, curve.laws, curve.validity
+        self.alternatives = {}  # a state has no place on the curve of another law
 
-    @cached_property
-    def inputs(self) -> Mapping[str, float | str]:
-        """The inputs as understood, with the one that sets the state, and the name of the state."""
+    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
+        """Return the inputs as understood, with the one that sets the state, and the name of the state."""
         given, value, name = self.state
-        return {**super().inputs, given: value, "state": name}
-
-    @cached_property
-    def laws(self) -> Mapping[str, Mapping[str, Any]]:
-        """The differences of Maugis' law from that of the curve."""
-        return self.curve.laws
-
-    @property
-    def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
-        """None: a state of the curve has no place on that of another law."""
-        return {}
-
-    @cached_property
-    def validity(self) -> tuple[Doubt, ...]:
-        """The limits of the model for the whole curve."""
-        return self.curve.validity
+        return {**super().inputs_of(names), given: value, "state": name}
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for the whole curve."""
         return self.curve.about(doubt)
 
 
-class OfCurve(Wanted):
-    """The columns of force curves: the inputs, with those that set the states, the names of these, and the results."""
+def at_states(scenes: Iterable[Scene], question: Question, loads: Loads | None = None) -> Iterator[AtState]:
+    """Iterate over the answers at the states of the force curve of each scene, under its own law."""
+    for scene in scenes:
+        curve = Answer(OF_CURVE, scene)
+        for state in states(scene, loads):
+            yield AtState(question, state, curve)
 
-    @classmethod
-    def of(cls, samples: Sequence[At], names: Sequence[str]) -> "OfCurve":
-        """Return the columns of quantities at states."""
-        inputs, sides = entering((sample.scene for sample in samples), lambda _: names, names)
-        shown = in_order({*inputs, *(sample.state.given for sample in samples), "state"}.difference(names))
-        return cls(names, named=names, inputs=shown, sides=sides)
 
-    @cached_property
-    def _of_state(self) -> Wanted:
-        """The same columns without doubts, which are those of the whole curve."""
-        return Wanted(self.names, self.named, self.inputs, self.sides, doubts=False)
-
-    def row(self, at: Any) -> Row:
-        """Return the row of a state."""
-        state, scene, curve = at
-        row = self._of_state.row(scene)
-        inputs = {**row.inputs, state.given: state.value, "state": state.name}
-        return Row(inputs, row.numbers, int(bits_of(curve.validity)) if self.doubts else 0, row.reasons)
+def of_curves(answers: Sequence[AtState], names: Sequence[str]) -> Wanted:
+    """Return the columns of quantities at states, behind those of the inputs and of the names of the states."""
+    inputs = {name for answer in answers for name in answer.inputs_of(names)}
+    sides = sides_in((answer.scene, names) for answer in answers)
+    return Wanted(names, named=names, inputs=in_order(inputs.difference(names)), sides=sides)

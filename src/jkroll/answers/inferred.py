@@ -54,7 +54,9 @@ class Inferred(Answer):
             self.scene, measured = problem.filled(), ()
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
         self.inputs = {name: in_words(name, value) for name, value in problem.echo().items()}
-        self._uncertainties = uncertainties(self.solution, problem.unknowns) if self.failure is None else ({}, None)
+        self.bars, self.sources = {}, None
+        if self.failure is None:
+            self.bars, self.sources = uncertainties(self.solution, problem.unknowns)
         self.laws = {}  # what is found under each law stands beside the results
         self.displacement, self.validity = self.forward.displacement, self.forward.validity
         self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
@@ -73,7 +75,7 @@ class Inferred(Answer):
                 condition=growths[name] if is_one else None,
                 growth=None if is_one else growths[name],
                 by_law={law: middle(values[name]) for law, values in self.alternatives.items()},
-                propagated=self._propagated(name),
+                propagated=self.propagated(name),
             )
             for name, value in self.solution.values.items()
         )
@@ -111,11 +113,10 @@ class Inferred(Answer):
         """The proof of what is found, and what the measured quantities rest on."""
         if self.failure is not None:
             return ()
-        bars, sources = self._uncertainties
         notes = (
             *self._proofs(),
             *self.forward.notes,
-            *(about_uncertainties(bars, sources) if sources is not None else ()),
+            *(about_uncertainties(self.bars, self.sources) if self.sources is not None else ()),
         )
         return tuple(dict.fromkeys(notes))  # both ways leave out the same
 

@@ -21,8 +21,7 @@ from .advice import about_displacement
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
-    from ..rows.columns import Columns
-    from ..rows.reasons import Tally
+    from ..rows.columns import Columns, Tally
     from ..scene.uncertainty import Propagated, Source, Sources
     from .answer import Answer
 
@@ -321,7 +320,7 @@ class OfRows:
     """The notes of rows, which are counted while columns are written."""
 
     def __init__(self, kinds: Iterable[Rows]) -> None:
-        from ..rows.reasons import Tally
+        from ..rows.columns import Tally
 
         self._kinds = [*kinds]
         self.assumed, self._idle = given_of_kinds(self._kinds)  # the assumptions are by name, with their options

@@ -21,10 +21,8 @@ from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, Mis
 from ..output.writers import WRITERS, columns_of, whole_file, written
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..rows.columns import DOUBT, STATUS, Columns, Wanted, remarks_of
+from ..rows.columns import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
 from ..rows.header import check_inputs, understood
-from ..rows.reasons import Tally, worded
-from ..rows.rows import evaluated
 from ..rows.table import Asked, Table, TableBlock
 from ..scene.failures import MissingInput
 from ..scene.limits import EVERY_DOUBT
@@ -170,7 +168,7 @@ class Converter:
         if self.strict and columns.failed:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))
-        added = [*table.said.values(), *columns_of(columns, Format(), remarks_of(table.wanted))]
+        added = [*table.said.values(), *columns_of(columns, Format(), table.wanted.remarks())]
         output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
         if unknown := table.asked.infer:

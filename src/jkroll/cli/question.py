@@ -211,8 +211,8 @@ def _write_curve(call: Call) -> int:
 
     Raises the failure of the first state if each has one.
     """
-    from ..answers.curve import FORCE_CURVE, AtState, OfCurve, at_states
-    from ..rows.columns import Columns
+    from ..answers.curve import FORCE_CURVE, at_states, of_curves
+    from ..rows.columns import Columns, Wanted
 
     check_format(call)
     if call.kind in ("explain", "cite"):
@@ -220,26 +220,25 @@ def _write_curve(call: Call) -> int:
     question = question_of(call, FORCE_CURVE)
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
-    samples = [*at_states(sweep.kinds, loads)]
-    failures = (AtState(sample, question).failure for sample in samples)
+    samples = [*at_states(sweep.kinds, question, loads)]
+    failures = (sample.failure for sample in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
-    states = at_states(sweep.scenes(), loads)
+    states = at_states(sweep.scenes(), question, loads)
     if call.kind == "json":
         every = [*states]
-        return _write_answers(call, (AtState(state, question) for state in every), len(every), form)
+        return _write_answers(call, every, len(every), form)
     names = question.quantities
-    is_bare = call.kind == "bare"
-    wanted = OfCurve(names, named=names, doubts=False) if is_bare else OfCurve.of(samples, names)
+    wanted = Wanted(names, named=names, doubts=False) if call.kind == "bare" else of_curves(samples, names)
     is_table = call.kind == "table" and call.target is None
     size = None if is_table else CURVE_BLOCK
 
     def columns() -> Iterator[Columns]:
         while block := [*islice(states, size)]:
-            yield Columns.of_rows(wanted, [wanted.row(state) for state in block])
+            yield Columns.of_rows(wanted, [*map(wanted.row_of, block)])
 
     curves = [*dict.fromkeys(sample.curve for sample in samples)]
-    notes = OfRows((curve.scene, curve.shown) for curve in curves)
+    notes = OfRows((curve.scene, [*curve.outcomes]) for curve in curves)
     deliver(call, wanted, notes, columns(), form, is_table=is_table)
     if len(sweep) == 1 and not call.quiet:
         return _ended(call, notes, lines_of(curves[0], has_head=is_table))

@@ -23,7 +23,7 @@ def write_plain(answer: Answer, out: TextIO, form: Format, *, alternatives: bool
 
     `alternatives`: whether what may stand in its place has lines, too.
     """
-    others = answer.beside if alternatives else {}
+    others = answer.others if alternatives else {}
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
     for result in answer.results:

@@ -154,7 +154,7 @@ def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]
     """Return the columns of a result: by the other law where that moves a result of the pairs, and by data."""
     law_matters = any(bits & OF_LAW for bits in as_list(columns.doubts))
     values = {"": _measures(columns, name)}
-    for kind, key in columns.wanted.beside(name).items():
+    for kind, key in columns.wanted.alternatives_of(name).items():
         others = _measures(columns, key)
         if kind == DATA and any(value is not None for value in others):
             values[" by data"] = ["no data" if value is None else value for value in others]

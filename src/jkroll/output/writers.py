@@ -18,7 +18,7 @@ from ..errors import BadRequest
 from ..quantities.formatting import Format, in_words, pretty
 from ..quantities.nomenclature import INFINITY, header
 from ..quantities.values import middle
-from ..rows.columns import DOUBT, Columns, Wanted, as_list, remarks_of
+from ..rows.columns import DOUBT, Columns, Wanted, as_list
 from ..scene.limits import codes
 from ..text import json_text, quoted, say, spelled
 
@@ -195,7 +195,7 @@ def written(
 
     `doubt`: whether doubts have a column, if they are judged.
     """
-    remarks = () if writer.is_plain else remarks_of(wanted, doubt=doubt)
+    remarks = () if writer.is_plain else wanted.remarks(doubt=doubt)
     heads = [*map(header, wanted.inputs), *wanted.heads(form.header), *remarks]
     yield writer.header(heads)
     for columns in blocks:

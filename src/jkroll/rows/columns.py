@@ -1,6 +1,6 @@
 """The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells that are empty.
 
-`Wanted.row` is the definition of a row. `Wanted.columns` gives the same for many rows at once: where an array leaves
+`Wanted.row_of` is the definition of a row. `Wanted.columns` gives the same for many rows at once: where an array leaves
 a gap that floats do not leave, or an uncertainty needs a search, the row is computed again by floats.
 """
 
@@ -9,29 +9,38 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from contextlib import suppress
 from functools import cached_property
 from math import isnan, nan
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from ..errors import BadRequest, JkrollError
 from ..physics.elementary import where
-from ..quantities.values import is_uncertain, middle
-from ..scene.alternatives import DATA, beside, by_law, names_beside
-from ..scene.failures import OF_IDENTICAL_SPHERES, Failure
-from ..scene.limits import EVERY_DOUBT, NOT_JUDGED, OF_LAW, bits_of, doubts, touched
-from ..scene.scene import Scene
-from ..text import listed
-from .reasons import ROW, UNCERTAINTY, Reasons, lack, status_of
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import Measured, is_uncertain, middle
+from ..scene.alternatives import DATA, alternatives_of, by_law, names_with_alternatives
+from ..scene.failures import NO_END, OF_IDENTICAL_SPHERES, Failure, MissingInput, grouped, needs_in_words
+from ..scene.limits import BITS, EVERY_DOUBT, NOT_JUDGED, OF_LAW, Evaluation, bits_of, touched
+from ..scene.scene import FOLLOWS, Scene, takes
+from ..text import first_of, listed
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Sources
+    from .cells import Indices, Numbers
 
 BLOCK = 6 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
-_BESIDE = 15  # cost of the rest of a row, in formulas
+BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
+_EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
+_REST = 15  # cost of the rest of a row, in formulas
 _JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
+ROW = ""  # stands for the row as a whole, in place of the name of a column
+UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
+_MAX_NAMES = 3  # of quantities in a clause
+_NO_DOUBTS: Counter[int] = Counter()
 _NO_ALTERNATIVES: Mapping[str, Sequence[str]] = {}  # which can be pickled
 _BY = "_by_"  # between a quantity and the kind of what may stand in its place, in a key
+Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
+Gaps = tuple[int, int, str]  # rows with one status: their number, the first, counted from 1, and its reasons in full
+_NO_GAPS: Mapping[str, Gaps] = {}  # which can be pickled
 
 
 class Wanted:
@@ -55,6 +64,20 @@ class Wanted:
         """Return the same columns with those of other uncertainties."""
         return type(self)(self.names, self.named, self.inputs, sides, self.doubts, self.alternatives)
 
+    def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str]) -> "Wanted":
+        """Return the same quantities, some of them with columns of what may stand in their place.
+
+        `scenes`: of each kind of rows.
+        """
+        names_of = names_with_alternatives(scenes, [name for name in self.names if name in names])
+        sides = self.sides
+        if sides is not None:
+            with suppress(JkrollError):  # sources of two kinds give no error bars
+                of_others = sides_in((other, names_of.get(other.law.name, ())) for other in map(by_law, scenes))
+                law = next(iter(names_of))
+                sides = {**sides, **{f"{name}{_BY}{law}": of_name for name, of_name in of_others.items()}}
+        return type(self)(self.names, self.named, self.inputs, sides, self.doubts, names_of)
+
     @cached_property
     def keys(self) -> tuple[str, ...]:
         """The keys of all columns of numbers."""
@@ -67,7 +90,7 @@ class Wanted:
 
     def keys_of(self, name: str) -> list[str]:
         """Return the keys of the columns of a quantity and of what may stand in its place, with their uncertainties."""
-        values = (name, *self.beside(name).values())
+        values = (name, *self.alternatives_of(name).values())
         return [each for key in values for each in (key, *self.sides_of(key).values())]
 
     def sides_of(self, key: str) -> dict[str, str]:
@@ -75,7 +98,7 @@ class Wanted:
         sides = ("low", "high") if key.endswith(f"{_BY}{DATA}") else (self.sides or {}).get(key, ())
         return {side: f"{key}_{side}" for side in SIDES if side in sides}
 
-    def beside(self, name: str) -> dict[str, str]:
+    def alternatives_of(self, name: str) -> dict[str, str]:
         """Return the keys of the columns of what may stand in place of a quantity: "pull_off_force_by_maugis"."""
         return {kind: f"{name}{_BY}{kind}" for kind, names in self.alternatives.items() if name in names}
 
@@ -83,91 +106,41 @@ class Wanted:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
         return [header(name).replace(name, key, 1) for name in self.names for key in self.keys_of(name)]
 
-    def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str]) -> "Wanted":
-        """Return the same quantities, some of them with columns of what may stand in their place.
-
-        `scenes`: of each kind of rows.
-        """
-        names_of = names_beside(scenes, [name for name in self.names if name in names])
-        sides = None if self.sides is None else {**self.sides}
-        for scene in scenes:
-            if sides is not None and scene.is_uncertain:
-                from ..scene.uncertainty import sides_of_results
-
-                other = by_law(scene)
-                with suppress(JkrollError):  # sources of two kinds give no error bars
-                    for name, of_name in sides_of_results(other, names_of.get(other.law.name, [])).items():
-                        key = f"{name}{_BY}{other.law.name}"
-                        sides[key] = {*sides.get(key, ()), *of_name}
-        return type(self)(self.names, self.named, self.inputs, sides, self.doubts, names_of)
-
-    def numbers_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
-        """Return what may stand in place of the quantities shown, with their uncertainties, by their keys."""
-        names_of = {kind: [name for name in names if name in shown] for kind, names in self.alternatives.items()}
-        return {
-            f"{name}{_BY}{kind}": value
-            for kind, values in beside(scene, names_of).items()
-            for name, value in values.items()
-            if value is not None
-        }
-
-    def sources_in(self, scene: Any, names: Collection[str] | None = None) -> "Sources | None":
-        """Return the sources of uncertainty of quantities of a scene; None if it has none, or none is wanted.
-
-        `names`: of the quantities, by default of all. Raises a JkrollError for sources that do not go together.
-        """
-        if self.sides is None or not scene.is_uncertain:
-            return None
-        from ..scene.uncertainty import sources_of_results
-
-        return sources_of_results(scene, [*(self.names if names is None else names)])
-
-    def bars(
-        self, scene: Any, names: Collection[str], sources: "Sources | None"
-    ) -> tuple[dict[str, Any], BadRequest | None]:
-        """Return the uncertainties of values by their keys, or the remark that the table has no columns for them."""
-        if sources is None:
-            return {}, None
-        from ..scene.uncertainty import measures_of, uncertainties
-
-        if sources.sides <= {side for name in self.names for side in self.sides_of(name)}:
-            return measures_of(uncertainties(scene, [*names], sources=sources)[0]), None
-        problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
-        return {}, BadRequest(f"{listed(sources.given)}: {problem}", "error bars left out")
+    def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
+        """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
+        return (DOUBT, STATUS) if doubt and self.doubts else (STATUS,)
 
     def work(self, scene: Any) -> int:
         """Return the cost of a row that is computed by itself, counted in formulas."""
-        return (_BESIDE + len(scene.formulas_to(*scene.possible(self.names)))) * (_JUDGED if self.doubts else 1)
+        return (_REST + len(scene.formulas_to(*scene.possible(self.names)))) * (_JUDGED if self.doubts else 1)
 
     # --- Rows ---------------------------------------------------------------------------------------------------------
 
+    def evaluation(self, scene: Any) -> Evaluation:
+        """Return the evaluation of a scene, of numbers or of arrays."""
+        return Evaluation(scene, scene.outcomes(self.names, self.named))
+
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
-        outcomes = scene.outcomes(self.names, self.named)
-        values = [name for name, value in outcomes.items() if not isinstance(value, JkrollError)]
-        inputs = scene.echo(scene.inputs_used(self.names, self.names)) if self.inputs else {}
-        bits = bits_of(doubts(scene, values)) if self.doubts and values else 0
-        sources, others = self.sources_in(scene, outcomes), self.numbers_beside(scene, outcomes)
-        return self.row_of(scene, outcomes | others, inputs, sources, bits)
+        return self.row_of(self.evaluation(scene))
 
-    def row_of(
-        self, scene: Any, outcomes: Mapping[str, Any], inputs: dict[str, Any], sources: "Sources | None", bits: int
-    ) -> "Row":
-        """Return the row of outcomes, by key."""
+    def row_of(self, evaluation: Evaluation) -> "Row":
+        """Return the row of what was evaluated for a scene of numbers."""
+        outcomes = {**evaluation.outcomes, **self._alternatives(evaluation)}
         reasons = reasons_of(outcomes)
         values = {key: value for key, value in outcomes.items() if key not in reasons}
         numbers = {key: middle(value) for key, value in values.items()}
-        bars, remark = self.bars(scene, [name for name in self.names if name in outcomes], sources)
+        bars, remark = self.bars(evaluation)
         if remark is not None:
             reasons[UNCERTAINTY] = remark
-        for key, value in (values | bars).items():
+        for key, value in {**values, **bars}.items():
             for side, of_side in self.sides_of(key).items():
                 if isinstance(value, JkrollError):
                     reasons[of_side] = value
                 elif is_uncertain(value) and side in value.sides:
                     numbers[of_side] = value.sides[side]
-        if sources is not None:
-            inputs |= {name: given for name, given in sources.given.items() if name in inputs}
+        inputs = evaluation.inputs_of(self.names) if self.inputs else {}
+        bits = bits_of(evaluation.validity) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
     def columns(self, scene: Any, rows: Sequence[int], scene_of: Callable[[int], Any]) -> tuple["Columns", Any]:
@@ -175,22 +148,56 @@ class Wanted:
 
         `scene_of` returns one of the rows as a scene of numbers. Raises a JkrollError where floats are to compute all.
         """
-        outcomes = scene.outcomes(self.names, self.named)
-        is_shown = {name: name in self.named or scene.shows(name) for name in outcomes}
-        measures = self.numbers_beside(scene, outcomes)
-        columns = Columns.empty(self, len(rows))
-        values = {name: value for name, value in outcomes.items() if not isinstance(value, JkrollError)}
-        for key, value in (values | measures).items():
+        evaluation, columns = self.evaluation(scene), Columns.empty(self, len(rows))
+        is_shown = {name: name in self.named or scene.shows(name) for name in evaluation.outcomes}
+        others = self._alternatives(evaluation)
+        for key, value in {**evaluation.values, **others}.items():
             columns.column(key)[...] = where(is_shown[key.partition(_BY)[0]], middle(value), nan)
         if self.inputs:
-            columns.repeat(scene.echo(scene.inputs_used(self.names, self.names)))
-        if self.doubts and values:
-            columns.doubts[...] = _doubts(scene, columns, [*values])
+            columns.repeat(evaluation.inputs_of(self.names))
+        if self.doubts and evaluation.values:
+            columns.doubts[...] = _doubts(evaluation, columns)
         again = _explain(columns, scene, is_shown, lambda row: scene_of(rows[row]))
-        bars, remark = self.bars(scene, values, self.sources_in(scene, outcomes))
-        if remark is not None:
-            columns.add_remark(remark)
-        return columns, again | columns.put_sides(measures | bars)
+        return columns, again | columns.put_bars(evaluation, others)
+
+    def _alternatives(self, evaluation: Evaluation) -> dict[str, Any]:
+        """Return what may stand in place of the outcomes, with its uncertainties, by the keys of columns."""
+        if not self.alternatives:
+            return {}
+        shown = evaluation.outcomes
+        names_of = {kind: [name for name in names if name in shown] for kind, names in self.alternatives.items()}
+        return {
+            f"{name}{_BY}{kind}": value
+            for kind, values in alternatives_of(evaluation.scene, names_of).items()
+            for name, value in values.items()
+            if value is not None
+        }
+
+    def bars(self, evaluation: Evaluation) -> tuple[Mapping[str, Any], BadRequest | None]:
+        """Return the error bars of values by their keys, or the remark that the table has no columns for them.
+
+        Raises a JkrollError for sources that do not go together.
+        """
+        if self.sides is None or evaluation.sources is None:
+            return {}, None
+        from ..scene.uncertainty import measures_of
+
+        if evaluation.sources.sides <= {side for name in self.names for side in self.sides_of(name)}:
+            return measures_of(evaluation.bars), None
+        problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
+        return {}, BadRequest(f"{listed(evaluation.sources.given)}: {problem}", "error bars left out")
+
+
+def sides_in(kinds: Iterable[tuple[Scene, Sequence[str]]]) -> dict[str, set[str]]:
+    """Return the sides of the uncertainties of quantities that have some in scenes, each with those that it shows."""
+    sides: dict[str, set[str]] = {}
+    for scene, names in kinds:
+        if scene.is_uncertain:
+            from ..scene.uncertainty import sides_of_results
+
+            for name, of_name in sides_of_results(scene, names).items():
+                sides.setdefault(name, set()).update(of_name)
+    return sides
 
 
 class Row:
@@ -201,11 +208,6 @@ class Row:
 
     def __init__(self, inputs: Mapping[str, Any], numbers: Sequence[float], doubts: int, reasons: Reasons) -> None:
         self.inputs, self.numbers, self.doubts, self.reasons = inputs, numbers, doubts, reasons
-
-
-def remarks_of(wanted: Wanted, *, doubt: bool = True) -> tuple[str, ...]:
-    """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
-    return (DOUBT, STATUS) if doubt and wanted.doubts else (STATUS,)
 
 
 def reasons_of(outcomes: Mapping[str, Any]) -> dict[str, JkrollError]:
@@ -278,12 +280,15 @@ class Columns:
             self.reasons.pop(place, None)
         self.reasons.update((rows[row], reasons) for row, reasons in columns.reasons.items())
 
-    def put_sides(self, measures: Mapping[str, Any]) -> Any:
-        """Take the sides of values of arrays that have some, by the keys of columns; return the rows with open ones."""
+    def put_bars(self, evaluation: Evaluation, others: Mapping[str, Any]) -> Any:
+        """Take the error bars of arrays, and of what may stand in their place; return the rows that have open ones."""
         import numpy
 
+        bars, remark = self.wanted.bars(evaluation)
+        if remark is not None:
+            self.reasons = {row: {**self.reasons.get(row, {}), UNCERTAINTY: remark} for row in range(len(self))}
         again = numpy.zeros(len(self), dtype=bool)
-        for key, value in measures.items():
+        for key, value in {**others, **bars}.items():
             is_known = ~numpy.isnan(self.column(key))
             if isinstance(value, JkrollError):
                 again |= is_known
@@ -294,10 +299,6 @@ class Columns:
                         self.column(of_side)[...] = where(is_known & (width > 0), value.sides[side], nan)
                 again |= is_known & numpy.isnan(width)
         return again
-
-    def add_remark(self, remark: JkrollError) -> None:
-        """Note a remark on all rows."""
-        self.reasons = {row: {**self.reasons.get(row, {}), UNCERTAINTY: remark} for row in range(len(self))}
 
     @property
     def status(self) -> dict[int, str]:
@@ -344,18 +345,19 @@ def as_list(column: Any) -> list[Any]:
 # --- By arrays --------------------------------------------------------------------------------------------------------
 
 
-def _doubts(scene: Scene, columns: Columns, names: Sequence[str]) -> Any:
-    """Return the doubts of each row, of those of some quantities that have a value there."""
+def _doubts(evaluation: Evaluation, columns: Columns) -> Any:
+    """Return the doubts of each row, of those quantities that have a value there."""
     import numpy
 
-    every = doubts(scene, names)
+    names = [*evaluation.values]
     is_empty = {name: numpy.isnan(columns.column(name)) for name in names}
     if not any(map(numpy.any, is_empty.values())):
-        return bits_of(every)
+        return bits_of(evaluation.validity)
     bits = numpy.zeros_like(columns.doubts)
     for name in names:
-        limits = touched(scene, [name])
-        bits |= numpy.where(is_empty[name], 0, bits_of(doubt for doubt in every if doubt.limit in limits))
+        limits = touched(evaluation.scene, [name])
+        of_name = bits_of(doubt for doubt in evaluation.validity if doubt.limit in limits)
+        bits |= numpy.where(is_empty[name], 0, of_name)
     return bits
 
 
@@ -402,3 +404,187 @@ def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
             keys = numpy.unique(keys * (numbers.max() + 1) + numbers, return_inverse=True)[1]
     for key in range(int(keys.max(initial=-1)) + 1):
         yield rows[keys == key]
+
+
+# --- Blocks -----------------------------------------------------------------------------------------------------------
+
+
+class Block(Protocol):
+    """Rows that are computed together, as they stand in a list or in a table."""
+
+    size: int
+    numbers: Mapping[str, "Numbers"]  # by input
+    kinds: Sequence[Any]  # arrays: rows with other whole numbers have other scenes, BAD have none
+
+    def scene(self, given: Mapping[str, Any], rows: "Indices") -> Any:
+        """Return the scene of rows that are alike. Raises a JkrollError where each is a scene by itself."""
+
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself. Raises the error of what is wrong with it."""
+
+
+def evaluated(wanted: Wanted, block: Block) -> Columns:
+    """Return the columns of a block. A row that cannot be computed has the reason for all of its cells."""
+    import numpy
+
+    columns = Columns.empty(wanted, block.size)
+    by_floats = numpy.ones(block.size, dtype=bool)
+    with numpy.errstate(all="ignore"):
+        for rows, given in groups(block):
+            places = rows.tolist()
+            try:
+                of_group, by_floats[rows] = wanted.columns(block.scene(given, rows), places, block.scene_of)
+            except JkrollError:
+                continue  # each row then has the reason by itself
+            if len(rows) == block.size:
+                columns = of_group
+            else:
+                columns.put(places, of_group)
+        for row in numpy.flatnonzero(by_floats).tolist():
+            try:
+                of_row = wanted.row(block.scene_of(row))
+            except JkrollError as error:  # its scene cannot be made
+                of_row = Row({}, [nan] * len(wanted.keys), 0, {ROW: error})
+            columns.put([row], Columns.of_rows(wanted, [of_row]))
+    return columns
+
+
+def groups(block: Block) -> "Iterator[tuple[Indices, dict[str, Any]]]":
+    """Iterate over rows that are alike, with their inputs. Rows that are BAD are in none."""
+    import numpy
+
+    kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
+    columns = [*kinds.values(), *block.kinds]
+    for rows in alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), columns):
+        of_cells = {name: int(of_input[rows[0]]) for name, of_input in kinds.items()}
+        filled = {name: kind for name, kind in of_cells.items() if kind != _EMPTY}
+        yield rows, {name: _values(block.numbers[name], rows, kind) for name, kind in filled.items()}
+
+
+def _kinds(name: str, column: "Numbers") -> "Indices":
+    """Return the kind of each cell of a column."""
+    import numpy
+
+    kinds = numpy.where(takes(name, column.values), _PLAIN, BAD)
+    kinds[numpy.isnan(column.values)] = _EMPTY
+    if name in FOLLOWS:
+        kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
+    kinds[[*column.odd]] = BAD
+    for row, value in column.uncertain.items():
+        if kinds[row] != BAD:
+            kinds[row] = _MEASURED if isinstance(value, Measured) else _INTERVAL
+    return kinds
+
+
+def _values(column: "Numbers", rows: "Indices", kind: int) -> Any:
+    """Return the values of cells of one kind: a number where more follows from it, else an array."""
+    import numpy
+
+    values = column.values if len(rows) == len(column.values) else column.values[rows]
+    if kind == _SPECIAL:
+        return float(values[0])
+    if kind == _PLAIN:
+        return values
+    uncertain: list[Any] = [column.uncertain[row] for row in rows.tolist()]
+    sides = {side: numpy.array([value.sides[side] for value in uncertain]) for side in uncertain[0].sides}
+    return type(uncertain[0]).of(values, **sides)
+
+
+# --- Reasons ----------------------------------------------------------------------------------------------------------
+
+
+def lack(reasons: Reasons) -> JkrollError | None:
+    """Return why a row has no contact, or is no scene; None if it has one at the middles of its inputs."""
+    for name, error in reasons.items():
+        has_contact = not isinstance(error, Failure) or error.kind.has_contact
+        if name == ROW or (not has_contact and name in NOMENCLATURE):
+            return error
+    return None
+
+
+def status_of(reasons: Reasons) -> str:
+    """Return a phrase for each kind of reason. All inputs that quantities lack are in one."""
+    lacked = dict.fromkeys(
+        name for error in reasons.values() if isinstance(error, MissingInput) for name in error.missing
+    )
+    needs = needs_in_words(lacked)
+    phrases = []
+    for name, error in reasons.items():
+        if _is_side(name):
+            phrases.append("no error bar")
+        elif isinstance(error, MissingInput) and error.missing:
+            phrases.append(needs)
+        else:
+            phrases.append(error.phrase or str(error))
+    return "; ".join(dict.fromkeys(phrases))
+
+
+def _first_names(names: list[str]) -> str:
+    return first_of(names, _MAX_NAMES)
+
+
+def _is_side(name: str) -> bool:
+    """Return whether a column is that of an uncertainty."""
+    return name not in NOMENCLATURE and name not in (ROW, UNCERTAINTY)
+
+
+def worded(reasons: Reasons, named: Callable[[list[str]], str] = _first_names) -> str:
+    """Return reasons in full; `named` returns quantities in words, by default their names."""
+    if (error := lack(reasons)) is not None:
+        return str(error)
+    of_values = {name: error for name, error in reasons.items() if name in NOMENCLATURE}
+    of_sides = {name.rpartition("_")[0]: error for name, error in reasons.items() if _is_side(name)}
+    clauses = [f"{named(names)}: {reason}" for names, reason in grouped(of_values)]
+    clauses += [f"{named(names)}: {NO_END}{reason}" for names, reason in grouped(of_sides)]
+    clauses += [str(reasons[UNCERTAINTY])] if UNCERTAINTY in reasons else []
+    return "; ".join(clauses)
+
+
+# --- Counts -----------------------------------------------------------------------------------------------------------
+
+
+class Tally(NamedTuple):
+    """The rows of a run, and those of them that failed, have empty cells, or exceed limits."""
+
+    rows: int = 0
+    failed: int = 0
+    gaps: Mapping[str, Gaps] = _NO_GAPS  # rows with empty cells, by their status
+    doubts: Counter[int] = _NO_DOUBTS  # rows, by the bits of their doubts
+    inferred: tuple[Any, ...] = ()  # the values of the unknown of a table, in parts
+    said: tuple[str, ...] = ()  # of each table as a whole
+
+    @classmethod
+    def of(cls, columns: "Columns", named: Callable[[list[str]], str] = _first_names) -> "Tally":
+        """Return the counts of some rows; `named` as `reasons.worded` has it."""
+        rows: dict[str, list[int]] = {}
+        for row, status in sorted(columns.status.items()):
+            rows.setdefault(status, []).append(row)
+        gaps = {
+            status: (len(places), places[0] + 1, worded(columns.reasons[places[0]], named))
+            for status, places in rows.items()
+        }
+        return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
+
+    def plus(self, other: "Tally") -> "Tally":
+        """Return the counts with those of some more rows."""
+        gaps = dict(self.gaps)
+        for status, (more, place, text) in other.gaps.items():
+            rows, first, words = gaps.get(status, (0, self.rows + place, text))
+            gaps[status] = (rows + more, first, words)
+        return Tally(
+            self.rows + other.rows,
+            self.failed + other.failed,
+            gaps,
+            self.doubts + other.doubts,
+            self.inferred + other.inferred,
+            self.said + other.said,
+        )
+
+    def with_doubts(self, bits: int) -> int:
+        """Return the number of rows with any of the doubts that bits stand for."""
+        return sum(rows for doubts, rows in self.doubts.items() if doubts & bits)
+
+    def counted(self, bits: int) -> list[tuple[str, int]]:
+        """Return the codes that bits stand for with their numbers of rows, the most frequent first."""
+        counts = {code: self.with_doubts(bit) for code, bit in BITS.items() if bit & bits}
+        return [(code, rows) for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]

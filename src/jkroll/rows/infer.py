@@ -2,7 +2,8 @@
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
-from math import nan, prod
+from functools import cached_property
+from math import prod
 from typing import Any, overload
 
 import numpy
@@ -13,18 +14,32 @@ from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
 from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Problem, inputs_named
-from ..scene.limits import bits_of, doubts
+from ..scene.limits import Doubt, Evaluation, bits_of, doubts
 from ..scene.scene import Scene, broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
 from ..scene.uncertainty import sources_of_results, uncertainties
 from ..scene.unknowns import solution, solutions
 from ..scene.wiring import in_order
-from .columns import Columns, Row, Wanted
+from .columns import Columns, Wanted
 from .sweep import Sweep
 
 _WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
 _ONE = "is not one quantity and its value", '"pull_off_force": "300 nN"'
 _TWO = "is not two quantities and their values", '"pull_off_force": "300 nN", "stiffness": "1 kN/m"'
+
+
+class Solved(Evaluation):
+    """The values of the unknowns of a problem, with the doubts of what was measured. Its scene is the solution."""
+
+    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:  # noqa: ARG002
+        """Return the inputs of the problem and the measured values, with their error bars."""
+        problem: Problem = getattr(self.scene, "problem", self.scene)
+        return problem.echo() | (self.sources.given if self.sources is not None else {})
+
+    @cached_property
+    def validity(self) -> Sequence[Doubt]:
+        """The limits of the model, judged for the measured quantities."""
+        return doubts(self.scene.scene, [*self.scene.problem.measured]) if self.values else ()
 
 
 class Unknowns(Wanted):
@@ -38,16 +53,13 @@ class Unknowns(Wanted):
         """Return the cost of a row that is computed by itself, counted in formulas."""
         return _WORK
 
-    def row(self, scene: Problem) -> Row:
-        """Return the row of measured numbers."""
-        sources, inputs = self.sources_in(scene), scene.echo()
+    def evaluation(self, scene: Problem) -> Evaluation:
+        """Return the solution of a problem of numbers, or the reason why there is none."""
         try:
             solved = solution(scene)
         except (MissingInput, NoResult) as error:
-            given = {} if sources is None else sources.given
-            return Row({**inputs, **given}, [nan] * len(self.keys), 0, dict.fromkeys(self.names, error))
-        bits = bits_of(doubts(solved.scene, [*scene.measured])) if self.doubts else 0
-        return self.row_of(solved, solved.values, inputs, sources, bits)
+            return Solved(scene, dict.fromkeys(self.names, error))
+        return Solved(solved, solved.values)
 
     def columns(self, scene: Problem, rows: Sequence[int], scene_of: Any) -> tuple[Columns, Any]:  # noqa: ARG002
         """Return the columns of arrays of measured values, and the rows that floats are to compute."""
@@ -65,10 +77,7 @@ class Unknowns(Wanted):
             values = {name: numpy.nan_to_num(values, nan=SIZES[name][1]) for name, values in solved.values.items()}
             columns.doubts[...] = bits_of(doubts(scene.with_values(values), [*scene.measured]))
             columns.doubts[[*solved.failures]] = 0
-        bars, remark = self.bars(solved, self.names, self.sources_in(scene))
-        if remark is not None:
-            columns.add_remark(remark)
-        return columns, columns.put_sides(bars)
+        return columns, columns.put_bars(Solved(solved, solved.values), {})
 
 
 class Problems(Sweep):

@@ -5,8 +5,8 @@ imported.
 """
 
 from bisect import bisect
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property, partial
 from itertools import accumulate, chain, product
 from math import prod
 from typing import TYPE_CHECKING, Any
@@ -19,6 +19,7 @@ from ..scene.scene import FOLLOWS, Scene
 from ..scene.wiring import in_order
 
 if TYPE_CHECKING:
+    from .cells import Indices, Numbers
     from .columns import Columns, Wanted
 
 WORTH_ARRAYS = 80_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
@@ -90,14 +91,15 @@ class Sweep:
 
         Raises a Failure where none does.
         """
-        from .columns import Wanted
+        from .columns import Wanted, sides_in
 
         shown = {*named, *chain.from_iterable(self.shown(scene, quantities, named) for scene in self.kinds)}
         if not shown:
             raise Failure(OF_IDENTICAL_SPHERES)
         names = [name for name in quantities if name in shown]
-        inputs, sides = entering(self.kinds, lambda scene: self.shown(scene, names, named), names)
-        return Wanted(names, named=named, inputs=in_order(inputs - shown), sides=sides)
+        kinds = [(scene, self.shown(scene, names, named)) for scene in self.kinds]
+        inputs = {name for scene, own in kinds for name in scene.echo(scene.inputs_used(names, own))}
+        return Wanted(names, named=named, inputs=in_order(inputs - shown), sides=sides_in(kinds))
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> "Wanted":
         """Return the columns of quantities alone: those not asked for by name may concern identical spheres only."""
@@ -131,33 +133,14 @@ class Sweep:
 
     def columns(self, wanted: "Wanted", *, one_by_one: bool = False) -> Iterator["Columns"]:
         """Iterate over the columns of the rows, block by block; `one_by_one`: inputs have their uncertainties."""
-        from .columns import BLOCK, Columns
+        from .columns import BLOCK, Columns, evaluated
 
         size = len(self)
         if one_by_one or size * wanted.work(self.kinds[0]) <= WORTH_ARRAYS:
             yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])
             return
-        from .rows import Lists, evaluated
-
         for start in range(0, size, BLOCK):
             yield evaluated(wanted, Lists(self, start, min(start + BLOCK, size)))
-
-
-def entering(
-    scenes: Iterable[Scene], shown: Callable[[Scene], Sequence[str]], quantities: Sequence[str]
-) -> tuple[set[str], dict[str, set[str]]]:
-    """Return the inputs of the quantities that scenes show, and the sides of the uncertainties of these quantities."""
-    inputs: set[str] = set()
-    sides: dict[str, set[str]] = {}
-    for scene in scenes:
-        names = shown(scene)
-        inputs.update(scene.echo(scene.inputs_used(quantities, names)))
-        if scene.is_uncertain:
-            from ..scene.uncertainty import sides_of_results
-
-            for name, of_name in sides_of_results(scene, names).items():
-                sides.setdefault(name, set()).update(of_name)
-    return inputs, sides
 
 
 def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
@@ -168,3 +151,45 @@ def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
         kind = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
         values.setdefault(kind, spread.uncertainty or spread.low)
     return [*values.values()]
+
+
+# --- Blocks -----------------------------------------------------------------------------------------------------------
+
+
+class Lists:
+    """Some rows of a call, as a block: those of a pair of materials and of a law are alike."""
+
+    def __init__(self, sweep: Sweep, start: int, stop: int) -> None:
+        """`start`, `stop`: the places of the rows in the sweep."""
+        import numpy
+
+        pairs, *places, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.sizes)
+        self.sweep, self.start, self.pairs, self.laws = sweep, start, pairs, laws
+        self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
+        of_inputs = zip(sweep.spreads, places, strict=True)
+        self.size = stop - start
+        self.numbers: Mapping[str, Numbers] = {
+            name: self._numbers(name, of_input) for name, of_input in of_inputs if name not in self.fixed
+        }
+        self.kinds: Sequence[Any] = [pairs, laws]
+
+    def scene(self, given: Mapping[str, Any], rows: "Indices") -> Any:
+        """Return the scene of the inputs of rows that are alike."""
+        pair, model = self.sweep.pairs[self.pairs[rows[0]]], self.sweep.models[self.laws[rows[0]]]
+        return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
+
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself."""
+        return self.sweep.row(self.start + row)
+
+    def _numbers(self, name: str, places: "Indices") -> "Numbers":
+        """Return the values of an input. `places`: those of the values in its lists and ranges."""
+        import numpy
+
+        from .cells import Numbers
+
+        distinct, back = numpy.unique(places, return_inverse=True)
+        values = [*map(partial(self.sweep.value, name), distinct.tolist())]
+        numbers = numpy.array([value if isinstance(value, float) else value.value for value in values])
+        uncertain = {row: values[place] for row, place in enumerate(back) if not isinstance(values[place], float)}
+        return Numbers(numbers[back], (), uncertain)

@@ -16,12 +16,12 @@ from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
 from ..scene.failures import MissingInput, NotInLaw
+from ..scene.limits import Evaluation
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
-from .cells import LABEL, Indices, Lookup
-from .columns import DOUBT, SIDES, Wanted, remarks_of
+from .cells import LABEL, Indices, Lookup, Numbers
+from .columns import BAD, DOUBT, SIDES, Wanted, groups
 from .header import Header, Reading, is_input, stated_meanings
-from .rows import BAD, Block, groups
 from .words import MATERIALS
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ class Table:
     @property
     def added(self) -> list[str]:
         """The headers of all columns that are added."""
-        return [*self.said, *self.wanted.heads(header), *remarks_of(self.wanted)]
+        return [*self.said, *self.wanted.heads(header), *self.wanted.remarks()]
 
     def scene(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Any:
         """Return the scene of inputs and of the materials of cells, or the problem of a measured one.
@@ -182,7 +182,7 @@ class Table:
         sources = []
         for places, given in groups(block):
             with suppress(JkrollError):  # bad rows, which their status will explain
-                sources.append(self.wanted.sources_in(block.scene(given, places)))
+                sources.append(Evaluation(block.scene(given, places), dict.fromkeys(self.wanted.names)).sources)
         of_rows = [*filter(None, sources)]
         sides = {*SIDES} if self.asked.uncertainty else {side for each in of_rows for side in each.sides}
         sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
@@ -247,18 +247,21 @@ class Records(NamedTuple):
     size: int = 0  # lines in the block
 
 
-class TableBlock(Block):
+class TableBlock:
     """Some rows of a table. Those whose materials have the same properties are alike."""
 
     def __init__(self, table: Table, records: Records) -> None:
         """`records`: the cells of the columns that the table reads."""
         self.table, self.cells, self.odd = table, records.cells, records.odd
-        numbers = {column.name: column.numbers(self.cells) for column in table.columns.inputs}
+        self.numbers: Mapping[str, Numbers] = {
+            column.name: column.numbers(self.cells) for column in table.columns.inputs
+        }
         self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
         are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
         are_rows[[*self.odd]] = BAD
         kinds = [table.lookups[name].kinds(indices) for name, indices in self.indices.items()]
-        super().__init__(len(are_rows), numbers, [are_rows, *kinds])
+        self.size = len(are_rows)
+        self.kinds: Sequence[Any] = [are_rows, *kinds]
 
     def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the scene of the inputs of rows that are alike."""

@@ -173,7 +173,7 @@ def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
 DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
 
 
-def names_beside(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, list[str]]:
+def names_with_alternatives(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, list[str]]:
     """Return the quantities that have alternatives, by kind: the name of the other law, and DATA.
 
     `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
@@ -193,17 +193,17 @@ def _may_be_rolled(scene: Scene) -> bool:
 
 
 def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """Return what may stand in place of results, as `beside` does, with None for those that the other law lacks.
+    """Return what may stand in place of results, by kind, with None for those that the other law lacks.
 
     A result that is not among them is the same.
     """
-    values, law = beside(scene, names_beside([scene], names)), other_law(scene.law.name)
+    values, law = alternatives_of(scene, names_with_alternatives([scene], names)), other_law(scene.law.name)
     if lacking := [name for name in names if name in by_law(scene).missing(names)]:
         values[law] = {**values.get(law, {}), **dict.fromkeys(lacking)}
     return values
 
 
-def beside(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
+def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
     """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
 
     `names_of`: the quantities of each kind. None stands for one that has no value. A kind that a scene does not have is

@@ -1,10 +1,10 @@
-"""The limits of the model: one table of numbers, thresholds and codes, and the doubts that follow for any scene."""
+"""The limits of the model: one table of numbers, thresholds and codes; and scenes evaluated, with their doubts."""
 
 import operator
-from collections.abc import Callable, Collection, Iterable, Mapping
-from functools import cache, reduce
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import cache, cached_property, reduce
 from math import exp, inf, nan
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from ..errors import JkrollError
 from ..physics.elementary import at_most, ln, where
@@ -14,6 +14,9 @@ from .alternatives import factor_of_data, factor_of_law, solid_of_kind
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
 from .wiring import taken_by
+
+if TYPE_CHECKING:
+    from .uncertainty import Propagated, Sources
 
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
@@ -316,3 +319,54 @@ def codes_of(bits: int) -> tuple[str, ...]:
 def codes(bits: int) -> str:
     """Return the codes that bits stand for as a text."""
     return " ".join(codes_of(bits))
+
+
+# --- A scene evaluated ------------------------------------------------------------------------------------------------
+
+
+class Evaluation:
+    """The outcomes of a scene with their inputs, error bars and doubts, each computed when something shows it.
+
+    Rows and answers are ways to show it. Of a scene of arrays all are arrays, with nan where an element has no value.
+    """
+
+    limits: Sequence[Limit] = LIMITS  # that are judged
+
+    def __init__(self, scene: Any, outcomes: Mapping[str, Any]) -> None:
+        """`outcomes`: values, or the errors that say why there are none, by quantity."""
+        self.scene, self.outcomes = scene, outcomes
+        self.values = {name: value for name, value in outcomes.items() if not isinstance(value, JkrollError)}
+        self.errors = {name: error for name, error in outcomes.items() if name not in self.values}
+
+    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
+        """Return the inputs on which quantities depend, as they were understood, with their error bars."""
+        inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names, names))
+        if self.sources is not None:
+            inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
+        return inputs
+
+    @cached_property
+    def sources(self) -> "Sources | None":
+        """The sources of uncertainty that enter; None if there are none.
+
+        Raises a JkrollError for sources that do not go together.
+        """
+        if not self.scene.is_uncertain:
+            return None
+        from .uncertainty import sources_of_results
+
+        return sources_of_results(self.scene, [*self.outcomes])
+
+    @cached_property
+    def bars(self) -> "Mapping[str, Propagated | JkrollError]":
+        """The error bars of values that have some, or the errors that say why they have none."""
+        if self.sources is None or not self.values:
+            return {}
+        from .uncertainty import uncertainties
+
+        return uncertainties(self.scene, [*self.values], sources=self.sources)[0]
+
+    @cached_property
+    def validity(self) -> Sequence[Doubt]:
+        """The limits of the model, judged for the values, or with the reason why not."""
+        return doubts(self.scene, [*self.values], self.limits)

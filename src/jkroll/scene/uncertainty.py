@@ -15,11 +15,11 @@ from ..errors import BadRequest, JkrollError
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
-from .inverse import Problem
 from .scene import Scene
 from .wiring import in_order
 
 if TYPE_CHECKING:
+    from .inverse import Problem
     from .unknowns import Solution
 
 MAX_RANGES = 8  # whose corners are computed, all together
@@ -107,7 +107,7 @@ def sources_of_results(scene: "Scene | Problem | Solution", names: Sequence[str]
     """
     if isinstance(scene, Scene):
         return sources_of(scene, scene.inputs_of(*scene.possible(names)))
-    problem = scene if isinstance(scene, Problem) else scene.problem
+    problem: Any = getattr(scene, "problem", scene)
     measured = [Source((name,), given) for name, given in problem.measured.items() if is_uncertain(given)]
     return sources_of(problem.scene, problem.used(), measured)
 
@@ -183,7 +183,7 @@ def uncertainties(
     return bars, sources
 
 
-def measures_of(bars: Bars) -> dict[str, Uncertain | JkrollError]:
+def measures_of(bars: Mapping[str, Propagated | JkrollError]) -> dict[str, Uncertain | JkrollError]:
     """Return the values that have error bars, with these, or the errors that say why there is none."""
     return {name: bar.uncertainty if isinstance(bar, Propagated) else bar for name, bar in bars.items()}
 

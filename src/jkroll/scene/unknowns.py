@@ -77,6 +77,11 @@ class Solution(NamedTuple):
         return self.scene.numbers(*self.problem.measured)
 
     @property
+    def is_uncertain(self) -> bool:
+        """True if the problem has a value with an uncertainty."""
+        return self.problem.is_uncertain
+
+    @property
     def shape(self) -> tuple[int, ...]:
         """The shape of the values."""
         return numpy.shape(self.condition)
