@@ -107,10 +107,7 @@ def check_call(arguments: list[str]) -> int:
     assert all(
         line.startswith(("jkroll: ", "note: ", "warning: ", "assumed: ", "more: ", "read: ")) and line.isprintable()
         for line in lines
-    ), (
-        arguments,
-        lines,
-    )
+    ), (arguments, lines)
     assert bool(errors) == (code != 0), (arguments, code, lines)
     assert len(errors) <= 1 or "batch" in arguments[:2], (
         arguments,

@@ -423,9 +423,7 @@ NO_RESULTS = ("boussinesq_pressure_at_approach", "initial_angular_speed")  # for
 OF_A_RATIO = ("load_factor_at_approach", "load_margin_at_approach")
 
 # What x is the cube of, for formulas whose accuracy is stated in that.
-MEASURED: Mapping[str, Callable[[Exact], Exact]] = {
-    "load_factor_at_approach": cbrt,
-}
+MEASURED: Mapping[str, Callable[[Exact], Exact]] = {"load_factor_at_approach": cbrt}
 
 # The larger of two terms that may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {

@@ -39,11 +39,7 @@ def test_a_row_says_why_it_has_no_value(run: Run) -> None:
     assert ran.code == 1
     first, *bad, last = results("out.csv")
     assert [row["surface_energy [J/m^2]"] for row in bad] == ["", "", ""]
-    assert [row["status"] for row in bad] == [
-        "needs radius",
-        "no measured value",
-        "bad pull_off_force",
-    ]
+    assert [row["status"] for row in bad] == ["needs radius", "no measured value", "bad pull_off_force"]
     low, high = float(last["surface_energy [J/m^2]"]), float(first["surface_energy [J/m^2]"])
     assert "2 of 5 rows; median 14.5892 mJ/m²" in ran.err.replace("\n  ", " ")
     assert (low + high) / 2 == approx(14.5892e-3, rel=1e-5)

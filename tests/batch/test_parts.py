@@ -187,17 +187,8 @@ def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
 def scheduler() -> Iterator[str]:
     """A Dask scheduler."""
     pytest.importorskip("distributed")
-    command = [
-        sys.executable,
-        "-m",
-        "distributed.cli.dask_scheduler",
-        "--port",
-        "0",
-        "--host",
-        "127.0.0.1",
-        "--no-dashboard",
-    ]
-    process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    words = "-m distributed.cli.dask_scheduler --port 0 --host 127.0.0.1 --no-dashboard".split()
+    process = subprocess.Popen([sys.executable, *words], stderr=subprocess.PIPE, text=True)
     assert process.stderr is not None
     address = next(match[0] for line in process.stderr if (match := re.search(r"tcp://[\d.]+:\d+", line)))
     yield address
@@ -207,17 +198,8 @@ def scheduler() -> Iterator[str]:
 
 def worker(address: str) -> "subprocess.Popen[bytes]":
     """A Dask worker."""
-    command = [
-        sys.executable,
-        "-m",
-        "distributed.cli.dask_worker",
-        address,
-        "--nthreads",
-        "1",
-        "--no-nanny",
-        "--no-dashboard",
-    ]
-    return subprocess.Popen(command, stderr=subprocess.DEVNULL)
+    words = f"-m distributed.cli.dask_worker {address} --nthreads 1 --no-nanny --no-dashboard".split()
+    return subprocess.Popen([sys.executable, *words], stderr=subprocess.DEVNULL)
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -272,42 +272,14 @@ def test_it_dies_by_other_signals_silently(number: int, tmp_path: Path) -> None:
 # --- A broken configuration -------------------------------------------------------------------------------------------
 
 
-def _directory(path: Path) -> None:
-    path.mkdir()
-
-
-def _not_utf8(path: Path) -> None:
-    path.write_bytes(b"\xff\xfe")
-
-
-def _huge(path: Path) -> None:
-    path.write_bytes(b"#" * 2_000_000)
-
-
-def _loop(path: Path) -> None:
-    path.symlink_to(path)
-
-
-def _dangling(path: Path) -> None:
-    path.symlink_to("nowhere")
-
-
-def _endless(path: Path) -> None:
-    path.symlink_to("/dev/zero")
-
-
-def _unreadable(path: Path) -> None:
-    path.touch(mode=0)
-
-
-BROKEN = {
-    "a directory": (_directory, "Is a directory"),
-    "no UTF-8": (_not_utf8, "is not UTF-8"),
-    "2 MB": (_huge, "is larger than 64 kB"),
-    "a loop": (_loop, "Too many levels of symbolic links"),
-    "a link to nothing": (_dangling, "No such file or directory"),
-    "/dev/zero": (_endless, "is larger than 64 kB"),
-    "unreadable": (_unreadable, "Permission denied"),
+BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
+    "a directory": (Path.mkdir, "Is a directory"),
+    "no UTF-8": (lambda path: path.write_bytes(b"\xff\xfe"), "is not UTF-8"),
+    "2 MB": (lambda path: path.write_bytes(b"#" * 2_000_000), "is larger than 64 kB"),
+    "a loop": (lambda path: path.symlink_to(path), "Too many levels of symbolic links"),
+    "a link to nothing": (lambda path: path.symlink_to("nowhere"), "No such file or directory"),
+    "/dev/zero": (lambda path: path.symlink_to("/dev/zero"), "is larger than 64 kB"),
+    "unreadable": (lambda path: path.touch(mode=0), "Permission denied"),
 }
 
 

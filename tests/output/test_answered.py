@@ -18,11 +18,7 @@ SCENES: list[tuple[str, str | list[str], dict[str, Any]]] = [
         {"material": "quartz", "radius": "100nm", "gamma": "25±5mJ/m2", "load": -1e-9, "model": "maugis"},
     ),
     ("energies tholin 100nm --poisson 0.3", "energies", {"material": "tholin", "radius": 1e-7, "poisson": 0.3}),
-    (
-        "report iron 5nm --quantities P_c,yield_force",
-        ["P_c", "yield_force"],
-        {"material": "iron", "radius": 5e-9},
-    ),
+    ("report iron 5nm --quantities P_c,yield_force", ["P_c", "yield_force"], {"material": "iron", "radius": 5e-9}),
 ]
 
 

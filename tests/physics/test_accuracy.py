@@ -298,11 +298,7 @@ def test_formula_is_as_accurate_as_it_says(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("formula", "place"),
-    [
-        (load_factor_at_approach, 3 / 6 ** (1 / 3) + float(FOLD)),
-        (load_factor_at_approach, 1.0),
-    ],
+    ("formula", "place"), [(load_factor_at_approach, 3 / 6 ** (1 / 3) + float(FOLD)), (load_factor_at_approach, 1.0)]
 )
 def test_states_at_neighbouring_approaches_do_not_jump(formula: Callable[..., Any], place: float) -> None:
     ratios = np.sort(steps_from(place, *range(1, 10_000)))

@@ -3,7 +3,6 @@
 import math
 import sys
 from collections.abc import Iterator, Mapping
-from itertools import combinations, product
 from random import Random
 from typing import Any
 
@@ -11,70 +10,19 @@ import numpy as np
 import pytest
 
 from jkroll import NOMENCLATURE, solve
-from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.quantities.values import QuantityError
 from jkroll.scene.failures import MissingInput
 from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, is_answer, takes
 from jkroll.scene.wiring import Plan, formula_of, steps_to
 from maugis_reference import Exact, digits, mpf
-from reference import BOUND, conditions, exact, exact_results, ulp_error
+from reference import BOUND, exact, ulp_error
 from scenes import OTHER, QUARTZ
 
 GIVEN = QUARTZ | {"yield_displacement": 2e-10, "gravity": 9.8}
 ENERGIES = ("energy", "energy_ratio", "speed")
 STATES = ("load", "approach_at_load")
 NAMES = [name for name in (*GIVEN, *OTHER) if not name.startswith("poisson")]
-
-
-def scenes(count: int) -> Iterator[dict[str, Any]]:
-    """Iterate over scenes with one or two inputs at the ends, and `count` with all, some with a state or an energy."""
-    ends = (LEAST, MOST)
-    for name, end in product((*NAMES, *ENERGIES, *STATES), ends):
-        yield {**GIVEN, name: end}
-    random = Random(300)
-    for pair in combinations((*NAMES, *ENERGIES), 2):
-        if not set(pair) <= set(ENERGIES):
-            yield {**GIVEN, **{name: random.choice(ends) for name in pair}}
-    for place in range(count):
-        names = [
-            *NAMES[: 6 if place % 2 else None],
-            random.choice(ENERGIES),
-            *random.choice([(), (), ("load",), STATES[1:]]),
-        ]
-        depth = random.choice([1.0, 1.0, 0.9, 0.75, 0.5])  # not all at the very end
-        yield {**GIVEN, **{name: random.choice(ends) ** depth for name in names}}
-
-
-@pytest.fixture
-def _many_digits() -> Iterator[None]:
-    """Give the plain form of the rolling mass more digits than it cancels where the radii differ by 60 orders."""
-    with digits.workdps(800):
-        yield
-
-
-def is_right(value: Any, exact: Exact, condition: float) -> bool:
-    """Return whether a value is the exact one, or is none."""
-    if isinstance(value, JkrollError) or math.isnan(value):
-        return True
-    return ulp_error(float(value), exact) <= BOUND * (1 + condition)
-
-
-@pytest.mark.usefixtures("_many_digits")
-@pytest.mark.parametrize(("count", "least"), [(5, 1_500), pytest.param(120, 5_000, marks=pytest.mark.slow)])
-def test_a_number_at_the_ends_is_right_or_refused(count: int, least: int) -> None:
-    answered = 0
-    for scene in scenes(count):
-        exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
-        condition = conditions(scene, exact)
-        arrays = {name: np.array([value, GIVEN.get(name, value)]) for name, value in scene.items()}
-        numbers, elements = Scene(scene).evaluate(list(exact)), Scene(arrays).evaluate(list(exact))
-        for name, value in exact.items():
-            assert is_right(numbers[name], value, condition[name]), (name, numbers[name], float(value), scene)
-            element = elements[name][0] if isinstance(elements[name], np.ndarray) else elements[name]
-            assert is_right(element, value, condition[name]), (name, element, float(value), scene)
-            answered += isinstance(numbers[name], float)
-    assert answered > least
 
 
 @pytest.mark.parametrize("value", [1e-31, 1e31, 1e-300, 1e300, 5e-324])
@@ -135,14 +83,16 @@ BOUND_OF_LAW = {"jkr": BOUND, "maugis": 25.0}  # ulp, times 1 plus the condition
 
 
 def corner_scenes(low: float, high: float, count: int) -> Iterator[dict[str, float]]:
-    """Iterate over scenes whose inputs have the least or the largest magnitude, or any between these."""
+    """Iterate over scenes of which some or all inputs have the least or the largest magnitude, or any between these."""
     random = Random(count)
+    usual = {**GIVEN, **OTHER, "atomic_spacing": 4e-10}
 
     def corner() -> float:
         return random.choice([low, high, low, high, 10 ** random.uniform(math.log10(low), math.log10(high))])
 
     for _ in range(count):
-        scene = {name: corner() for name in SIZES}
+        share = random.choice([0.1, 0.5, 1.0, 1.0])  # of the inputs that are at a corner
+        scene = {name: corner() if random.random() < share else usual[name] for name in SIZES}
         scene |= {"poisson_ratio": random.choice([0.0, 0.3, 0.5, -0.999]), "poisson_ratio2": 0.2, "rolling_angle": 1.5}
         if random.random() < 0.4:
             scene[random.choice(["radius2", "youngs_modulus2"])] = math.inf

@@ -26,15 +26,6 @@ OF_ANY_LAW = ("twisting_stiffness", "twisting_frequency")  # by the radius of it
 # --- Stiffness of torsion, two ways -----------------------------------------------------------------------------------
 
 
-def test_torsional_stiffness_is_the_moment_of_the_tractions() -> None:
-    """Of Reissner & Sagoci's 4Gφr/(π√(a² − r²)) on either solid, with the angles of both in series."""
-    a, stiffness = solve(["contact_radius_at_load", "twisting_stiffness"], **PAIR).values()
-    edge = np.sin((np.arange(20_000) + 0.5) / 20_000 * math.pi / 2)  # r/a; dr cancels the square root
-    moment = np.mean(4 / math.pi * edge**3 * 2 * math.pi) * math.pi / 2 * a**3  # of a half-space with G = 1, φ = 1
-    shear, shear2 = (PAIR["youngs_modulus" + i] / (2 * (1 + PAIR["poisson_ratio" + i])) for i in ("", "2"))
-    assert math.isclose(stiffness, moment / (1 / shear + 1 / shear2), rel_tol=1e-8)
-
-
 @pytest.mark.parametrize("radius2", [1e-7, 3e-7, math.inf])
 def test_twisting_frequency_is_an_eigenvalue(radius2: float) -> None:
     """Of two spheres that turn about the line of centres with the spring k_t (θ1 − θ2)²/2; a plane is held."""

@@ -168,11 +168,7 @@ def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
         pytest.param(
             "--panel force --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17.", marks=pytest.mark.slow
         ),
-        pytest.param(
-            "--panel moment --model dmt",
-            "R1 = 100 nm, γ1 = 25 mJ/m², ξ = 100 pm.",
-            marks=pytest.mark.slow,
-        ),
+        pytest.param("--panel moment --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², ξ = 100 pm.", marks=pytest.mark.slow),
         pytest.param("--panel moment --model jkr,dmt", "R1 = 100 nm, γ1 = 25 mJ/m².", marks=pytest.mark.slow),
         pytest.param(
             "--model maugis",
@@ -365,10 +361,7 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
 
 @pytest.mark.parametrize(
     "name",
-    [
-        "8",
-        *(pytest.param(name, marks=pytest.mark.slow) for name in ("contact", *PAPER_MAPS, *PROFILES) if name != "8"),
-    ],
+    ["8", *(pytest.param(name, marks=pytest.mark.slow) for name in ("contact", *PAPER_MAPS, *PROFILES) if name != "8")],
 )
 def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
     if name in PAPER_MAPS:

@@ -51,15 +51,9 @@ def field_of(name: str) -> Field:
         ("3b", lambda _, radius: 4 * 2e-10 / radius),
         ("3c", lambda _, radius: radius**2 / 2e-10),
         ("3d", lambda gamma, radius: np.sqrt(9 * gamma * 2e-10 / (2 * radius**3 * 2000 * 9.80665))),
-        (
-            "6a",
-            lambda gamma, radius: 6.381e8 * (gamma / 0.1) ** (1 / 6) * (1e-7 / radius) ** (7 / 6),
-        ),
+        ("6a", lambda gamma, radius: 6.381e8 * (gamma / 0.1) ** (1 / 6) * (1e-7 / radius) ** (7 / 6)),
         ("6b", lambda gamma, radius: 2.5 * 3 / (2 * math.pi) * np.sqrt(gamma / (5 * radius**3 * 2000))),
-        (
-            "8",
-            lambda ratio, radius: 3 / (14 * np.cbrt(9 * math.pi)) * ratio ** (-2 / 3) * np.cbrt(radius / 2) / 2e-10,
-        ),
+        ("8", lambda ratio, radius: 3 / (14 * np.cbrt(9 * math.pi)) * ratio ** (-2 / 3) * np.cbrt(radius / 2) / 2e-10),
     ],
 )
 def test_a_figure_is_its_equation(name: str, formula: object) -> None:
@@ -549,17 +543,9 @@ def test_any_quantity_over_any_input_is_drawn_or_refused_in_a_line(run: Run) -> 
 @pytest.mark.parametrize(
     ("model", "sentence", "regions"),
     [
-        (
-            "jkr",
-            "Pull-off force, P_c, Eq (1), under JKR.",
-            ["JKR is off by more than 5 %", "a/z0 < 3"],
-        ),
+        ("jkr", "Pull-off force, P_c, Eq (1), under JKR.", ["JKR is off by more than 5 %", "a/z0 < 3"]),
         ("maugis", "Pull-off force, P_c, Maugis 1992, under Maugis–Dugdale.", ["a/z0 < 3"]),
-        (
-            "dmt",
-            "Pull-off force, P_c, Eq (1), under DMT.",
-            ["DMT is off by more than 5 %", "a/z0 < 3"],
-        ),
+        ("dmt", "Pull-off force, P_c, Eq (1), under DMT.", ["DMT is off by more than 5 %", "a/z0 < 3"]),
     ],
 )
 def test_a_map_names_its_law_and_is_judged_by_it(run: Run, model: str, sentence: str, regions: list[str]) -> None:

@@ -11,14 +11,7 @@ from harness import Run
 from jkroll.answers.advice import about_displacement, about_doubt, displacement_in_full
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import ends_of, value_of
-from jkroll.scene.alternatives import (
-    FORCES,
-    ROLLED,
-    at_least_measured,
-    at_most_measured,
-    in_place_of,
-    rolled_solid,
-)
+from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, in_place_of, rolled_solid
 from jkroll.scene.limits import ASSUMED_DISPLACEMENT, doubts
 from jkroll.scene.scene import Scene
 from relative import approx

@@ -15,13 +15,7 @@ from jkroll import Interval, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest, NoResult
 from jkroll.quantities.values import parse_quantity
 from jkroll.scene import unknowns
-from jkroll.scene.inverse import (
-    NoDependence,
-    NoSolution,
-    Problem,
-    SeveralSolutions,
-    Undetermined,
-)
+from jkroll.scene.inverse import NoDependence, NoSolution, Problem, SeveralSolutions, Undetermined
 from jkroll.scene.scene import Scene
 from jkroll.scene.uncertainty import sources_of_results
 from jkroll.scene.unknowns import Solution

@@ -152,11 +152,7 @@ def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_t
     By Eqs (1) and (3) its (2/7)P_cδ0 is 6πγξ² at 11 nm of quartz.
     """
     gamma, modulus, shift = 0.025, 54e9 / (2 * (1 - 0.17**2)), 2e-10
-    for share, names in (
-        (2 / 7, ["n_roll"]),
-        (5 / 7, ["n_roll_after_impact"]),
-        (1.0, ["n_roll_energy_balance"]),
-    ):
+    for share, names in ((2 / 7, ["n_roll"]), (5 / 7, ["n_roll_after_impact"]), (1.0, ["n_roll_energy_balance"])):
         reduced = (2 * shift**2 / share) ** 0.75 * (modulus**2 / (3 * np.pi**2 * gamma**2)) ** 0.25
         for radius, is_in_doubt in ((0.999 * 2 * reduced, True), (1.001 * 2 * reduced, False)):
             codes = verdicts(*names, radius=radius).values()

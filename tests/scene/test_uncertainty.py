@@ -18,10 +18,7 @@ from jkroll import Interval, Material, Materials, Measured, infer, known_materia
 from jkroll.errors import BadRequest
 from jkroll.quantities.values import QuantityError, Uncertain, value_of
 from jkroll.scene.scene import Scene
-from jkroll.scene.uncertainty import (
-    Propagated,
-    uncertainties,
-)
+from jkroll.scene.uncertainty import Propagated, uncertainties
 from relative import approx
 from scenes import QUARTZ
 

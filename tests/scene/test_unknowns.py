@@ -15,12 +15,7 @@ from jkroll import Interval, JkrollError, Measured, infer, known_materials
 from jkroll.errors import BadRequest
 from jkroll.quantities.formatting import amount
 from jkroll.scene.failures import Failure, MissingInput
-from jkroll.scene.inverse import (
-    NoSolution,
-    Problem,
-    SeveralSolutions,
-    Unseparated,
-)
+from jkroll.scene.inverse import NoSolution, Problem, SeveralSolutions, Unseparated
 from jkroll.scene.scene import Scene
 from jkroll.scene.unknowns import Solution, solution
 from relative import approx
