@@ -62,7 +62,7 @@ def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model
     scene = f"contact quartz {radius}nm --model {model}"
     refused = run(f"{scene} --load=-20nN")
     assert refused.code
-    held = re.findall(r"this contact, which holds a pull down to (-[.\d]+) nN", refused.err)[0]
+    held = re.findall(r"the hardest pull that it holds is (-[.\d]+) nN", refused.err)[0]
     assert run(f"{scene} --load={held}nN").code == 0
     assert float(held) == approx(
         -1e9 * solve("pull_off_force", **QUARTZ | {"radius": radius * 1e-9}, model=model), rel=1e-5

@@ -156,7 +156,7 @@ STATUS = {
     "x,quartz,0,0": ("bad radius", "radius: '0 nm' must be positive; expected a length such as 100nm"),
     "x,quartz,100,-20": (
         "beyond pull-off",
-        "load: -20 nN breaks this contact, which holds a pull down to -11.78097 nN",
+        "load: -20 nN breaks this contact: the hardest pull that it holds is -11.78097 nN",
     ),
     "x,quartz,100": ("row is short: 3 cells for 4", "row is short: 3 cells for 4"),
     "x,quartz,100,0,": ("row is long: 5 cells for 4", "row is long: 5 cells for 4"),

@@ -71,7 +71,7 @@ def test_a_result_without_a_value_has_a_reason() -> None:
 def test_what_has_no_answer_is_an_error() -> None:
     with pytest.raises(jkroll.JkrollError, match="radius"):
         jkroll.answer("pull-off", material="quartz")
-    with pytest.raises(jkroll.JkrollError, match="holds a pull down to"):
+    with pytest.raises(jkroll.JkrollError, match="hardest pull"):
         jkroll.answer("contact", material="quartz", radius=1e-7, load=-1e-6)
     with pytest.raises(jkroll.JkrollError, match="is more than one scene; solve takes arrays"):
         jkroll.answer("pull-off", material="quartz", radius=[1e-7, 2e-7])

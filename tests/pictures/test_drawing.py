@@ -502,7 +502,7 @@ def test_curves_of_several_laws_end_at_the_loads_and_have_no_chords(loads: str) 
 def test_loads_that_no_law_holds(run: Run) -> None:
     ran = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-30nN:-20nN")
     assert (ran.code, ran.out) == (1, "")
-    assert ran.err == "jkroll: --load: -20 nN breaks this contact, which holds a pull down to -15.70796 nN\n"
+    assert ran.err == "jkroll: --load: -20 nN breaks this contact: the hardest pull that it holds is -15.70796 nN\n"
 
 
 def test_a_branch_beyond_the_loads_is_not_in_the_key(run: Run) -> None:

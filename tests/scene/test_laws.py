@@ -318,7 +318,7 @@ def test_a_sticking_energy_that_the_spacing_decides_is_a_range() -> None:
     found = Answer(QUESTIONS["contact"], Scene({"radius": 1e-7}, quartz, model="maugis"))
     (result,) = [each for each in found.results if each.name == "sticking_energy"]
     assert result.value is None
-    assert result.reason == "from 85.0556 yJ at z0 = 400 pm to 2.72178 zJ at z0 = 200 pm; give --z0"
+    assert result.reason == "from 85.0556e-24 J at z0 = 400 pm to 2.72178e-21 J at z0 = 200 pm; give --z0"
     energies = Answer(QUESTIONS["energies"], Scene({"radius": 1e-7}, quartz, model="maugis"))
     (speed,) = [each for each in energies.results if each.name == "sticking_speed"]
     assert speed.reason == "from 5.58921 mm/s at z0 = 400 pm to 31.6174 mm/s at z0 = 200 pm; give --z0"

@@ -125,7 +125,7 @@ class Inferred(Answer):
         values, forward, condition = self.solution.values, self.solution.forward, self.solution.condition
         for name, value in values.items():
             if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
-                yield Note("caveat", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
+                yield Note("warning", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
             if name in _RAISING and not _LOSING.isdisjoint(forward):
                 symbol = symbol_beside(name, self.scene.given)
                 yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")

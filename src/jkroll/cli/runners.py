@@ -12,7 +12,7 @@ from ..materials.library import UnknownMaterial
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import UnknownQuantity
 from ..quantities.values import Spread, spreads_of
-from ..text import ascii_text, listed, quoted, say, say_wrapped, wrapped
+from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
 from .call import Call, is_table
 
 WIDTH_OF_EXPORT = 120  # of a comment
@@ -28,13 +28,14 @@ def run_export(call: Call) -> int:
     said = call.subject.casefold()
     program = next((each for name, each in PROGRAMS.items() if said in (name, each.title.casefold())), None)
     if program is None:
-        raise BadRequest(f"export: which program, {', '.join(PROGRAMS)}? Write jkroll export lammps quartz 100nm")
+        guess = closest(said, PROGRAMS) or next(iter(PROGRAMS))
+        raise BadRequest(f"export: which program, {', '.join(PROGRAMS)}? Write jkroll export {guess} quartz 100nm")
     if (count := len(call.sweep)) != 1:
         raise BadRequest(f"export takes one pair of spheres, not {count}")
     scene = next(call.sweep.scenes())
     if (model := scene.law.name) not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
-    say("\n".join(program.lines(scene)), sys.stdout)
+    sys.stdout.write(program.text(scene))
     if call.quiet:
         return 0
     lacking = scene.missing(program.quantities)

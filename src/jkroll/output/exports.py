@@ -1,28 +1,21 @@
 """Contacts as input of other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
 
-LAMMPS has them as `granular` with rolling resistance, in SI units, and takes γ = w/2. Only E* of the elastic constants
-enters its normal force: they are written as E = 2E*, ν = 0, which also mixes as E* does. Its rolling friction is a
-spring F = k ξ with the cap μ|P + 2P_po|, and the torque FR; k does not depend on the load. The caps of sliding and
-twisting are such, too: a force, and a moment where μ is a length. A plane is a wall, whose coefficients mean the same.
-The skin of its neighbor lists is 1 mm in SI units if none is given, and with grains of 100 nm it refuses that. Comments
-are ASCII, as LAMMPS warns of other characters.
-
-LIGGGHTS has the pull-off force of JKR with Hertz' contact, in SI units, for two spheres or a sphere and a wall.
-DustCollider takes the material of grains in SI units, and their radii elsewhere.
-DustSimulation takes a material and a radius in cgs units, for identical spheres; its thresholds are those of this
-program.
+LAMMPS has them as `granular` with rolling resistance. Only E* enters its normal force: E = 2E* with ν = 0 also mixes as
+E* does. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po| and the torque FR; those of sliding and
+twisting have such caps, too: a force, and a moment where μ is a length. Its skin of 1 mm in SI units is refused with
+grains of 100 nm. Comments are ASCII, as LAMMPS warns of other characters.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from math import pi
 from typing import NamedTuple
 
-from ..errors import BadRequest
+from ..errors import BadRequest, JkrollError
 from ..physics.motion import ALL_STICK
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
-from ..scene.failures import OF_IDENTICAL_SPHERES, TWO_RIGID_BODIES, Failure, MissingInput
+from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, reason_of
 from ..scene.scene import Scene
 
 SKIN = 0.2  # of the neighbor lists, in radii of the smaller sphere
@@ -31,9 +24,21 @@ NO_SLIP = 1e9  # a coefficient of friction with which nothing slips, where a law
 
 QUANTITIES = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
 THRESHOLDS = ("sliding_force", "twisting_stiffness", "twisting_moment")  # of JKR
+_STATED = ("work_of_adhesion", "yield_displacement", "load")
 
-# Comments of an input of LAMMPS: of every law, and of each.
-_REMARKS = """\
+# --- LAMMPS -----------------------------------------------------------------------------------------------------------
+
+_LAMMPS = """\
+# Contact of {bodies} by jkroll: {title}, gamma = w/2
+# w = {work_of_adhesion:.12g} J/m^2, xi = {yield_displacement:.12g} m, P = {load:.12g} N{place}
+{of_pairs}# units si
+{types}
+comm_modify vel yes
+neighbor {skin:.12g} bin
+pair_style granular
+{coefficients}
+timestep {step:.12g}
+{rayleigh}\
 # Legend, SI units. {law}: 2E* [Pa], damping 0, Poisson's ratio 0, gamma per surface [J/m^2].
 # tangential mindlin_rescale: 8G* [Pa], damping 0, coefficient of friction [1]{friction}.
 # Without _rescale, the spring of sliding gives energy to spheres that collide.
@@ -45,7 +50,7 @@ _REMARKS = """\
 # A harder impact is stiffer: for its time step give its largest force as --load.
 # Damping is left out. No damping coeff_restitution here: with adhesion it gives nan (LAMMPS issue 4180).
 """
-_REMARKS_ON = {
+_REMARKS_ON = {  # by law
     "jkr": """\
 # twisting sds: stiffness [N m], damping 0, coefficient M_twist/(P + 2P_c) [m]. timestep in s.
 # LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to where fixed grips let go. So a
@@ -62,21 +67,13 @@ _REMARKS_ON = {
 # The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.
 """,
 }
-_REMARKS_LIGGGHTS = """\
-# m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N.
-# coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting.
-# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this.
-# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are others.
-"""
 
 
-def lammps_input(scene: Scene) -> Iterator[str]:
-    """Iterate over the lines of an input: coefficients of pairs of types or a wall, a time step, what they stand on."""
-    thresholds = (*THRESHOLDS, "shear_strength") if scene.law.is_default else ()
-    names = (*QUANTITIES, *thresholds, "contact_shear_modulus", "density", "density2")
-    whole = {name: scene[name] for name in names}
-    model = scene.law.name
-    work, lag, load = scene["work_of_adhesion"], scene["yield_displacement"], scene["load"]
+def lammps_input(scene: Scene) -> str:
+    """Return an input: coefficients of pairs of types or a wall, a time step, and what they stand on."""
+    is_jkr = scene.law.is_default
+    names = (*QUANTITIES, *((*THRESHOLDS, "shear_strength") if is_jkr else ()), "contact_shear_modulus")
+    values = {name: scene[name] for name in (*names, "density", "density2", *_STATED)}
     grains = _grains(scene)
     pairs = {f"pair_coeff {grain} {grain} {{}}": pair for grain, pair in grains.items()}
     bodies, place = "two spheres", ""
@@ -86,43 +83,41 @@ def lammps_input(scene: Scene) -> Iterator[str]:
     elif not scene.is_identical:
         place = " for types 1 and 2"
         pairs["pair_coeff 1 2 {}"] = scene
-    yield f"# Contact of {bodies} by jkroll: {model.upper()}, gamma = w/2"
-    yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{place}"
-    if len(pairs) > 1:
-        at_rest = "Like spheres touch without load. " if load else ""
-        yield f"# {at_rest}The time step is the shortest of all pairs."
-    yield "# units si"
-    for grain, pair in grains.items():
-        yield f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}"
-    yield "comm_modify vel yes"
-    yield f"neighbor {_skin(scene, pairs.values()):.12g} bin"
-    yield "pair_style granular"
-    steps = []
+    coefficients, steps = [], []
     for command, pair in pairs.items():
         try:
-            yield command.format(_coefficients(pair))
+            coefficients.append(command.format(_coefficients(pair)))
             steps.append(pair["time_step"])
-        except MissingInput as error:
-            yield f"# {command.partition(' {')[0]} {error.reason()}"
-        except Failure as error:
-            if error.kind != TWO_RIGID_BODIES:
-                raise
-            yield f"# {command.partition(' {')[0]}: {error}"
-    yield f"timestep {min(steps):.12g}"
-    yield from _rayleigh(grains.values())
-    friction = " F_slide/(P + 2P_c)" if scene.law.is_default else ""
-    yield from _REMARKS.format(law=model, friction=friction).splitlines()
-    yield from _REMARKS_ON[model].format(**whole, place=place).splitlines()
+        except JkrollError as error:  # of like spheres: two rigid ones, or some of which less is given
+            coefficients.append(f"# {command.partition(' {')[0]}: {reason_of(command, error)}")
+    at_rest = "Like spheres touch without load. " if values["load"] else ""
+    types = (
+        f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}"
+        for grain, pair in grains.items()
+    )
+    return (_LAMMPS + _REMARKS_ON[scene.law.name]).format(
+        **values,
+        law=scene.law.name,
+        title=scene.law.name.upper(),
+        bodies=bodies,
+        place=place,
+        of_pairs=f"# {at_rest}The time step is the shortest of all pairs.\n" if len(pairs) > 1 else "",
+        types="\n".join(types),
+        skin=_skin(scene, pairs.values()),
+        coefficients="\n".join(coefficients),
+        step=min(steps),
+        rayleigh=_rayleigh(grains.values()),
+        friction=" F_slide/(P + 2P_c)" if is_jkr else "",
+    )
 
 
-def _rayleigh(grains: Iterable[Scene]) -> Iterator[str]:
-    """Iterate over the comment on the other time step in use, a fifth of the shortest Rayleigh time."""
+def _rayleigh(grains: Iterable[Scene]) -> str:
+    """Return the comment on the other time step in use, a fifth of the shortest Rayleigh time."""
     times = [time for grain in grains for time in grain.numbers("rayleigh_time").values()]
-    if times:
-        yield (
-            f"# A fifth of the Rayleigh time, which needs no load, is {min(times) / 5:.3g} s: take the shorter of the "
-            "two where grains collide."
-        )
+    if not times:
+        return ""
+    lead = "# A fifth of the Rayleigh time, which needs no load, is"
+    return f"{lead} {min(times) / 5:.3g} s: take the shorter of the two where grains collide.\n"
 
 
 def _skin(scene: Scene, pairs: Iterable[Scene]) -> float:
@@ -167,97 +162,51 @@ def _coefficients(pair: Scene) -> str:
     return " ".join(" ".join((word, *(f"{number:.12g}" for number in values))) for word, values in numbers.items())
 
 
-# --- DustSimulation and LIGGGHTS --------------------------------------------------------------------------------------
+# --- LIGGGHTS ---------------------------------------------------------------------------------------------------------
 
-_DAMPING = ("1e-06", "1.25e-11")
-_ABOUT_DUST_SIMULATION = (
-    "the lines are version, name, R1 [cm], density [g/cm³], γ per surface [mJ/m²], Poisson's ratio, Young's modulus "
-    "[dyn/cm²], ξ [cm], damping factor, viscous time [s], and the modifiers of rolling, sliding and twisting; "
-    f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat, whose "
-    "grains have 0.6 µm; rolling, sliding and twisting modifiers are 1"
-)
-
-
-def _refuse_for_dust(scene: Scene, program: str, strength: str) -> None:
-    """Raise the reason why a program for dust cannot have a scene; `strength`: its words for a given shear strength."""
-    _refuse_state(scene, program)
-    if not scene.is_identical:
-        raise Failure(OF_IDENTICAL_SPHERES)
-    if "shear_strength" in scene.given:
-        raise BadRequest(f"export: {program} {strength}")
-    if scene["poisson_ratio"] == 0:
-        raise BadRequest(f"export: {program} divides by Poisson's ratio, which is 0 here")
+_LIGGGHTS = """\
+# Contact by jkroll: Hertz less k A, with the pull-off force of JKR, {force:.12g} N
+# units si{wall}
+fix m1 all property/global youngsModulus peratomtype{moduli}
+fix m2 all property/global poissonsRatio peratomtype{ratios}
+fix m3 all property/global cohesionEnergyDensity peratomtypepair {types}{densities}
+pair_style gran model hertz tangential history cohesion sjkr2
+pair_coeff * *
+{steps}{rayleigh}\
+# m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N.
+# coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting.
+# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this.
+# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are others.
+"""
+_TWENTIETH = "a twentieth of the period of sliding with rotation of a JKR contact without load, in s."
 
 
-def dust_simulation_material(scene: Scene) -> Iterator[str]:
-    """Iterate over the lines of a material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
-    scene.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
-    _refuse_for_dust(scene, "dust-simulation", "has the shear strength G/4π², and takes no other")
-    numbers = (
-        100 * scene["radius"],
-        scene["density"] / 1000,
-        1000 * scene["work_of_adhesion"] / 2,
-        scene["poisson_ratio"],
-        10 * scene["youngs_modulus"],
-        100 * scene["yield_displacement"],
-    )
-    yield "MATERIAL_FILE_VERSION_1_4"
-    yield scene.material.name if scene.material else "jkroll"
-    yield from (f"{number:.12g}" for number in numbers)
-    yield from (*_DAMPING, "1", "1", "1")
-
-
-def _about_dust_simulation(scene: Scene) -> Iterator[str]:
-    """Iterate over the notes on a material file: its lines, and which grains stick at every speed."""
-    yield _ABOUT_DUST_SIMULATION
-    ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
-    largest = amount("radius", scene["radius"] * (ratio / ALL_STICK) ** (6 / 7), Format(digits=3))
-    sticks = f"with this viscous time all grains below {largest} stick at every speed"
-    number = f"their T* = (T_vis/ν²)√(E*a0/m) is above {ALL_STICK:.4f}; here it is {significant(ratio, 3)}"
-    yield f"viscous damping: {sticks}: {number}; the viscous time is fitted to measured sticking at a size: fit yours"
-
-
-def dust_collider_material(scene: Scene) -> Iterator[str]:
-    """Iterate over the lines of a material in a command file of Paulemaule/DustCollider, in SI units."""
-    scene.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
-    _refuse_for_dust(scene, "dust-collider", "has a shear strength of its own, and takes no other")
-    gamma = scene["work_of_adhesion"] / 2
-    numbers = (gamma, *(scene[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")))
-    name = scene.material.name if scene.material else "jkroll"
-    yield f'<material id = "1"> "{name}"{_words(iter(numbers))} 0'
-    yield "# gamma [J/m^2], Young's modulus [Pa], Poisson's ratio, density [kg/m^3], xi [m], viscous time [s]."
-    yield "# The viscous time is yours to write: 0 is no damping. It is fitted to measured sticking at a size."
-
-
-def liggghts_input(scene: Scene) -> Iterator[str]:
-    """Iterate over the lines of an input of LIGGGHTS: Hertz' force less kA with the pull-off force of JKR."""
+def liggghts_input(scene: Scene) -> str:
+    """Return an input: Hertz' force less kA with the pull-off force of JKR."""
     scene.plans("pull_off_force", "contact_modulus", "density")
     _refuse_state(scene, "liggghts")
-    elastic = ("youngs_modulus", "poisson_ratio")
     spheres = (1,) if scene.is_identical else (1, 2)
-    solids = [tuple(scene[of_sphere(sphere, name)] for name in elastic) for sphere in spheres]
-    if any(modulus == INFINITY for modulus, _ in solids):
+    moduli, ratios = (
+        [scene[of_sphere(sphere, name)] for sphere in spheres] for name in ("youngs_modulus", "poisson_ratio")
+    )
+    if INFINITY in moduli:
         raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
     grains = _grains(scene)
     pairs = [scene] if scene.is_identical else [grains[1], scene, scene, grains.get(2, scene)]
-    yield f"# Contact by jkroll: Hertz less k A, with the pull-off force of JKR, {scene['pull_off_force']:.12g} N"
-    yield "# units si" + ("; type 2 is the wall" if _is_at_wall(scene) else "")
-    yield "fix m1 all property/global youngsModulus peratomtype" + _words(modulus for modulus, _ in solids)
-    yield "fix m2 all property/global poissonsRatio peratomtype" + _words(ratio for _, ratio in solids)
-    densities = _words(map(_energy_density, pairs))
-    yield f"fix m3 all property/global cohesionEnergyDensity peratomtypepair {len(solids)}{densities}"
-    yield "pair_style gran model hertz tangential history cohesion sjkr2"
-    yield "pair_coeff * *"
-    if steps := [step for pair in pairs for step in pair.numbers("time_step").values()]:
-        yield (
-            f"# timestep {min(steps):.12g}: a twentieth of the period of sliding with rotation of a JKR contact "
-            "without load, in s."
-        )
-    yield from _rayleigh(grains.values())
-    yield from _REMARKS_LIGGGHTS.splitlines()
+    steps = [step for pair in pairs for step in pair.numbers("time_step").values()]
+    return _LIGGGHTS.format(
+        force=scene["pull_off_force"],
+        wall="; type 2 is the wall" if _is_at_wall(scene) else "",
+        moduli=_words(moduli),
+        ratios=_words(ratios),
+        types=len(moduli),
+        densities=_words(map(_energy_density, pairs)),
+        steps=f"# timestep {min(steps):.12g}: {_TWENTIETH}\n" if steps else "",
+        rayleigh=_rayleigh(grains.values()),
+    )
 
 
-def _words(numbers: Iterator[float]) -> str:
+def _words(numbers: Iterable[float]) -> str:
     return "".join(f" {number:.12g}" for number in numbers)
 
 
@@ -274,6 +223,64 @@ def _refuse_state(scene: Scene, program: str) -> None:
         raise BadRequest(f"export: {program} finds the load by itself; give none")
 
 
+# --- DustSimulation and DustCollider ----------------------------------------------------------------------------------
+
+_DAMPING = "1e-06", "1.25e-11"
+_ABOUT_DUST_SIMULATION = (
+    "the lines are version, name, R1 [cm], density [g/cm³], γ per surface [mJ/m²], Poisson's ratio, Young's modulus "
+    "[dyn/cm²], ξ [cm], damping factor, viscous time [s], and the modifiers of rolling, sliding and twisting; "
+    f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat, whose "
+    "grains have 0.6 µm; rolling, sliding and twisting modifiers are 1"
+)
+_DUST_COLLIDER = """\
+<material id = "1"> "{}"{} 0
+# gamma [J/m^2], Young's modulus [Pa], Poisson's ratio, density [kg/m^3], xi [m], viscous time [s].
+# The viscous time is yours to write: 0 is no damping. It is fitted to measured sticking at a size.
+"""
+
+
+def _grain(scene: Scene, program: str, strength: str) -> tuple[str, list[float]]:
+    """Return the name of the material of grains, its γ, E, ν, density and ξ, all in SI units, for a program for dust.
+
+    Raises the reason why the program cannot have the scene; `strength`: its words for a given shear strength.
+    """
+    scene.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
+    _refuse_state(scene, program)
+    if not scene.is_identical:
+        raise Failure(OF_IDENTICAL_SPHERES)
+    if "shear_strength" in scene.given:
+        raise BadRequest(f"export: {program} {strength}")
+    if scene["poisson_ratio"] == 0:
+        raise BadRequest(f"export: {program} divides by Poisson's ratio, which is 0 here")
+    names = ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")
+    name = scene.material.name if scene.material else "jkroll"
+    return name, [scene["work_of_adhesion"] / 2, *(scene[each] for each in names)]
+
+
+def dust_simulation_material(scene: Scene) -> str:
+    """Return the material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
+    name, grain = _grain(scene, "dust-simulation", "has the shear strength G/4π², and takes no other")
+    gamma, modulus, ratio, density, lag = grain
+    numbers = _words((100 * scene["radius"], density / 1000, 1000 * gamma, ratio, 10 * modulus, 100 * lag))
+    return "\n".join(("MATERIAL_FILE_VERSION_1_4", name, *numbers.split(), *_DAMPING, "1", "1", "1", ""))
+
+
+def _about_dust_simulation(scene: Scene) -> tuple[str, str]:
+    """Return the notes on a material file: its lines, and which grains stick at every speed."""
+    ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
+    largest = amount("radius", scene["radius"] * (ratio / ALL_STICK) ** (6 / 7), Format(digits=3))
+    sticks = f"with this viscous time all grains below {largest} stick at every speed"
+    number = f"their T* = (T_vis/ν²)√(E*a0/m) is above {ALL_STICK:.4f}; here it is {significant(ratio, 3)}"
+    fitted = "the viscous time is fitted to measured sticking at a size: fit yours"
+    return _ABOUT_DUST_SIMULATION, f"viscous damping: {sticks}: {number}; {fitted}"
+
+
+def dust_collider_material(scene: Scene) -> str:
+    """Return a material of a command file of Paulemaule/DustCollider, in SI units."""
+    name, grain = _grain(scene, "dust-collider", "has a shear strength of its own, and takes no other")
+    return _DUST_COLLIDER.format(name, _words(grain))
+
+
 # --- The registry -----------------------------------------------------------------------------------------------------
 
 
@@ -281,10 +288,10 @@ class Program(NamedTuple):
     """A program that takes contacts: its title, how its input is written, the quantities in it, and the laws it has."""
 
     title: str
-    lines: Callable[[Scene], Iterator[str]]
+    text: Callable[[Scene], str]
     quantities: tuple[str, ...]
     models: tuple[str, ...] = (DEFAULT_LAW,)
-    about: Callable[[Scene], Iterator[str]] | None = None  # notes on an input that has no comments
+    about: Callable[[Scene], Iterable[str]] | None = None  # notes on an input that has no comments
 
 
 PROGRAMS: Mapping[str, Program] = {

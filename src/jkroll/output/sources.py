@@ -6,15 +6,13 @@ With `--tex` it writes a paragraph for the Methods section of a paper, which cit
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import suppress
-from math import inf, isfinite
-from typing import Any, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
 from .. import __version__
 from ..answers.advice import readings_of
 from ..answers.answer import Answer, Result
 from ..answers.notes import every_line
-from ..errors import BadRequest, JkrollError
+from ..errors import BadRequest
 from ..materials.library import data_of
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount
@@ -26,11 +24,12 @@ from ..scene.scene import Scene
 from ..scene.wiring import Plan, steps_to
 from ..text import listed, say, say_wrapped
 
+if TYPE_CHECKING:
+    from ..quantities.values import Uncertain
+
 _SECTIONS = ("Source", "Valid")
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
 _STEP_INDENT = 27
-_STEP = 1e-6  # relative, of the differences that give an exponent
-_LARGEST_DENOMINATOR = 12  # of an exponent shown as a fraction
 
 
 def docstring_fields(formula: Any) -> dict[str, str]:
@@ -52,76 +51,67 @@ def docstring_fields(formula: Any) -> dict[str, str]:
 
 
 def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> None:
-    """Write for each result its formula, inputs, steps, value, source, validity, accuracy and power law."""
-    if not power_law.__doc__:
+    """Write for each result its formula, inputs, steps, value, source, validity and accuracy; then every note."""
+    if not write_explanation.__doc__:
         raise BadRequest("--explain is worded from docstrings, which python -OO drops")
     for place, answer in enumerate(answers):
         if place:
             say("", out)
         for result in answer.results:
-            for line in [*_explanation(result, answer.scene, form), *_readings(result, answer, form), ""]:
+            for line in _explanation(result, answer, form):
                 say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
         for line in every_line(answer):
             say_wrapped(line, out)
 
 
-def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
+def _explanation(result: Result, answer: Answer, form: Format) -> list[str]:
     """Return the lines that explain one result."""
-    quantity = NOMENCLATURE[result.name]
+    quantity, scene = NOMENCLATURE[result.name], answer.scene
     title = f"{result.name} — {quantity.sentence}" + (f", {result.source}" if result.source else "")
-    if result.value is None:
-        return [title, f"  {result.reason}"]
-    steps = [*steps_to(scene.plans(result.name)).values()]
-    if not steps:
-        return [title, *_found(result, form)]
-    fields = docstring_fields(steps[-1].formula)
-    lines = [title, f"  {fields['formula']}", "  given"]
-    lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]
-    if len(steps) > 1:
-        lines.append("  steps")
-    lines += [_line(step.name, scene, form, _formula_of(step)) for step in steps[:-1]]
-    lines += _found(result, form)
-    lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS if key in fields]
-    lines.append(f"  accuracy  {accuracy_of(steps[-1].formula.__name__)} above its arguments")
-    lines.append(f"  power law {power_law(scene, result.name)}")
-    if quantity.definition and not result.law:
-        lines.append(f"  as        {quantity.definition}" + (f" ({quantity.reference})" if quantity.reference else ""))
-    if quantity.note:
-        lines.append(f"  note      {quantity.note}")
-    return lines
+    if result.measure is None:
+        return [title, f"  {result.reason}", ""]
+    lines, facts = [title], [*_facts(result, answer, form)]
+    if steps := [*steps_to(scene.plans(result.name)).values()]:
+        *earlier, last = steps
+        fields = docstring_fields(last.formula)
+        lines += [f"  {fields['formula']}", "  given"]
+        lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]
+        lines += ["  steps", *(_line(step.name, scene, form, _formula_of(step)) for step in earlier)] if earlier else []
+        facts += [(key.lower(), fields.get(key, "")) for key in _SECTIONS]
+        facts.append(("accuracy", f"{accuracy_of(last.formula.__name__)} above its arguments"))
+        if quantity.definition and not result.law:
+            facts.append(("as", quantity.definition + (f" ({quantity.reference})" if quantity.reference else "")))
+        facts.append(("note", quantity.note))
+    return [*lines, *(f"  {key:9} {text}" for key, text in facts if text), ""]
 
 
-def _readings(result: Result, answer: Answer, form: Format) -> list[str]:
-    """Return the line with a rolling quantity under the other law, in both readings."""
-    numbers = answer.laws.get(result.name, {})
-    readings = [numbers.get(key) for key in readings_of(answer.scene.law.name)]
-    if result.value is None or None in readings:
-        return []
-    at_displacement, at_hysteresis = (amount(result.name, ratio * result.value, form) for ratio in readings if ratio)
-    other = LAWS[other_law(answer.scene.law.name)].title
-    return [f"  by law    {at_displacement} at equal ξ, {at_hysteresis} at equal hysteresis ({other})"]
+def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, str]]:
+    """Iterate over what is known of a value: its error bar, what an inferred one has, and its values by other laws."""
 
+    def shown(value: "float | Uncertain") -> str:
+        return amount(result.name, value, form)
 
-def _found(result: Result, form: Format) -> list[str]:
-    """Return the lines with the value of a result, the shares of its uncertainty, and what an inferred one has."""
-    bar, measure = result.propagated, result.measure
-    assert measure is not None
-    lines = [f"  result    {NOMENCLATURE[result.name].symbol} = {amount(result.name, measure, form)}"]
-    if bar is not None:
-        shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in bar.shares.items())
-        lines.append(f"  shares    {shares}")
+    assert result.measure is not None
+    assert result.value is not None
+    yield "result", f"{NOMENCLATURE[result.name].symbol} = {shown(result.measure)}"
+    if result.propagated is not None:
+        shares = result.propagated.shares.items()
+        yield "shares", ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in shares)
     if result.error:
-        lines.append(f"  error     {100 * result.error:.2g} % off the exact moment of this contact")
+        yield "error", f"{100 * result.error:.2g} % off the exact moment of this contact"
     if result.condition is not None:
         error = f"a relative error of it enters times κ = {result.condition:.3g}"
-        lines.append(f"  inferred  so that the formula below gives the measured value; {error}")
+        yield "inferred", f"so that the formula below gives the measured value; {error}"
     if result.growth is not None:
         errors = f"relative errors of these enter times {result.growth:.3g} at most"
-        lines.append(f"  inferred  with the other input, so that both have their measured values; {errors}")
-    if result.by_law:
-        others = ", ".join(f"{amount(result.name, value, form)} ({law})" for law, value in result.by_law.items())
-        lines.append(f"  by law    {others}")
-    return lines
+        yield "inferred", f"with the other input, so that both have their measured values; {errors}"
+    yield "by law", ", ".join(f"{shown(value)} ({law})" for law, value in result.by_law.items())
+    law, numbers = answer.scene.law.name, answer.laws.get(result.name, {})
+    readings = [numbers[key] for key in readings_of(law) if numbers.get(key)]
+    if len(readings) == len(readings_of(law)):
+        at_displacement, at_hysteresis = (shown(ratio * result.value) for ratio in readings)
+        title = LAWS[other_law(law)].title
+        yield "by law", f"{at_displacement} at equal ξ, {at_hysteresis} at equal hysteresis ({title})"
 
 
 def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
@@ -146,66 +136,14 @@ def _meaning(name: str, scene: Scene) -> str:
     return sentence if name in scene.given else f"{sentence} (assumed)"
 
 
-def power_law(scene: Scene, name: str) -> str:
-    """Return the exponents of a quantity in each of its inputs at this scene, by central differences."""
-    powers = [_power(scene, name, given) for given in scene.inputs_of(name)]
-    return " ".join(filter(None, powers)) or "none"
-
-
-def _power(scene: Scene, name: str, given: str) -> str:
-    """Return an input to the power with which a quantity depends on it, as text; empty if it does not.
-
-    It is "?" where the quantity is 0, or has no other value on either side.
-    """
-    value, base = scene.values[given], NOMENCLATURE[given].symbol
-    if not isinstance(value, float) or not isfinite(value) or value == 0:
-        return ""
-    points = []
-    for factor in (1 - _STEP, 1, 1 + _STEP):
-        with suppress(JkrollError):  # a range ends here
-            points.append((factor, scene.replace(**{given: value * factor})[name]))
-    (first, low), (last, high) = points[0], points[-1]
-    change = scene[name] * (last - first)
-    exponent = (high - low) / change if change else inf
-    text = _fraction_or_number(exponent) if isfinite(exponent) else "?"
-    if text in ("0", "1"):
-        return base if text == "1" else ""
-    return f"{base}^({text})" if "/" in text else f"{base}^{text}"
-
-
-def _fraction_or_number(exponent: float) -> str:
-    """Return an exponent as a simple fraction where it is one, else as three digits."""
-    from fractions import Fraction
-
-    fraction = Fraction(exponent).limit_denominator(_LARGEST_DENOMINATOR)
-    return str(fraction) if abs(exponent - fraction) < 1e-6 else f"{exponent:.3g}"
-
-
 # --- Citations --------------------------------------------------------------------------------------------------------
 
-PAPER: Mapping[str, str] = {
-    "key": "dominik-tielens-1995",
-    "type": "article",
-    "author": "Dominik, C. and Tielens, A. G. G. M.",
-    "title": "Resistance to rolling in the adhesive contact of two elastic spheres",
-    "journal": "Philosophical Magazine A",
-    "volume": "72",
-    "number": "3",
-    "pages": "783--803",
-    "year": "1995",
-    "doi": "10.1080/01418619508243800",
-}
 
-# This program: author and year are those of its LICENSE.
-PROGRAM: Mapping[str, str] = {
-    "key": "jkroll",
-    "type": "misc",
-    "author": "{The jkroll developers}",
-    "title": "jkroll: adhesive contact of two elastic spheres",
-    "howpublished": f"Computer program, version {__version__}",
-    "year": "2026",
-    "note": "MIT licence",
-}
+def _references() -> dict[str, Mapping[str, str]]:
+    """Return the entries of this program, of the paper and of conventions."""
+    entries = {**data_of(os.path.join(os.path.dirname(__file__), "references.toml"))}
+    entries["program"] = {**entries["program"], "howpublished": f"Computer program, version {__version__}"}
+    return entries
 
 
 class Sources:
@@ -218,9 +156,9 @@ class Sources:
         between = answer.scene.replace(model=BETWEEN)
         rests_on_law = any(uses_law(between, name) for name in between.possible(self.names))
         self.law = [answer.scene.law.reference] if rests_on_law else []
-        conventions = data_of(os.path.join(os.path.dirname(__file__), "references.toml")).items()
-        references = [NOMENCLATURE[name].reference for name in self.names]
-        self.conventions = [entry for of_name in references for words, entry in conventions if words in of_name]
+        named = [NOMENCLATURE[name].reference for name in self.names]
+        entries = _references().items()
+        self.conventions = [entry for of_name in named for words, entry in entries if words in of_name]
         used = answer.scene.data_used(answer.inputs)
         self.data = [entry for material, name in used for entry in material.sources_of(name)]
 
@@ -239,9 +177,9 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
     for _, sources in _with_sources(answers):
         equations |= sources.equations
         references |= {entry["key"]: entry for entry in (*sources.law, *sources.data, *sources.conventions)}
-    say(bibtex(PROGRAM), out)
-    say(bibtex({**PAPER, "note": cited_equations(equations)} if equations else PAPER), out)
-    for entry in references.values():
+    program, paper, *_ = _references().values()
+    note = {"note": cited_equations(equations)} if equations else {}
+    for entry in (program, {**paper, **note}, *references.values()):
         say(bibtex(entry), out)
 
 
@@ -282,14 +220,16 @@ def write_methods(answers: Iterable[Answer], out: TextIO) -> None:
 
 def _computed(answer: Answer, sources: Sources) -> str:
     """Return the sentence with the program, the equations, the laws and conventions, and the quantities."""
-    paper = f"Dominik \\& Tielens{_cite([PAPER])}"
-    ways = [f"{cited_equations(sources.equations).replace('. ', '.~', 1)} of {paper}" if sources.equations else paper]
+    program, paper, *_ = _references().values()
+    authors = f"Dominik \\& Tielens{_cite([paper])}"
+    equations = f"{cited_equations(sources.equations).replace('. ', '.~', 1)} of " if sources.equations else ""
+    ways = [f"{equations}{authors}"]
     ways += [f"the {answer.scene.law.title} theory{_cite(sources.law)}"] if sources.law else []
     ways += [f"the conventions of{_cite(sources.conventions)}"] if sources.conventions else []
     names = [name for name in answer.question.headline if name in sources.names] or sources.names
     quantities = as_latex("; ".join(f"{NOMENCLATURE[name].sentence} ({symbol(name)})" for name in names))
-    program = f"jkroll {__version__}{_cite([PROGRAM])}"
-    return f"With {program}, after {listed(ways)}, we computed for elastic spheres in adhesive contact: {quantities}."
+    with_program = f"With jkroll {__version__}{_cite([program])}"
+    return f"{with_program}, after {listed(ways)}, we computed for elastic spheres in adhesive contact: {quantities}."
 
 
 def _values(answer: Answer) -> str:
@@ -302,11 +242,8 @@ def _values(answer: Answer) -> str:
         quantity = NOMENCLATURE[name]
         stands = "" if quantity.is_word else f"{symbol(name)} = "
         meaning = quantity.sentence + ("; assumed" if name in answer.assumed else "")
-        data = [
-            entry
-            for material, of_material in answer.scene.data_used([name])
-            for entry in material.sources_of(of_material)
-        ]
+        used = answer.scene.data_used([name])
+        data = [entry for material, of_material in used for entry in material.sources_of(of_material)]
         texts.append(as_latex(f"{stands}{amount(name, value)} ({meaning})") + _cite(data))
     return f"Values used: {', '.join(texts)}."
 

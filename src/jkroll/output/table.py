@@ -6,13 +6,13 @@ from math import isnan
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
-from ..quantities.formatting import Format, amount, from_to, in_words, significant, symbol_beside, with_known_prefix
+from ..quantities.formatting import PREFIXABLE, Format, amount, from_to, in_words, significant, symbol_beside, with_unit
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
-from ..quantities.values import Interval, of_sides
+from ..quantities.values import Interval, middle, of_sides
 from ..rows.columns import DOUBT, as_list
-from ..scene.alternatives import DATA, SIO2, rolled_solid
+from ..scene.alternatives import DATA
 from ..scene.limits import OF_LAW, codes_of
 from ..text import say, say_wrapped, terminal_width, width_of
 
@@ -21,18 +21,22 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
-
-def head_of(law: str) -> str:
-    """Return the head of the column of a law."""
-    return LAWS[law].title.partition("–")[0]
+    Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
-_DIGITS = 4  # of a value on a terminal
+def head_of(kind: str) -> str:
+    """Return the head of the column of a law, or of values by measured forces or displacements."""
+    return "rolling data" if kind == DATA else LAWS[kind].title.partition("–")[0]
+
+
+_DIGITS = 4  # of a result on a terminal
 _OF_A_RANGE = 2  # of its ends
+_FAR = 2e3  # ratio of values in a column from which on each has a unit of its own
 _NONE = "–"
 _SILENT = {"", _NONE, *(f"as {head_of(law)}" for law in LAWS)}  # cells that say no more than others
 _GAP = 2  # blanks between columns
 _LEAST_TEXT = 24  # of a text in several lines
+_CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
 _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
@@ -46,6 +50,56 @@ class Column(NamedTuple):
     is_right: bool = True
 
 
+def columns_of(rows: Iterable[Sequence[str]], *, texts: int) -> list[Column]:
+    """Return the columns of rows, the first of which has the heads; `texts`: the number of those with words."""
+    return [Column(head, cells, place >= texts) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
+
+
+# --- Values -----------------------------------------------------------------------------------------------------------
+
+
+def _written(value: "float | Uncertain", unit: tuple[str, Unit], form: Format) -> str:
+    """Return a result in a unit: with four digits and their zeros, a range with two, or with its error bar."""
+    if isinstance(value, Interval):
+        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or _OF_A_RANGE)
+    if isinstance(value, float):
+        number = convert(value, unit[1])
+        return significant(number, form.digits or _DIGITS, zeros=form.digits is None and number != 0)
+    return form.in_unit(value, unit)
+
+
+def _cells(
+    name: str, values: "Sequence[Value]", form: Format, models: "Sequence[Value]" = (), *, is_input: bool = False
+) -> tuple[str, list[str]]:
+    """Return the unit of values of a quantity, and their cells; no unit where these are far apart and have their own.
+
+    `models`: the values to which the unit is suited, if not to these; `is_input`: whether all digits are shown.
+    """
+    known = [value for value in models or values if value is not None and not isinstance(value, str)]
+    sizes = [abs(middle(value)) for value in known if middle(value)]
+    is_far = bool(sizes) and max(sizes) > _FAR * min(sizes)
+    common = form.common_unit(name, known)
+    own_units = is_far and NOMENCLATURE[name].unit in PREFIXABLE and name not in form.units
+    cells = []
+    for value in values:
+        if value is None or isinstance(value, str):
+            cells.append(_NONE if value is None else value)
+            continue
+        unit = form.common_unit(name, [value]) if own_units else common
+        number = form.in_unit(value, unit) if is_input else _written(value, unit, form)
+        cells.append(with_unit(number, unit[0]) if own_units else number)
+    return "" if own_units else common[0], cells
+
+
+def _column(head: str, unit: str, cells: Sequence[str], *, is_right: bool = True) -> Column:
+    return Column(f"{head} [{unit}]" if unit else head, cells, is_right)
+
+
+def input_column(name: str, values: "Sequence[Value]", form: Format, symbol: str) -> Column:
+    """Return the column of an input, with all digits, in units that suit the values."""
+    return _column(symbol, *_cells(name, values, form, is_input=True), is_right=not NOMENCLATURE[name].is_word)
+
+
 # --- One scene --------------------------------------------------------------------------------------------------------
 
 
@@ -57,17 +111,12 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     for result in _results(answer):
         name, same = result.name, None if result.value is None else f"as {law}"
         values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
-        numbers = [value for value in values if value not in (None, same)][:1]
-        unit = _unit(name, numbers, form)
-        texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), unit[0] if numbers else ""]
-        rows.append([*texts, *(_cell(value, unit, form) for value in values)])
+        numbers = [value for value in values if value not in (None, same)]
+        unit, cells = _cells(name, values, form, numbers[:1])
+        texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), unit if numbers else ""]
+        rows.append([*texts, *cells])
     words, symbols, units, *columns = columns_of(rows, texts=3)
-    write_table([words, symbols], columns, out, trailing=[units])
-
-
-def columns_of(rows: Iterable[Sequence[str]], *, texts: int) -> list[Column]:
-    """Return the columns of rows, the first of which has the heads; `texts`: the number of those with words."""
-    return [Column(head, cells, place >= texts) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
+    write_table([words, symbols], columns, out, trailing=[units], repeated=columns[:1])
 
 
 def _results(answer: "Answer") -> "list[Result]":
@@ -79,35 +128,12 @@ def _results(answer: "Answer") -> "list[Result]":
 
 def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
     """Return what has columns beside the results, by head: what may stand in their place, and limits of theirs."""
-    data = "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
-    others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
+    others = {head_of(kind): values for kind, values in answer.alternatives.items()}
     for result in answer.results:
         head = answer.question.beside.get(result.name)
         if head and result.value is not None and head != head_of(answer.scene.law.name):
             others[head] = {answer.question.headline[0]: result.measure}
     return others
-
-
-def _unit(name: str, values: Sequence[Any], form: Format) -> tuple[str, Unit]:
-    """Return the unit that suits values, and its name."""
-    text, unit = form.common_unit(name, values)
-    return with_known_prefix(name, text), unit
-
-
-def _head(words: str, unit: tuple[str, Unit]) -> str:
-    return f"{words} [{unit[0]}]" if unit[0] else words
-
-
-def _cell(value: "float | str | Uncertain | None", unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value in a unit: with four digits and their zeros, a range with two, or with its error bar."""
-    if value is None:
-        return _NONE
-    if isinstance(value, Interval):
-        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or _OF_A_RANGE)
-    if isinstance(value, float):
-        number = convert(value, unit[1])
-        return significant(number, form.digits or _DIGITS, zeros=form.digits is None and number != 0)
-    return form.in_unit(value, unit)
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -133,10 +159,9 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
         for name in several
         if name in form.typed or name not in _FOLLOWING
     ]
-    results = [
-        each for name in columns.wanted.names if name not in inputs for each in _result_columns(name, columns, form)
-    ]
-    doubts = [_worst(bits & columns.told) for bits in as_list(columns.doubts)]
+    names = (name for name in columns.wanted.names if name not in inputs)
+    results = [column for name in names for column in _result_columns(name, columns, form)]
+    doubts = [_doubts(bits & columns.told) for bits in as_list(columns.doubts)]
     results += [Column(DOUBT, doubts, is_right=False)] if any(doubts) else []
     across = columns_of([(column.head, *column.cells) for column in (*leading, *results)], texts=1)
     if _size(across) <= terminal_width() + _GAP < _size([*leading, *results]):
@@ -144,10 +169,11 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     write_table(leading, results, out)
 
 
-def _worst(doubts: int) -> str:
-    """Return the first code of doubts, with the number of others."""
-    first, *others = codes_of(doubts) or [""]
-    return f"{first} ({len(others)} more)" if others else first
+def _doubts(bits: int) -> str:
+    """Return the codes of doubts, of many the first and the number of others."""
+    codes = codes_of(bits)
+    text = " ".join(codes)
+    return text if len(codes) < 2 or len(text) <= _CODES else f"{codes[0]} ({len(codes) - 1} more)"
 
 
 def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]:
@@ -157,15 +183,13 @@ def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]
     for kind, key in columns.wanted.alternatives_of(name).items():
         others = _measures(columns, key)
         if kind == DATA and any(value is not None for value in others):
-            values[" by data"] = ["no data" if value is None else value for value in others]
+            values[" by rolling"] = ["no data" if value is None else value for value in others]
         elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
             values[f" by {head_of(kind)}"] = others
-    unit = _unit(name, [value for value in values[""] if value is not None], form)
     symbol = symbol_beside(name, columns.inputs)
-    return [
-        Column(_head(f"{symbol}{words}", unit), [_cell(value, unit, form) for value in of_kind])
-        for words, of_kind in values.items()
-    ]
+    models = next((of_kind for of_kind in values.values() if any(value is not None for value in of_kind)), ())
+    every = values.items()
+    return [_column(f"{symbol}{words}", *_cells(name, of_kind, form, models)) for words, of_kind in every]
 
 
 def _measures(columns: "Columns", key: str) -> list[Any]:
@@ -176,13 +200,6 @@ def _measures(columns: "Columns", key: str) -> list[Any]:
         None if isnan(value) else of_sides(float(value), dict(zip(keys, of_row, strict=True)))
         for value, *of_row in zip(columns.column(key), *sides, strict=True)
     ]
-
-
-def input_column(name: str, values: Sequence[Any], form: Format, symbol: str) -> Column:
-    """Return the column of an input, with all digits, in a unit that suits the values."""
-    unit = _unit(name, [value for value in values if value is not None and not isinstance(value, str)], form)
-    cells = [_NONE if value is None else form.in_unit(value, unit) for value in values]
-    return Column(_head(symbol, unit), cells, not NOMENCLATURE[name].is_word)
 
 
 # --- Inputs -----------------------------------------------------------------------------------------------------------
@@ -222,11 +239,17 @@ def _described(inputs: "Mapping[str, float | str | Uncertain]", form: Format) ->
 
 
 def write_table(
-    leading: Sequence[Column], columns: Sequence[Column], out: TextIO, *, trailing: Sequence[Column] = ()
+    leading: Sequence[Column],
+    columns: Sequence[Column],
+    out: TextIO,
+    *,
+    trailing: Sequence[Column] = (),
+    repeated: Sequence[Column] = (),
 ) -> None:
     """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
 
-    Those below the first leave out rows in which they say nothing.
+    Those below the first leave out rows in which they say nothing. `repeated`: columns to stand in them again, if they
+    have room.
     """
     while columns:
         room = terminal_width() + _GAP - _size([*leading, *trailing])
@@ -234,12 +257,14 @@ def write_table(
         say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
         columns = columns[count:]
         is_said = [not _SILENT.issuperset(cells) for cells in zip(*(column.cells for column in columns), strict=True)]
-        leading, columns, trailing = (
+        leading, columns, trailing, repeated = (
             [column._replace(cells=[*compress(column.cells, is_said)]) for column in each]
-            for each in (leading, columns, trailing)
+            for each in (leading, columns, trailing, repeated)
         )
         if columns:
             say("", out)
+            is_wide = _size([*leading, *repeated, columns[0], *trailing]) > terminal_width() + _GAP
+            columns = columns if is_wide else [*repeated, *columns]
 
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:

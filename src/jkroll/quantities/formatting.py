@@ -17,6 +17,7 @@ _ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are er
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
+_KNOWN = range(-12, 10)  # powers of ten whose prefix stands in a text; others stand as such
 _SHIFTS = ("", "e1", "e2")  # of a decimal point
 PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
@@ -64,13 +65,14 @@ class Format:
         si = NOMENCLATURE[name].unit
         middles = (value.value if isinstance(value, Uncertain) else value for value in values)
         sizes = sorted(abs(value) for value in middles if value and not isinf(value))
-        plain = si.removeprefix("1"), (1, 1, ())
+        plain = pretty(si.removeprefix("1")), (1, 1, ())
         if not plain[0] or not sizes:
             return plain
         _, power = _scaled(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
-        scale, prefix = (*power_of_ten(power), ()), _PREFIXES[power]
+        scale = (*power_of_ten(power), ())
         is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
-        return (prefix + si, scale) if is_short else plain
+        unit = _PREFIXES[power] + si if power in _KNOWN else f"1e{power} {si}"
+        return (pretty(unit), scale) if is_short else plain
 
     def in_unit(self, value: float | str | Uncertain, unit: tuple[str, Unit]) -> str:
         """Return a rounded value in a unit, with its uncertainty if it has one, without the unit; a word as it is."""
@@ -115,15 +117,16 @@ def significant(value: float, digits: int, *, zeros: bool = False) -> str:
     return f"{float(text):.0f}" if 1 <= abs(value) < _PLAIN else f"{mantissa}e{int(exponent)}"
 
 
-def with_known_prefix(name: str, unit: str) -> str:
-    """Return the unit of a quantity for a reader: with a power of ten in place of a prefix beyond pico to giga.
+def with_unit(number: str, unit: str) -> str:
+    """Return a number, a range or a value with an error bar, with its unit, in which a power of ten may stand.
 
-    >>> with_known_prefix("well_energy", "aJ"), with_known_prefix("pull_off_force", "nN")
-    ('1e-18 J', 'nN')
+    >>> with_unit("11.8", "nN"), with_unit("1.50", "1e-18 J"), with_unit("1–3", "1e-18 J"), with_unit("7", "")
+    ('11.8 nN', '1.50e-18 J', '(1–3)e-18 J', '7')
     """
-    si = NOMENCLATURE[name].unit
-    powers = {prefix + si: power for power, prefix in _PREFIXES.items() if not -12 <= power <= 9}
-    return pretty(f"1e{powers[unit]} {si}" if unit in powers else unit)
+    if not unit.startswith("1e"):
+        return f"{number} {unit}".strip()
+    is_one = number.lstrip("-").replace(".", "").isdecimal()
+    return f"{number if is_one else f'({number})'}{unit.removeprefix('1')}"
 
 
 def pretty(unit: str) -> str:
@@ -150,8 +153,7 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
     """
     if typed := form.typed.get(name):
         return typed
-    number, unit = form.rounded(name, value)
-    return f"{number} {pretty(unit)}".strip()
+    return with_unit(*form.rounded(name, value))
 
 
 def span(name: str, low: float, high: float) -> str:
@@ -163,10 +165,7 @@ def span(name: str, low: float, high: float) -> str:
     '(1–3)e-18 J'
     """
     unit, scale = AS_USUAL.common_unit(name, [low, high])
-    text, shown = from_to(convert(low, scale), convert(high, scale)), with_known_prefix(name, unit)
-    if shown == pretty(unit):
-        return f"{text} {shown}".strip()
-    return f"({text}){shown.removeprefix('1')}" if low != high else f"{text}{shown.removeprefix('1')}"
+    return with_unit(from_to(convert(low, scale), convert(high, scale)), unit)
 
 
 def from_to(low: float, high: float, digits: int = 2) -> str:

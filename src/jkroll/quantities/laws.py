@@ -16,7 +16,7 @@ from functools import cache
 from types import MappingProxyType
 
 from ..errors import BadRequest
-from ..text import quoted
+from ..text import closest, quoted
 
 Routes = Mapping[str, str | None]
 
@@ -222,7 +222,9 @@ def other_law(name: str) -> str:
 def law_named(name: str) -> Law:
     """Return the law of a name in any case, or raise BadRequest."""
     if not isinstance(name, str) or name.casefold() not in LAWS:
-        raise BadRequest(f"model: {quoted(str(name), 40)} is not one of {', '.join(LAWS)}")
+        guess = closest(str(name), LAWS)
+        meant = f"; did you mean {guess}?" if guess else ""
+        raise BadRequest(f"model: {quoted(str(name), 40)} is not one of {', '.join(LAWS)}{meant}")
     return LAWS[name.casefold()]
 
 

@@ -30,9 +30,9 @@ def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
 
 @_kept
 def by_law(scene: Scene) -> Scene:
-    """Return the scene under the law between JKR and DMT, or for that under JKR, at its atomic spacing."""
-    law, spacing = other_law(scene.law.name), scene.uncertain.get("atomic_spacing", scene["atomic_spacing"])
-    return scene.instead(routed_apart(scene.law.name, law, scene.known), model=law, atomic_spacing=spacing)
+    """Return the scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
+    law = other_law(scene.law.name)
+    return scene.instead(routed_apart(scene.law.name, law, scene.known), model=law)
 
 
 @_kept

@@ -97,7 +97,7 @@ class Kind:
 
 
 BEYOND_PULL_OFF = Kind(
-    "beyond pull-off", "{0} breaks this contact, which holds a pull down to {1}", "load", has_contact=False
+    "beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load", has_contact=False
 )
 HELD_BY_MAUGIS = Kind(
     BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load", has_contact=False

@@ -212,7 +212,7 @@ LIMITS = (
     ),
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
-        "elastic spheres bounce off a body 2 that is held, where turns have no meaning",
+        "elastic spheres bounce off a held body 2 (v_stick, e: of a free pair), so that turns have no meaning",
         lambda scene, names: _is_stated(IMPACT)(scene, names) and (
             "viscous_time" not in scene.stated or bool(scene.possible(["sticking_speed"]))
         ),
