@@ -103,11 +103,6 @@ def fold(transition: Exact) -> tuple[Exact, Exact]:
     return _least(approach, transition)
 
 
-def stiffness(t: Exact, transition: Exact) -> Exact:
-    place = digits.log(t)
-    return _slope(load, place, transition) / _slope(approach, place, transition)
-
-
 def _state(place: Exact, transition: Exact) -> tuple[Exact, Exact]:
     t = digits.exp(place)
     return radius_of(t, transition), t

@@ -8,6 +8,7 @@ z0, and how far a contact would hold by Maugis' law.
 import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from random import Random
 from typing import Any
 
@@ -270,20 +271,24 @@ def alternative_disagreements(run: Run, ask: Ask) -> Iterator[str]:
         floats = of_list(ask, by_arrays=False, alternatives=True)
     except JkrollError:
         return
+    beside = ["--alternatives"]
     plain = of_list(ask, by_arrays=False)
     arrays = of_list(ask, by_arrays=True, alternatives=True)
     yield from (f"arrays: {text}" for text in differences(floats, arrays, scenes_of(ask)))
     yield from (f"without: {text}" for text in _in_shared(plain, floats))
-    yield from _in_files(run, ask, floats)
+    with suppress(Refused):
+        yield from (
+            f"csv: {text}" for text in _in_cells(floats, printed(run, ask, "--csv", *beside, by_arrays=False)[1])
+        )
     sheet = sheet_of(ask)
     try:
-        found = of_table(run, sheet._replace(options=[*sheet.options, "--alternatives"]))
+        found = of_table(run, sheet._replace(options=[*sheet.options, *beside]))
     except Refused:
         found = None
     if found is not None:
         yield from (f"table: {text}" for text in differences(found.by_floats, found.rows, found.scenes))
         yield from (f"table: {text}" for text in _in_shared(floats, found.by_floats))
-        yield from (f"table: {text}" for text in _in_written(found.rows, found.cells))
+        yield from (f"table: {text}" for text in _in_cells(found.rows, found.cells))
     for row, (texts, scene) in enumerate(zip(ask.rows(), scenes_of(ask), strict=True)):
         yield from (f"row {row}: {text}" for text in _in_answer(ask, texts, floats, row))
         yield from (f"row {row}: {text}" for text in _in_scene(scene, floats.values[row]))
@@ -296,18 +301,6 @@ def _in_shared(one: Rows, other: Rows) -> Iterator[str]:
     both = [key for key in one.keys if key in other.keys and not side_of(key)]
     for row, (values, others) in enumerate(zip(one.values, other.values, strict=True)):
         yield from (f"row {row}: {key}" for key in both if values.get(key) != others.get(key))
-
-
-def _in_files(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
-    """Iterate over the cells that are not those of rows."""
-    try:
-        _, cells = printed(run, ask, "--csv", "--alternatives", by_arrays=False)
-    except Refused:
-        return
-    for row, line in enumerate(cells):
-        for key in filter(kind_of, floats.keys):
-            if _read(line[_head(key)], "") != floats.values[row].get(key):
-                yield f"csv: row {row}: {key} = {floats.values[row].get(key)!r} and {line}"
 
 
 def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> Iterator[str]:
@@ -423,7 +416,7 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
         elif len(rows.values) > 1 or not any(_reason(error) in str(refusal) for error in rows.reasons[0].values()):
             yield f"csv: {refusal}"
         return
-    yield from _in_cells(rows, cells, options)
+    yield from (f"csv: {text}" for text in _in_cells(rows, cells, options))
     for form in forms:
         other, twins = printed(run, ask, form, *options, by_arrays=by_arrays)
         if (other.code, other.err) != (ran.code, ran.err):
@@ -461,17 +454,19 @@ def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
                 yield f"row {row}: {name} = {floats.values[row].get(name)!r} and {cell}"
 
 
-def _in_cells(floats: Rows, cells: Sequence[Cells], options: Sequence[str]) -> Iterator[str]:
+def _in_cells(rows: Rows, cells: Sequence[Cells], options: Sequence[str] = ()) -> Iterator[str]:
     """Iterate over the cells of results, doubts and states that are not those of rows.
 
     Cells in other units are compared elsewhere.
     """
     for row, line in enumerate(cells):
-        for key in floats.keys if not options else ():
-            if _read(line[_head(key)], "") != floats.values[row].get(key):
-                yield f"csv: row {row}: {key} = {floats.values[row].get(key)!r} and {line[_head(key)]}"
-        if line[DOUBT] != codes(floats.doubts[row]):
-            yield f"csv: row {row}: {line[DOUBT]!r}"
+        for key in rows.keys if not options else ():
+            if _read(line[_head(key)], "") != rows.values[row].get(key):
+                yield f"row {row}: {key} = {rows.values[row].get(key)!r} and {line[_head(key)]}"
+        if line.get(DOUBT, "") != codes(rows.doubts[row]) and DOUBT in line:
+            yield f"row {row}: {line[DOUBT]!r}"
+        if line[STATUS] != rows.status[row]:
+            yield f"row {row}: {line[STATUS]!r} and {rows.status[row]!r}"
 
 
 def _head(key: str) -> str:
@@ -531,7 +526,7 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
         return
     yield from (f"by arrays: {text}" for text in differences(found.by_floats, found.rows, found.scenes))
     yield from differences(floats, found.by_floats)
-    yield from _in_written(found.rows, found.cells)
+    yield from _in_cells(found.rows, found.cells)
     for key in (key for key in {*floats.keys} ^ {*found.rows.keys} if not side_of(key)):
         lacks = all(isinstance(reasons.get(key), MissingInput) for reasons in floats.reasons)
         of_values = all(key in _of_any_values(scene).missing([key]) for scene in scenes_of(ask))  # a header has none
@@ -544,18 +539,6 @@ def _of_any_values(scene: Scene) -> Scene:
     return scene.replace(**dict.fromkeys(scene.stated, 0.25))
 
 
-def _in_written(rows: Rows, cells: Sequence[Cells]) -> Iterator[str]:
-    """Iterate over the cells of a table that are not what was computed."""
-    for row, line in enumerate(cells):
-        for key in rows.keys:
-            if _read(line[_head(key)], "") != rows.values[row].get(key):
-                yield f"row {row}: {key} = {rows.values[row].get(key)!r} and {line[_head(key)]}"
-        if line.get(DOUBT, "") != codes(rows.doubts[row]) and DOUBT in line:
-            yield f"row {row}: {line[DOUBT]!r}"
-        if line[STATUS] != rows.status[row]:
-            yield f"row {row}: {line[STATUS]!r}"
-
-
 def mixed_disagreements(run: Run, sheet: Sheet, sample: int) -> Iterator[str]:
     """Iterate over what differs between the rows of a table by arrays and by floats."""
     try:
@@ -563,7 +546,7 @@ def mixed_disagreements(run: Run, sheet: Sheet, sample: int) -> Iterator[str]:
     except Refused:
         return
     yield from differences(found.by_floats, found.rows, found.scenes)
-    yield from _in_written(found.rows, found.cells)
+    yield from _in_cells(found.rows, found.cells)
 
 
 # --- Python -----------------------------------------------------------------------------------------------------------

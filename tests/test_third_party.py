@@ -158,6 +158,15 @@ def test_lammps_rolling_to_rest(lammps: Any, slips: bool) -> None:
 # --- tamaas -----------------------------------------------------------------------------------------------------------
 
 
+def disc(a: float, cells: int) -> tuple[Any, Any, Any, float]:
+    """Return the places of cells, which of them make up a circle, as large as one of radius a, and their size."""
+    centres = np.arange(cells) + 0.5 - cells / 2
+    x, y = np.meshgrid(centres, centres, indexing="ij")
+    inside = x**2 + y**2 <= (cells / 2.2) ** 2
+    cell = a * math.sqrt(math.pi / np.count_nonzero(inside))
+    return x * cell, y * cell, inside, cell
+
+
 @pytest.mark.parametrize("ratio", [0.0, 1.0, -0.9])
 def test_tamaas_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
     """Eq (25): in a circle of the contact radius at the load, whose centre lags by ξ, the surface fits the sphere.
@@ -170,11 +179,7 @@ def test_tamaas_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
     expected, a, radius, modulus = jkroll.solve(names, load=load, yield_displacement=xi, **GRAIN).values()
     moments = []
     for cells in (64, 128):
-        centres = np.arange(cells) + 0.5 - cells / 2
-        x, y = np.meshgrid(centres, centres, indexing="ij")
-        inside = x**2 + y**2 <= (cells / 2.2) ** 2
-        cell = a * math.sqrt(math.pi / np.count_nonzero(inside))
-        x, y = x * cell, y * cell
+        x, y, inside, cell = disc(a, cells)
         sphere = -((x - xi) ** 2 + y**2) / (2 * radius)
         displacement = surface(tamaas, modulus, cells * cell, inside.shape)
         found = pressure_at_load(displacement, inside, sphere, load / cell**2)
@@ -193,12 +198,9 @@ def test_tamaas_torsional_stiffness(tamaas: Any) -> None:
     shear = QUARTZ["youngs_modulus"] / (2 * (1 + QUARTZ["poisson_ratio"]))
     stiffnesses = []
     for cells in (64, 128):
-        centres = np.arange(cells) + 0.5 - cells / 2
-        x, y = np.meshgrid(centres, centres, indexing="ij")
-        inside = x**2 + y**2 <= (cells / 2.2) ** 2
-        cell = a * math.sqrt(math.pi / np.count_nonzero(inside))
-        found = pressure(surface(tamaas, 2 * shear, cells * cell, inside.shape), inside, y * cell)
-        stiffnesses.append(2 * np.sum(y * cell * found) * cell**2 / 2)  # both components; two solids in series
+        _, y, inside, cell = disc(a, cells)
+        found = pressure(surface(tamaas, 2 * shear, cells * cell, inside.shape), inside, y)
+        stiffnesses.append(2 * np.sum(y * found) * cell**2 / 2)  # both components; two solids in series
     assert math.isclose(2 * stiffnesses[1] - stiffnesses[0], expected, rel_tol=TORSION)
 
 

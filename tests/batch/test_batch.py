@@ -558,27 +558,6 @@ def test_an_open_file_is_not_replaced(name: str) -> None:
 # --- The rows that decide how a table is read -------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("text", "delimiter"),
-    [
-        ("R,gamma [mJ/m2]\n100 nm,25", "comma"),
-        ("radius [nm],gamma [mJ/m2]\n100±10,25", "comma"),
-        ("radius [nm];gamma [mJ/m2]\n100,5;25", "semicolon"),
-        ("radius_nm gamma_mJ_m2\n100 25", "blank"),
-    ],
-)
-def test_a_last_line_without_an_end_is_a_row_like_others(run: Run, text: str, delimiter: str) -> None:
-    outputs = []
-    for end in ("", "\n"):
-        Path("x.csv").write_text(text + end, encoding="utf-8")
-        ran = run(f"batch x.csv --delimiter {delimiter} --quantities pull_off_force -o out.csv --format csv")
-        outputs.append(
-            (ran.code, ran.err, Path("out.csv").read_text(encoding="utf-8") if Path("out.csv").exists() else "")
-        )
-        Path("out.csv").unlink(missing_ok=True)
-    assert outputs[0] == outputs[1]
-
-
 def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
     from jkroll.batch.lines import SAMPLE
 

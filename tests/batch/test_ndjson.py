@@ -18,34 +18,6 @@ def converted(run: Run, text: str, *options: str) -> list[dict[str, object]]:
     return [json.loads(line) for line in Path("out.ndjson").read_text(encoding="utf-8").splitlines() if line.strip()]
 
 
-def test_the_same_as_in_csv(run: Run) -> None:
-    objects = [
-        {"id": 1, "material": "quartz", "radius [nm]": 100, "load": None, "note": "a, b"},
-        {"id": 2, "material": "gold", "radius [nm]": 123.456, "load": "-2 nN", "note": None},
-        {"id": 3, "material": "iron", "radius [nm]": "2 um", "load": "0N"},
-        {"id": 4, "material": "quarz", "radius [nm]": 1e2, "load": "3 nN", "note": [1, {"x": 2}]},
-        {"id": 5, "material": "quartz", "radius [nm]": True, "load": ""},
-    ]
-    found = converted(run, "\n".join(map(json.dumps, objects)))
-    table = [
-        "id,material,radius [nm],load",
-        "1,quartz,100,",
-        "2,gold,123.456,-2 nN",
-        "3,iron,2 um,0N",
-        "4,quarz,1e2,3 nN",
-    ]
-    Path("grains.csv").write_text("\n".join([*table, "5,quartz,true,\n"]), encoding="utf-8")
-    assert run("batch grains.csv -o out.csv --jobs 1").code == 1
-    header, *lines = Path("out.csv").read_text(encoding="utf-8").splitlines()
-    names = header.split(",")[4:-2]
-    assert len(names) > 25
-    for given, one, line in zip(objects, found, lines, strict=True):
-        assert {name: one[name] for name in given} == given
-        for name, cell in zip(names, line.split(",")[4:], strict=False):
-            assert one[name] == (float(cell) if cell else None), name
-        assert bool(one["status"]) == (not line.endswith(","))
-
-
 def test_lines_that_are_no_objects(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(files, "CHUNK", 64)
     lines = ['{"radius [nm]": 100}', "[1, 2]", "", '{"radius [nm]": 1', '{"radius [nm]": 100, "load [nN]": 1}', "{}"]

@@ -13,8 +13,6 @@ import pytest
 
 from harness import Run
 from jkroll.batch import run as command
-from jkroll.batch.run import Job, convert_one
-from jkroll.rows.columns import Tally
 from tables import random_table
 
 PARTS = 5
@@ -118,28 +116,6 @@ def test_resume_makes_anew_what_is_older_than_its_table(run: Run, grains: list[s
     assert (Path("forces") / "part-1.csv").read_text(encoding="utf-8").startswith("radius [nm],r_min [m],")
     assert run(*words).code == 1
     assert all(after[name] != time for name, time in times("forces").items())
-
-
-def test_a_run_that_was_ended_goes_on(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
-    words = ("batch", "grains/*.csv", "--quantities", "contact_radius_at_load", "--jobs", "1")
-    done: list[str] = []
-
-    def until(path: str, job: Job) -> Tally:
-        if len(done) == 2:
-            raise KeyboardInterrupt
-        done.append(path)
-        return convert_one(path, job)
-
-    with monkeypatch.context() as patch:
-        patch.setattr("jkroll.batch.run.convert_one", until)
-        with pytest.raises(KeyboardInterrupt):
-            run(*words, "-o", "forces/")
-    before = times("forces")
-    assert sorted(before) == [Path(name).name for name in grains[:2]]
-    assert run(*words, "-o", "forces/", "--resume").code == 1
-    assert before.items() <= times("forces").items()
-    assert run(*words, "-o", "whole/").code == 1
-    assert whole("forces") == whole("whole")
 
 
 @pytest.mark.parametrize("option", [["--resume"], ["--dask", "tcp://127.0.0.1:1"]])

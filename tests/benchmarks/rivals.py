@@ -1,4 +1,4 @@
-"""`jkroll batch` against other ways: C++, polars, duckdb, pyarrow, pandas; Parquet; small files.
+"""`jkroll batch` against other ways: C++, polars, duckdb, pyarrow, pandas; Parquet.
 
     python tests/benchmarks/rivals.py [ROWS] [NAME...]          QUANTITIES=12 for the first twelve quantities alone
 
@@ -248,18 +248,6 @@ def megabytes(process: int) -> float:
     return total
 
 
-def small_files(folder: Path, table: Path, count: int) -> Taken:
-    """What many files of 20 rows take."""
-    with table.open() as file:
-        header, *lines = [line for line, _ in zip(file, range(20 * count + 1), strict=False)]
-    (folder / "small").mkdir()
-    for place in range(count):
-        text = header + "".join(lines[20 * place : 20 * place + 20])
-        (folder / "small" / f"{place:05}.csv").write_text(text, encoding="utf-8")
-    words = ["-m", "jkroll", "batch", str(folder / "small" / "*.csv"), "-o", str(folder / "many") + os.sep]
-    return run(Rival("small files", [sys.executable, *words]), folder, table)
-
-
 def main(words: Sequence[str]) -> None:
     """Measure, and print a table."""
     rows = int(float(words[0])) if words else 1_000_000
@@ -285,11 +273,6 @@ def main(words: Sequence[str]) -> None:
             print(
                 f"{rows / taken.clock:12,.0f}  {taken.clock / own:9.2f}x  {us:15.2f}  {taken.memory:6.0f}  {rival.name}"
             )
-        if not words[1:]:
-            count = min(rows // 20, 3000)
-            taken = small_files(folder, table, count)
-            per_file = taken.processor / count * 1e3
-            print(f"{count / taken.clock:12,.0f}  files of 20 rows a second, {per_file:.1f} ms of CPU a file")
 
 
 if __name__ == "__main__":

@@ -11,10 +11,10 @@ import subprocess
 import sys
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import pytest
 
+from doors import strict_json
 from harness import Run
 from jkroll import NOMENCLATURE, __version__, solve
 from jkroll.answers.questions import QUESTIONS
@@ -411,15 +411,6 @@ def test_a_unit_that_a_double_cannot_express_is_refused(run: Run) -> None:
         assert "has a unit beyond 1e-100 to 1e100 of that of the SI" in ran.err
 
 
-def json_strictly(text: str) -> Any:
-    """Return what a reader has that takes JSON alone, and neither NaN nor Infinity."""
-
-    def refuse(word: str) -> None:
-        raise AssertionError(word)
-
-    return json.loads(text, parse_constant=refuse)
-
-
 @pytest.mark.parametrize(
     "grain", ["ice-cold 1um", "quartz 1um --density 2600±100kg/m3", "quartz 1um --density '2000 to 3000kg/m3'"]
 )
@@ -427,7 +418,7 @@ def test_a_plane_is_infinitely_heavy_without_an_uncertainty(run: Run, grain: str
     words = [*shlex.split(f"report {grain}"), "--radius2", "plane", "--quantities", "mass2,moment_of_inertia2,mass"]
     ran = run(*words, "--json")
     assert ran.code == 0
-    *infinite, mass = json_strictly(ran.out)["results"]
+    *infinite, mass = strict_json(ran.out)["results"]
     for one in infinite:
         assert (one["value"], one["reason"]) == (None, "infinite")
         assert not {"uncertainty", "shares"} & one.keys()

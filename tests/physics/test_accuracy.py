@@ -4,7 +4,7 @@ import math
 import os
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cache, partial
+from functools import cache
 from random import Random
 from statistics import median
 from typing import Any, NamedTuple
@@ -13,11 +13,10 @@ import numpy as np
 import pytest
 
 import law_reference
-from accuracy import check_accuracy
 from jkroll import NOMENCLATURE, physics, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, shifted
-from jkroll.physics.jkr import load_factor_at_approach
+from jkroll.physics.accuracy import accuracy_of
 from jkroll.physics.motion import LARGEST
 from jkroll.scene.wiring import formula_of, parameters_of
 from reference import (
@@ -39,7 +38,6 @@ from scenes import (
     hard_scenes,
     log_uniform,
     random_scenes,
-    steps_from,
     strip_contacts,
 )
 
@@ -290,21 +288,18 @@ OUTSIDE: Mapping[str, Callable[[Scene], bool]] = {
 
 @pytest.mark.parametrize("name", FORMULAS)
 def test_formula_is_as_accurate_as_it_says(name: str) -> None:
-    inside = [values for values in values_of(name) if name not in OUTSIDE or not OUTSIDE[name](values)]
-    check_accuracy(FORMULAS[name], inside, partial(formula_error, name))
-
-
-# --- Seams between two forms ------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("formula", "place"), [(load_factor_at_approach, 3 / 6 ** (1 / 3) + float(FOLD)), (load_factor_at_approach, 1.0)]
-)
-def test_states_at_neighbouring_approaches_do_not_jump(formula: Callable[..., Any], place: float) -> None:
-    ratios = np.sort(steps_from(place, *range(1, 10_000)))
-    values = formula(approach_at_load=ratios, approach=1.0)
-    steps = np.diff(values) * np.sign(values[-1] - values[0])
-    assert steps.min() >= -4 * np.spacing(values[0])
+    """For floats and for arrays."""
+    formula, parameters = FORMULAS[name], parameters_of(FORMULAS[name])
+    bound = float(accuracy_of(name).partition(" ulp")[0])
+    scenes = [values for values in values_of(name) if name not in OUTSIDE or not OUTSIDE[name](values)]
+    absent = {parameter for values in scenes for parameter in parameters if parameter not in values}
+    assert not absent, f"neither tests/scenes.py nor test_accuracy.py has values of {absent}"
+    arguments = [{parameter: values[parameter] for parameter in parameters} for values in scenes]
+    elements = formula(**{parameter: np.array([given[parameter] for given in arguments]) for parameter in parameters})
+    for given, element in zip(arguments, elements.tolist(), strict=True):
+        for value in {formula(**given), element}:  # one where they agree
+            error = formula_error(name, given, value)
+            assert error <= bound, f"{error} ulp, {bound} stated in physics/accuracy.py, at {given}"
 
 
 # --- One place to add a quantity --------------------------------------------------------------------------------------

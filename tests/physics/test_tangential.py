@@ -93,21 +93,6 @@ def test_the_contact_peels_where_no_radius_is_an_equilibrium(scene: dict[str, An
     assert math.isclose(at, found["peeling_radius"], rel_tol=1e-4)
 
 
-@pytest.mark.parametrize(("radius", "slides"), [(1e-8, True), (1.7e-7, True), (1.9e-7, False), (1e-6, False)])
-def test_what_comes_first_is_decided_on_the_area_that_is_left(radius: float, slides: bool) -> None:
-    """The tangential force rises along the equilibria: it slides if πa²τ falls to it before its maximum."""
-    scene = {**QUARTZ, "radius": radius}
-    names = [
-        "reduced_radius", "contact_modulus", "contact_shear_modulus", "work_of_adhesion", "pull_off_force",
-        "contact_radius", "shear_strength", "peeling_over_sliding",
-    ]  # fmt: skip
-    found = solve(names, **scene)
-    a = np.linspace(1.0, 0.5 ** (1 / 3), 2001)[1:] * found["contact_radius"]
-    reached = force_at(a, 0.0, found) >= math.pi * a**2 * found["shear_strength"]
-    assert bool(reached.any()) is slides
-    assert (found["peeling_over_sliding"] > 1) is slides
-
-
 @pytest.mark.parametrize("radius", [1e-9, 1e-7, 1.7e-7])
 @pytest.mark.parametrize("ratio", [-0.5, 0.0, 1.0])
 def test_a_brittle_contact_slides_where_the_force_reaches_the_strength_of_its_area(radius: float, ratio: float) -> None:

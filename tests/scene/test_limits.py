@@ -116,14 +116,6 @@ def test_the_order_of_two_spheres_decides_no_doubt_about_roughness() -> None:
         assert ("rough-matters" in codes) is is_in_doubt
 
 
-def test_spheres_of_a_viscous_time_are_not_held_to_bounce_as_elastic_ones_do() -> None:
-    """At 1 m/s, quartz of 100 nm bounces without damping, and sticks with a viscous time of 1 ps: e = 0."""
-    for given, is_in_doubt in (({}, True), ({"viscous_time": 1e-12}, False)):
-        codes = verdicts("n_roll_after_impact", "restitution", speed=1.0, **given).values()
-        assert ("bounces" in codes) is is_in_doubt
-        assert (solve("restitution", **QUARTZ, speed=1.0, **given) > 0) is is_in_doubt
-
-
 def test_spheres_of_a_viscous_time_bounce_where_they_are_faster_than_it_lets_them_stick() -> None:
     """At every time e and the doubt say the same, also in columns and above T* = 0.68, where all stick."""
     times, speeds = np.array([1e-13, 1e-12, 1e-11, 1e-10]), np.array([1.0, 30.0, 1.0, 1.0])

@@ -259,27 +259,6 @@ def test_error_bars_of_both_measurements_enter() -> None:
     assert parts == approx([0.01, 0.005], rel=1e-3)
 
 
-@pytest.mark.parametrize("law", ["jkr", "dmt", pytest.param("maugis", marks=pytest.mark.slow)])
-def test_error_bars_are_what_the_ends_give(law: str) -> None:
-    """Where the pair that is followed is that of the whole scan."""
-    bars = {"pull_off_force": 6e-8, "stiffness": 2e2}
-    measured = {name: Measured(MEASURED[name], bar) for name, bar in bars.items()}
-    both = infer(["gamma", "young"], measured=measured, model=law, **PLANE)
-    middle = infer(["gamma", "young"], measured=MEASURED, model=law, **PLANE)
-    ends = [
-        infer(["gamma", "young"], measured={**MEASURED, name: MEASURED[name] + sign * bar}, model=law, **PLANE)
-        for name, bar in bars.items()
-        for sign in (-1, 1)
-    ]
-    for name in NAMES:
-        changes = [end[name] - middle[name] for end in ends]
-        squares = [sum(change**2 for change in changes if change * sign > 0) for sign in (-1, 1)]
-        sides = [math.sqrt(each) for each in squares]
-        if abs(sides[1] - sides[0]) <= 0.1 * max(sides):
-            sides = [sum(sides) / 2] * 2
-        assert (both[name].minus, both[name].plus) == approx(sides, rel=1e-10)
-
-
 def test_ranges_of_both_measurements_enter() -> None:
     measured = {"pull_off_force": Interval(3e-7, 2.8e-7, 3.2e-7), "stiffness": Interval(1e3, 900.0, 1100.0)}
     both = infer(["gamma", "young"], measured=measured, **PLANE)
