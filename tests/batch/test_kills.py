@@ -98,11 +98,9 @@ def test_a_kill_leaves_no_half_of_a_file(words: str, end: str, kills: int, *, wh
     assert {path: path.read_bytes() for path in begun(out.name)} == left
 
 
-@pytest.mark.parametrize(
-    ("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -signal.SIGTERM), (signal.SIGHUP, -signal.SIGHUP)]
-)
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize("words", ["batch grains.csv --material quartz --jobs 1", SWEEP])
-def test_an_interrupt_leaves_nothing(words: str, number: int, code: int) -> None:
+def test_an_interrupt_leaves_nothing(words: str, number: int) -> None:
     tables()
     before = {*os.listdir(), "__pycache__"}
     while True:
@@ -111,13 +109,11 @@ def test_an_interrupt_leaves_nothing(words: str, number: int, code: int) -> None
         wait_until(lambda: any(path.stat().st_size for path in begun("out.csv")), process)
         process.send_signal(number)
         _, message = process.communicate()
-        if process.returncode == code:
+        if process.returncode == -number:
             break
         assert process.returncode == 1  # it was done before the signal came
         Path("out.csv").unlink()
-    assert re.fullmatch(
-        r"read: .*\n(?:assumed: .*\n)?jkroll: interrupted after \d+ rows\n" if "batch" in words else "", message
-    )
+    assert re.fullmatch(r"read: .*\n(?:assumed: .*\n)?" if "batch" in words else "", message)
     assert {*os.listdir()} <= before
 
 
@@ -166,7 +162,7 @@ def test_an_interrupt_of_many_tables_leaves_whole_ones_only() -> None:
         wait_until(lambda: len([*Path("forces").glob("[0-9]*.csv")]) > 2, process)
         process.send_signal(signal.SIGINT)
         _, message = process.communicate()
-    assert (process.returncode, message) == (130, "")
+    assert (process.returncode, message) == (-signal.SIGINT, "")
     left = {path.name: path.read_text(encoding="utf-8") for path in Path("forces").iterdir()}
     assert {name: len(text.splitlines()) for name, text in left.items()} == dict.fromkeys(left, 2_001)
     assert 2 < len(left) < 30

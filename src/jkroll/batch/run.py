@@ -246,9 +246,6 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
                 progress.show(file.share_read(tally.rows), tally.rows)
     except BadRow as error:
         raise BadRow(line + 1 + error.line, error.status) from None
-    except KeyboardInterrupt:
-        say(f"jkroll: interrupted after {tally.rows} rows", sys.stderr)
-        raise
     finally:
         progress.clear()
     return tally

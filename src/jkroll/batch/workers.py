@@ -66,10 +66,9 @@ class Worker:
 
 
 def _serve(questions: "connection.Connection[Any, Any]", answer: Answer) -> None:
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that a file that was begun is removed
     Thread(target=_end_with_parent, daemon=True).start()
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
-    with suppress(EOFError, ConnectionError, SystemExit):
+    with suppress(EOFError, ConnectionError):
         while True:
             questions.send(_outcome(answer, questions.recv()))  # nothing of a block is kept beside the next one
     os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables

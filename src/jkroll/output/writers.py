@@ -6,6 +6,7 @@ or None stands for a column of it. None and nan are gaps.
 
 import os
 import re
+import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -279,6 +280,7 @@ def _text(cell: Cell) -> str:
 # --- The file that is written: whole or not at all, or standard output ------------------------------------------------
 
 MAX_KEPT = 50  # characters of a name that its temporary name has, too
+_SIGNALS = [signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)]  # Windows has two of them
 _STREAMS = ("/dev/stdin", "/dev/stdout", "/dev/stderr")
 
 
@@ -304,18 +306,41 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
         folder, name = os.path.split(place)
         temporary = os.path.join(folder, f".{name[:MAX_KEPT]}.{os.urandom(4).hex()}")
         begun = open(temporary, "xb")
-        try:
+        with _removed_at_last(temporary):
             with begun:
                 yield begun
             if os.path.exists(place):
                 os.chmod(temporary, os.stat(place).st_mode & 0o7777)
             os.replace(temporary, place)
-        finally:
-            with suppress(FileNotFoundError):
-                os.unlink(temporary)
     except OSError as error:
         error.filename = path  # a full disk names no file, other errors a temporary one
         raise
+
+
+@contextmanager
+def _removed_at_last(path: str) -> Iterator[None]:
+    """Remove a file behind a block, and where a signal ends the process within it."""
+
+    def remove() -> None:
+        with suppress(FileNotFoundError):
+            os.unlink(path)
+
+    def end(number: int, _: object) -> None:
+        remove()
+        signal.signal(number, signal.SIG_DFL)
+        signal.raise_signal(number)
+
+    ending = [number for number in _SIGNALS if signal.getsignal(number) == signal.SIG_DFL]
+    with suppress(ValueError):  # in a thread, to which no signals come
+        for number in ending:
+            signal.signal(number, end)
+    try:
+        yield
+    finally:
+        remove()
+        with suppress(ValueError):
+            for number in ending:
+                signal.signal(number, signal.SIG_DFL)
 
 
 def _descriptor(path: str) -> int | None:
