@@ -2,7 +2,6 @@
 
 import gc
 import os
-import signal
 import sys
 
 CANNOT_WRITE = 1
@@ -14,8 +13,10 @@ def run() -> None:
 
     An interrupt ends the process as other signals do, by their default action. `whole_file` removes what it has begun.
     """
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
     gc.set_threshold(SELDOM)
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied: no thread for each core
     if os.environ.get("_JKROLL_COMPLETE") or sys.argv[1:] in (["--install-completion"], ["--show-completion"]):
         from .cli.shells import main

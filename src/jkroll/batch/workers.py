@@ -6,7 +6,6 @@ A process ends with the one that started it, at once. No lock is shared, so a pr
 import gc
 import os
 import signal
-import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
