@@ -24,7 +24,7 @@ from relative import approx
 # --- Messages, whole ------------------------------------------------------------------------------------------------
 
 GOLD = "gold has none in Table 1; give, for example, --young 10GPa --poisson 0.3"
-GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm; --work-of-adhesion 50mJ/m2 may replace some"
+GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm"
 MESSAGES = {
     "pull-off quarz 100nm": (2, "no material 'quarz'; did you mean quartz? jkroll materials lists all"),
     "pull-off quartz 100": (2, "radius: '100' has no unit; expected a length such as 100nm"),
@@ -43,10 +43,7 @@ MESSAGES = {
     "pull-off quartz": (2, "pull-off needs radius of sphere 1; give a radius such as 100nm"),
     "pull-off 100nm": (
         2,
-        (
-            "pull-off needs surface energy per surface; name a material, such as quartz, or give --gamma 25mJ/m2 "
-            "or --work-of-adhesion 50mJ/m2"
-        ),
+        "pull-off needs surface energy per surface; name a material, such as quartz, or give --gamma 25mJ/m2",
     ),
     "contact quartz 100nm --curve --load=:50nN": (
         2,
@@ -54,7 +51,7 @@ MESSAGES = {
     ),
     "n-roll gold 100nm": (
         2,
-        (f"n-roll needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may replace some"),
+        (f"n-roll needs Young's modulus and Poisson's ratio; {GOLD}"),
     ),
     "contact quartz 100nm --young rigid": (1, "both bodies are rigid; a contact area needs one that deforms"),
     "yield-force quartz 100nm --load -20nN": (

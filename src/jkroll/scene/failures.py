@@ -3,19 +3,19 @@
 Below: the numbers for which the physics gives a formula no result, with the error that says why.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from math import isinf
 from operator import ge, gt, le
 from typing import Any
 
 from ..errors import JkrollError, NoResult
-from ..physics import FORMULAS
+from ..physics.contact import pull_off_force_dmt
+from ..physics.jkr import approach_at_fold
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
 from ..quantities.values import parse_quantity
 from ..text import listed
-from .wiring import parameters_of
 
 MAX_DIGITS = 17  # that tell two doubles apart
 
@@ -23,9 +23,10 @@ MAX_DIGITS = 17  # that tell two doubles apart
 class MissingInput(JkrollError):
     """Error raised when a quantity cannot be computed from what was given."""
 
-    def __init__(self, wanted: str, missing: Sequence[str], instead: Sequence[str] = (), lacking: str = "") -> None:
-        super().__init__(wanted, tuple(missing), tuple(instead), lacking)
-        self.wanted, self.missing, self.instead, self.lacking = wanted, tuple(missing), tuple(instead), lacking
+    def __init__(self, wanted: str, missing: Sequence[str], lacking: str = "") -> None:
+        """`lacking`: says which materials should have had the missing inputs."""
+        super().__init__(wanted, tuple(missing), lacking)
+        self.wanted, self.missing, self.lacking = wanted, tuple(missing), lacking
         self.phrase = needs_in_words(self.missing)
 
     def __str__(self) -> str:
@@ -36,18 +37,15 @@ class MissingInput(JkrollError):
 
         The name of the quantity is left out.
         """
-        options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
-        radii = [
-            f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
-        ]
-        give = f"give{', for example,' if self.lacking else ''} {listed([*filter(None, [options]), *radii])}"
-        if others := " or ".join(map(_as_typed, self.instead)):
-            give += f" or {others}" if len(self.missing) == 1 else f"; {others} may replace some"
+        quantities = [NOMENCLATURE[name] for name in self.missing]
+        options = " ".join(f"{quantity.option} {quantity.example}" for quantity in quantities if quantity.option)
+        radii = [f"a radius such as {quantity.example}" for quantity in quantities if not quantity.option]
+        give = "give"
         if self.lacking:
-            lead = f"{self.lacking}; "
-        else:
-            lead = "name a material, such as quartz, or " if {*self.missing} <= {*PROPERTIES} else ""
-        return f"{verb} {_in_words(self.missing)}; {lead}{give}"
+            give = f"{self.lacking}; give, for example,"
+        elif {*self.missing} <= {*PROPERTIES}:
+            give = "name a material, such as quartz, or give"
+        return f"{verb} {_in_words(self.missing)}; {give} {listed(filter(None, [options, *radii]))}"
 
 
 class NotInLaw(MissingInput):
@@ -69,18 +67,13 @@ class NotInLaw(MissingInput):
         return f"{verb} {_in_words(self.absent)}, which {self.law} does not have; {remedy}"
 
 
-def needs_in_words(missing: Iterable[str]) -> str:
+def needs_in_words(missing: Collection[str]) -> str:
     """Return which inputs are missing, by their names; an empty text if none is."""
-    names = [*missing]
-    return f"needs {listed(names)}" if names else ""
+    return f"needs {listed(missing)}" if missing else ""
 
 
 def _in_words(names: Iterable[str]) -> str:
     return listed(NOMENCLATURE[name].sentence for name in names)
-
-
-def _as_typed(name: str) -> str:
-    return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
 class Kind:
@@ -151,7 +144,7 @@ class Failure(NoResult):
     def __init__(self, kind: Kind, name: str = "", numbers: Sequence[float] = ()) -> None:
         """`name`: the quantity that has no value, unless its kind has one; `numbers`: a value and its limits."""
         super().__init__(kind, name, tuple(numbers))
-        self.kind, self.name, self.numbers, self.phrase = kind, name or kind.name, tuple(numbers), kind.phrase
+        self.kind, self.name, self.numbers, self.phrase = kind, kind.name or name, tuple(numbers), kind.phrase
 
     def reason(self) -> str:
         """Return the words of its kind, with its numbers: with more digits where a value and its limit look the same.
@@ -211,33 +204,30 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
 Given = Mapping[str, Any]  # the arguments of a formula
 
 
-class Rule:
-    """The arguments for which a formula has no result, with the kind of the failure and the numbers of its words."""
-
-    def __init__(
-        self,
-        kind: Kind,
-        forbids: Callable[[Given], bool],
-        numbers: Callable[[Given], Sequence[float]] = lambda _: (),
-    ) -> None:
-        self.kind, self.forbids, self.numbers = kind, forbids, numbers
+Rule = Callable[[str, Given], Failure | None]  # returns why a formula has no result for its arguments
 
 
-def _where(kind: Kind, is_beyond: Callable[[Any, Any], bool], limit: Callable[[Given], Any]) -> Rule:
+def _beyond(kind: Kind, is_beyond: Callable[[Any, Any], bool], limit: Callable[[Given], Any]) -> Rule:
     """Return the rule of an argument that a limit rules out: a contact also at it, where rounding may have put it."""
-    name = kind.name
-    return Rule(kind, lambda given: is_beyond(given[name], limit(given)), lambda given: (given[name], limit(given)))
+
+    def rule(name: str, given: Given) -> Failure | None:
+        numbers = given[kind.name], limit(given)
+        return Failure(kind, name, numbers) if is_beyond(*numbers) else None
+
+    return rule
 
 
-def _is_held_by_grips_alone(given: Given) -> bool:
-    """Return whether a state lies between pull-off and the fold, by its stiffness or by its distance from pull-off."""
-    return bool(given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
+def _forbidden(kind: Kind, forbids: Callable[[Given], Any]) -> Rule:
+    """Return the rule of arguments that a formula does not take."""
+    return lambda name, given: Failure(kind, name) if forbids(given) else None
 
 
-def _value(name: str, given: Given) -> Any:
-    """Return what a formula makes of the arguments of another."""
-    formula = FORMULAS[name]
-    return formula(**{parameter: given[parameter] for parameter in parameters_of(formula)})
+def _pull_off_dmt(given: Given) -> Any:
+    return -pull_off_force_dmt(work_of_adhesion=given["work_of_adhesion"], reduced_radius=given["reduced_radius"])
+
+
+def _fold(given: Given) -> Any:
+    return approach_at_fold(approach=given["approach"])
 
 
 def _fitted(_: Given) -> float:
@@ -246,31 +236,34 @@ def _fitted(_: Given) -> float:
     return LARGEST
 
 
+# Between pull-off and the fold, by the stiffness or by the distance from pull-off.
+_NOT_HELD = _forbidden(NOT_HELD, lambda given: given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
+
 RULES: Mapping[str, Rule] = {  # by formula
-    "load_margin": _where(BEYOND_PULL_OFF, le, lambda given: -given["pull_off_force"]),
-    "edge_ratio_at_load": _where(BEYOND_PULL_OFF, le, lambda given: -given["pull_off_force_maugis"]),
-    "contact_radius_dmt": _where(BEYOND_PULL_OFF, le, lambda given: -_value("pull_off_force_dmt", given)),
-    "adhesive_force_dmt": _where(BEYOND_PULL_OFF, le, lambda given: -_value("pull_off_force_dmt", given)),
-    "load_factor_at_approach": _where(BEYOND_FOLD, le, lambda given: _value("approach_at_fold", given)),
-    "load_margin_at_approach": _where(BEYOND_FOLD, le, lambda given: _value("approach_at_fold", given)),
-    "edge_ratio_at_approach": _where(BEYOND_FOLD, le, lambda given: given["fold_approach_maugis"]),
-    "contact_radius_dmt_at_approach": _where(BEYOND_FOLD, le, lambda _: 0.0),
-    "yield_displacement_at_hysteresis": _where(TOO_MUCH_HYSTERESIS, gt, lambda given: given["work_of_adhesion"]),
-    "sticking_speed_viscous": _where(STICKS_ALWAYS, gt, _fitted),
-    "r_min": Rule(NO_CHAIN, lambda given: given["radius2"] == INFINITY),
-    "vertical_frequency": Rule(NOT_HELD, _is_held_by_grips_alone),
-    "peeling_force": Rule(NOT_HELD, _is_held_by_grips_alone),
-    "peeling_radius": Rule(NOT_HELD, _is_held_by_grips_alone),
-    "rolling_resistance_coefficient": Rule(NOT_PRESSED, lambda given: given["load"] <= 0),
-    "viscosity_number": Rule(NO_POISSON_RATIO, lambda given: given["poisson_ratio"] * given["poisson_ratio2"] <= 0),
-    "rayleigh_time": Rule(RIGID, lambda given: given["youngs_modulus"] == INFINITY),
-    "contact_displacement": Rule(APART, lambda given: given["edge_ratio"] == 0),
+    "load_margin": _beyond(BEYOND_PULL_OFF, le, lambda given: -given["pull_off_force"]),
+    "edge_ratio_at_load": _beyond(BEYOND_PULL_OFF, le, lambda given: -given["pull_off_force_maugis"]),
+    "contact_radius_dmt": _beyond(BEYOND_PULL_OFF, le, _pull_off_dmt),
+    "adhesive_force_dmt": _beyond(BEYOND_PULL_OFF, le, _pull_off_dmt),
+    "load_factor_at_approach": _beyond(BEYOND_FOLD, le, _fold),
+    "load_margin_at_approach": _beyond(BEYOND_FOLD, le, _fold),
+    "edge_ratio_at_approach": _beyond(BEYOND_FOLD, le, lambda given: given["fold_approach_maugis"]),
+    "contact_radius_dmt_at_approach": _beyond(BEYOND_FOLD, le, lambda _: 0.0),
+    "yield_displacement_at_hysteresis": _beyond(TOO_MUCH_HYSTERESIS, gt, lambda given: given["work_of_adhesion"]),
+    "sticking_speed_viscous": _beyond(STICKS_ALWAYS, gt, _fitted),
+    "r_min": _forbidden(NO_CHAIN, lambda given: given["radius2"] == INFINITY),
+    "vertical_frequency": _NOT_HELD,
+    "peeling_force": _NOT_HELD,
+    "peeling_radius": _NOT_HELD,
+    "rolling_resistance_coefficient": _forbidden(NOT_PRESSED, lambda given: given["load"] <= 0),
+    "viscosity_number": _forbidden(
+        NO_POISSON_RATIO, lambda given: given["poisson_ratio"] * given["poisson_ratio2"] <= 0
+    ),
+    "rayleigh_time": _forbidden(RIGID, lambda given: given["youngs_modulus"] == INFINITY),
+    "contact_displacement": _forbidden(APART, lambda given: given["edge_ratio"] == 0),
 }
 
 
 def failure_of(name: str, given: Given, value: float) -> Failure:
     """Return why a formula has no result for these numbers; `value`: what it gave."""
-    rule = RULES.get(name)
-    if rule is not None and rule.forbids(given):
-        return Failure(rule.kind, rule.kind.name or name, rule.numbers(given))
-    return Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)
+    failure = RULES[name](name, given) if name in RULES else None
+    return failure or Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)

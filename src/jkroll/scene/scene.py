@@ -383,7 +383,7 @@ class Scene:
             lacking["that of two different solids is not known"] = None
         elif XI in names:
             names = tuple(dict.fromkeys("radius" if each == XI else each for each in names))
-        return MissingInput(name, names, in_order(plan.instead), ", ".join(lacking))
+        return MissingInput(name, names, ", ".join(lacking))
 
     # --- Values -------------------------------------------------------------------------------------------------------
 

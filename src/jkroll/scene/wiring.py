@@ -13,7 +13,7 @@ from typing import Any
 
 from ..physics import FORMULAS
 from ..quantities.laws import DEFAULT_LAW, Routes, law_of, routes, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, UnknownQuantity, of_sphere
+from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, of_sphere
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
 OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
@@ -28,13 +28,12 @@ class Plan:
         formula: Any = None,
         arguments: tuple[tuple[str, "Plan"], ...] = (),  # by parameter
         missing: frozenset[str] = frozenset(),  # inputs that are not known
-        instead: frozenset[str] = frozenset(),  # quantities that may be given in place of them
         lacking: frozenset[str] = frozenset(),  # quantities that the law of attraction does not have
         reached: frozenset[str] = frozenset(),  # the names of all values on the way, this one among them
         taken: frozenset[str] = frozenset(),  # the parameters of all formulas on the way
     ) -> None:
-        self.name, self.formula, self.arguments, self.missing, self.instead = name, formula, arguments, missing, instead
-        self.lacking, self.reached, self.taken = lacking, reached, taken
+        self.name, self.formula, self.arguments = name, formula, arguments
+        self.missing, self.lacking, self.reached, self.taken = missing, lacking, reached, taken
         self.is_possible = not (missing or lacking)  # what is known leads to the quantity
 
 
@@ -73,8 +72,6 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
     if NOMENCLATURE[name].sphere == 2 and not any(NOMENCLATURE[plan.name].sphere == 2 for plan in plans.values()):
         return plan_for(of_sphere(1, name), known, own_material2, model)  # in this, sphere 2 is like sphere 1
     joined = {field: frozenset().union(*(getattr(plan, field) for plan in plans.values())) for field in _JOINED}
-    if joined["missing"] and NOMENCLATURE[wanted].option and wanted not in OF_THE_PAIR:
-        joined["instead"] |= {wanted}
     joined["reached"] |= {name}
     joined["taken"] |= plans.keys()
     return Plan(name, formula_of(name), tuple(plans.items()), **joined)
@@ -86,7 +83,7 @@ def taken_by(names: tuple[str, ...], *kind: Any) -> frozenset[str]:
     return frozenset(names).union(*(plan_for(name, *kind).taken for name in names))
 
 
-_JOINED = ("missing", "instead", "lacking", "reached", "taken")
+_JOINED = ("missing", "lacking", "reached", "taken")
 
 
 def _source(name: str, known: frozenset[str], own_material2: bool, by_law: Routes) -> str | None:
