@@ -37,8 +37,14 @@ MESSAGES = {
     "batch grains.csv --output=": (2, "-o: the name of the output file is empty"),
     "pull-off quartz 100nm --to nN,pN": (2, "--to: 'nN' and 'pN' are units of one dimension; give one of them"),
     "pull-off quartz plane": (2, "a plane is sphere 2: write --radius2 plane"),
-    "pull-off": (2, f"pull-off needs radius of sphere 1 and surface energy per surface; {GIVE}"),
-    "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (2, "--gamma and --work-of-adhesion exclude each other"),
+    "pull-off": (
+        2,
+        f"pull-off needs radius of sphere 1 and surface energy per surface; {GIVE}",
+    ),
+    "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (
+        2,
+        "--gamma and --work-of-adhesion exclude each other: one follows from the other",
+    ),
     "pull-off quartz 100nm --to foo": (2, "--to: 'foo' has an unknown unit 'foo'; expected a unit such as N"),
     "pull-off quartz": (2, "pull-off needs radius of sphere 1; give a radius such as 100nm"),
     "pull-off 100nm": (
@@ -47,7 +53,7 @@ MESSAGES = {
     ),
     "contact quartz 100nm --curve --load=:50nN": (
         2,
-        "--load: ':50nN' has no lower end; write both, as in -5nN:20nN (an example); pull-off is at -11.781 nN",
+        "--load: '' does not begin with a number; expected a force such as -5nN",
     ),
     "n-roll gold 100nm": (
         2,
@@ -77,7 +83,10 @@ MESSAGES = {
         2,
         "two materials, 'quartz' and 'iron'; for a list write quartz,iron; for sphere 2, --material2 iron",
     ),
-    "n-roll quartz 100nm --energy 1eV --speed 1m/s": (2, "--energy and --speed exclude each other"),
+    "n-roll quartz 100nm --energy 1eV --speed 1m/s": (
+        2,
+        "--energy and --speed exclude each other: one follows from the other",
+    ),
     "pull-off quartz 100nm --to nm": (2, "--to: 'nm' fits none of the results, which are in: N"),
     "pull-off quartz 100nm --json --csv": (2, "--json and --csv exclude each other"),
     "pull-off quartz 100nm --digits ٣": (2, "--digits: '٣' is not a whole number from 1 to 17"),
@@ -103,7 +112,7 @@ MESSAGES = {
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (
         2,
-        "jkroll without a command takes no '--bare'; --bare is an option of pull-off, yield-force, r-min, ...",
+        "jkroll without a command takes no '--bare'; --bare is an option of pull-off, yield-force, r-min and 11 more",
     ),
     "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),
     "map pull-off --x radius=1nm:1um --csv": (2, "map takes no '--csv'; --data FILE writes the numbers as CSV"),

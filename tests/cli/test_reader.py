@@ -52,7 +52,7 @@ REFUSED = {
     "pull-off quartz 1um -o": "-o needs a value, as in -o OUT",
     "pull-off quartz 1um -o --quiet": "-o needs a value, as in -o OUT",
     "pull-off quartz 1um --to --json": "--to needs a value, as in --to UNIT",
-    "contact quartz 1um --load -inf": "--load needs a value, as in --load -5nN; if '-inf' is meant, write --load=-inf",
+    "contact quartz 1um --load -inf": "--load needs a value, as in --load -5nN",
     "pull-off quartz 1um --to -- nN": "--to needs a value, as in --to UNIT",
     "pull-off quartz 1um --bare=x": "--bare takes no value: leave '=x' out",
     "pull-off quartz 1um --quiet=": "--quiet takes no value: leave '=' out",
@@ -65,7 +65,7 @@ REFUSED = {
     "pull-off quartz 1um --=x": "no such option '--'; see jkroll pull-off --help",
     "pull-off quartz 1um -output x.csv": "no such option '-output'; did you mean -o?",
     "pull-off quartz 1um --velocity 1m/s": (
-        "no such option '--velocity'; --speed is an option of n-roll, impact, report, ..."
+        "no such option '--velocity'; --speed is an option of n-roll, impact, report and 3 more"
     ),
     "pull-off quartz --diam 1um": "no such option '--diam'; see jkroll pull-off --help",
     "pull-off quartz 1um --format xml": (
@@ -89,11 +89,6 @@ def meaning(words: list[str]) -> Any:
     if not isinstance(action, partial):
         return action
     return action.func, tuple(SimpleNamespace(**vars(word)) if isinstance(word, Call) else word for word in action.args)
-
-
-def test_what_is_not_modelled_is_no_option() -> None:
-    flags = {flag for command in COMMANDS.values() for flag in command.flags()}
-    assert not flags.intersection(flag for flag, hint in HINTS.items() if hint == HINTS["--roughness"])
 
 
 @pytest.mark.parametrize("lines", ALIKE, ids=lambda lines: lines[0])

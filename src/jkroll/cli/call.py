@@ -1,5 +1,6 @@
 """A call of a command: its words and options, read as far as they are needed, as scenes and as a format of results."""
 
+import os
 import sys
 from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
@@ -9,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, materials_of_user
-from ..quantities.formatting import Format, amount
+from ..quantities.formatting import Format
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import Spread, as_typed, error_about, spreads_of
 from ..rows.sweep import Pair, Sweep
 from ..scene.failures import MissingInput
-from ..scene.scene import EXCLUSIVE, check_range
-from ..text import ending, listed, quoted, say_wrapped
+from ..scene.scene import check_exclusive, check_range
+from ..text import ending, quoted, say_wrapped
 
 if TYPE_CHECKING:
     from ..answers.curve import Loads
@@ -106,10 +107,7 @@ class Call:
             raise BadRequest("a plane is sphere 2: write --radius2 plane")
         if radii := [word for word in self.words if not _is_material(word)]:
             texts["radius"] = ",".join(radii)
-        for alternatives in EXCLUSIVE:
-            given = [NOMENCLATURE[name].option or "a radius" for name in alternatives if name in texts]
-            if len(given) > 1:
-                raise BadRequest(f"{listed(given)} exclude each other")
+        check_exclusive(texts, lambda name: NOMENCLATURE[name].option or "a radius")
         if _is_part(texts.get("adhesion_hysteresis", "")):
             texts["hysteresis_fraction"] = texts.pop("adhesion_hysteresis")
         return texts
@@ -143,14 +141,7 @@ class Call:
         if "approach_at_load" in self.values:
             raise BadRequest("--curve goes through all approaches; it takes none")
         text = self.values.get("load")
-        if text is None:
-            return None
-        ends = text.split(":")
-        if len(ends) == 2 and not all(ends):
-            pull_off = amount("load", -self.sweep.kinds[0]["pull_off_force"])
-            lacking = f"--load: {quoted(text)} has no {'upper' if ends[0] else 'lower'} end"
-            raise BadRequest(f"{lacking}; write both, as in -5nN:20nN (an example); pull-off is at {pull_off}")
-        return loads_of(text)
+        return None if text is None else loads_of(text)
 
     @cached_property
     def pairs(self) -> list[Pair]:
@@ -176,8 +167,8 @@ class Call:
             for mistake in self.materials.mistakes:
                 say_wrapped(f"note: left out: {mistake}", sys.stderr)
             return [*self.materials.materials.values()]
-        if (word := next(filter(is_table, text.split(",")), None)) is not None:
-            raise BadRequest(f"{quoted(word)} is a table; jkroll batch {word} reads it")
+        for word in filter(os.path.isfile, text.split(",")):
+            raise BadRequest(f"{quoted(word)} is a file; jkroll batch {word} reads tables")
         return [self.materials[word] for word in text.split(",")]
 
     # --- Format of the output -----------------------------------------------------------------------------------------
@@ -231,15 +222,6 @@ class Call:
 OPTIONS = frozenset(Call.__annotations__)  # names of options that are no inputs
 FORMATS = ("bare", "json", "csv", "explain", "cite")
 PICTURES = ("svg", "pdf", "png")
-
-
-def is_table(word: str) -> bool:
-    """Return whether a word is the name of a file that holds a table."""
-    if "." not in word:
-        return False
-    from ..batch.files import format_of_name
-
-    return format_of_name(word) is not None
 
 
 def worded(error: JkrollError, command: str, options: Collection[str]) -> str:

@@ -18,7 +18,7 @@ from typing import Any
 from .. import __version__
 from ..errors import BadRequest, JkrollError
 from ..quantities.nomenclature import ALIKE, NOMENCLATURE, QUANTITY_SYNONYMS, named, nearest
-from ..text import closest, quoted, say, say_wrapped, shown
+from ..text import closest, first_of, quoted, say, say_wrapped, shown
 from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of
 
 CANNOT_WRITE = 1
@@ -40,21 +40,14 @@ SYNONYMS: Mapping[str, str] = {
     "--units": "--to",
 }
 # What others type, behind any command or behind that one, and what may be meant by it.
-_NOT_MODELLED = "spheres are smooth, dry and elastic here: jkroll guide measurements says what that leaves out"
 HINTS: Mapping[str, str] = {
-    "convert": "jkroll batch adds results to each row of a table, --to is the unit of results",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
     "--format": "write --json, --csv or --bare, or name a file: -o x.tsv",
     "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
     "--plane": "a plane is a sphere 2 without end: --radius2 plane",
-    "--restitution": "jkroll impact gives it for a speed: jkroll impact quartz 100nm --speed 1m/s",
     "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
-    "--ndjson": "write --json; jkroll batch reads and writes NDJSON",
-    "batch --to": "the results of a table are in SI units, as their headers say",
-    "batch --digits": "the results of a table have all their digits",
     **dict.fromkeys(("-R", "--radius"), "a radius stands alone: jkroll pull-off quartz 100nm"),
-    **dict.fromkeys(("--roughness", "--rms", "--humidity", "--temperature"), _NOT_MODELLED),
     **dict.fromkeys(("export -o", "export --output", "export --out"), "it writes to standard output: add > FILE"),
     **dict.fromkeys(
         ("map --csv", "map --json", "figure --csv", "figure --json"), "--data FILE writes the numbers as CSV"
@@ -69,7 +62,7 @@ NAMED = {
     "RADIUS": Option("radius", "--radius", metavar="100nm"),
 }
 R = Option("R", "--R", metavar="50nm")  # the reduced radius here, a sphere's in many other places
-MAX_OTHERS = 3  # commands that are named
+MAX_TAKERS = 3  # of an option, that are named
 _DASHES = ("–", "—")  # as word processors make them of hyphens
 
 
@@ -217,11 +210,11 @@ def _read(
                 raise BadRequest(f"{option.flag} takes no value: leave {quoted('=' + value)} out")
             given[option.name] = True
         elif option.repeats:
-            given[option.name] = (*given.get(option.name, ()), _value(option, value, rest, flags))
+            given[option.name] = (*given.get(option.name, ()), _value(option, value, rest))
         elif option.name in given:
             raise BadRequest(f"{option.flag} is given more than once")
         else:
-            given[option.name] = option.read(_value(option, value, rest, flags))
+            given[option.name] = option.read(_value(option, value, rest))
     return arguments, _with_radius(given)
 
 
@@ -247,14 +240,12 @@ def _split(word: str, flags: Mapping[str, Option]) -> tuple[str, str | None]:
     return flag, value if has_value else None
 
 
-def _value(option: Option, value: str | None, rest: deque[str], flags: Mapping[str, Option]) -> str:
+def _value(option: Option, value: str | None, rest: deque[str]) -> str:
     """Return the value of an option, which is joined to it or the next of the other words."""
     if value is None:
         following = rest[0] if rest else HELP.flag
         if following.startswith("-") and following != "-" and not _is_negative(following):
-            is_option = _option(following.partition("=")[0], flags) is not None
-            meant = "" if is_option else f"; if {quoted(following)} is meant, write {option.flag}={shown(following)}"
-            raise BadRequest(f"{option.flag} needs a value, as in {option.flag} {option.metavar}{meant}")
+            raise BadRequest(f"{option.flag} needs a value, as in {option.flag} {option.metavar}")
         value = rest.popleft()
     quantity = NOMENCLATURE.get(option.name)
     return _with_unit(value, rest) if quantity is not None and quantity.unit not in ("", "1") else value
@@ -316,8 +307,7 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
         return BadRequest(f"{problem}; did you mean {guess}?")
     if guess := _meant(flag, everywhere):
         takers = [taker.name for taker in COMMANDS.values() if guess in taker.flags()]
-        more = ", ..." if len(takers) > MAX_OTHERS else ""
-        return BadRequest(f"{problem}; {guess} is an option of {', '.join(takers[:MAX_OTHERS])}{more}")
+        return BadRequest(f"{problem}; {guess} is an option of {first_of(takers, MAX_TAKERS)}")
     return BadRequest(f"{problem}; see {' '.join(filter(None, ['jkroll', command]))} --help")
 
 

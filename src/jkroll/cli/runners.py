@@ -3,6 +3,7 @@
 Each imports by itself what it hands a call to, so that a call pays for its own only.
 """
 
+import os
 import sys
 from collections.abc import Sequence
 
@@ -13,7 +14,7 @@ from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
-from .call import Call, is_table
+from .call import Call
 
 WIDTH_OF_EXPORT = 120  # of a comment
 
@@ -65,7 +66,7 @@ def run_infer(call: Call) -> int:
     names = inputs_named(call.subject.split(","))
     if call.alternatives:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
-    for word in filter(is_table, call.words):
+    for word in filter(os.path.isfile, call.words):
         raise BadRequest(f"infer reads no tables; jkroll batch {word} --infer INPUT --measured QUANTITY does")
     measured = _measured(call.measured, names)
     check_format(call)

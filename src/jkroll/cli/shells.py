@@ -4,7 +4,6 @@ Typer reads a line only to complete it, as it then forgives mistakes. What is to
 reader.
 """
 
-import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from importlib import import_module
 from typing import Any
@@ -42,7 +41,7 @@ class _Program(TyperGroup):
 
     def get_params(self, ctx: Any) -> list[Any]:
         """Return the options before a command: ours, and those of typer for completion."""
-        return [*map(_Option, (VERSION, DEBUG, HELP)), *super().get_params(ctx)]
+        return [*map(_option, (VERSION, DEBUG, HELP)), *super().get_params(ctx)]
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Run the words, unless a shell completes them or is taught to."""
@@ -60,33 +59,22 @@ class _Command(TyperCommand):
             command = COMMANDS[str(self.name)]
             count, completed = 1 if command.most_words == 1 else -1, _completed(command.kinds)
             words = TyperArgument(param_decls=["words"], nargs=count, metavar=command.words, autocompletion=completed)
-            self.params = [*([words] if command.words else []), *map(_Option, (*command.options(), HELP))]
+            self.params = [*([words] if command.words else []), *map(_option, (*command.options(), HELP))]
         return self.params
 
 
-class _Option(TyperOption):
-    """An option as typer has it, whose values are also completed in the form --option=value."""
-
-    def __init__(self, option: Option) -> None:
-        is_flag = not option.metavar
-        super().__init__(
-            param_decls=[option.name, *option.flags],
-            is_flag=is_flag,
-            default=False if is_flag else None,
-            metavar=option.metavar or None,
-            help=option.sentence(),
-            hidden=option.hidden,
-            autocompletion=_completed([option.name]),
-        )
-
-    def shell_complete(self, ctx: Any, incomplete: str) -> list[Any]:
-        """Return the candidates; with the option before them for zsh and fish, which replace the whole word."""
-        items = super().shell_complete(ctx, incomplete)
-        flag, has_value, _ = os.environ.get("_TYPER_COMPLETE_ARGS", "").rpartition(" ")[2].partition("=")
-        if has_value and flag in self.opts:
-            for item in items:
-                item.value = f"{flag}={item.value}"
-        return items
+def _option(option: Option) -> TyperOption:
+    """Return an option as typer has it."""
+    is_flag = not option.metavar
+    return TyperOption(
+        param_decls=[option.name, *option.flags],
+        is_flag=is_flag,
+        default=False if is_flag else None,
+        metavar=option.metavar or None,
+        help=option.sentence(),
+        hidden=option.hidden,
+        autocompletion=_completed([option.name]),
+    )
 
 
 app = typer.Typer(cls=_Program, help=TITLE, add_help_option=False, rich_markup_mode=None)

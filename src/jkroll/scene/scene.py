@@ -5,7 +5,7 @@ the names in DEFAULTS have values if nothing else is said. A scene takes numbers
 1e-30 to 1e30 in SI units. It gives results that doubles hold with all digits, and zeros where the physics has them.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property, reduce
 from math import isfinite, nan
 from operator import and_
@@ -477,11 +477,11 @@ class Scene:
         return numbers
 
 
-def check_exclusive(given: Collection[str]) -> None:
-    """Raise BadRequest for inputs of which one follows from the other."""
+def check_exclusive(given: Collection[str], word_of: Callable[[str], str] = str) -> None:
+    """Raise BadRequest for inputs of which one follows from the other. `word_of` returns the word for an input."""
     for names in EXCLUSIVE:
         if len(both := [name for name in names if name in given]) > 1:
-            raise BadRequest(f"{listed(both)} exclude each other: one follows from the other")
+            raise BadRequest(f"{listed(map(word_of, both))} exclude each other: one follows from the other")
 
 
 def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
