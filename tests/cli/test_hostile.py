@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from invariants import CORPUS, TARGETS, TYPED
 from jkroll.errors import JkrollError
-from jkroll.materials.library import MAX_BYTES, MAX_DOTS, MaterialsFileError
+from jkroll.materials.library import MAX_BYTES, MaterialsFileError
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.units import PREFIXABLE, PREFIXES, dimension_of
@@ -85,7 +85,6 @@ def ordinary(size: int) -> bytes:
 
 # The shapes that cost a TOML parser most, as functions of the size.
 SHAPES: dict[str, Callable[[int], bytes]] = {
-    "a dotted key": lambda size: ("a" + ".a" * ((size - 5) // 2) + " = 1").encode(),
     "very long dotted keys": lambda size: _filled(size, lambda name: name + ".a" * 98 + "=1\n"),
     "tables": lambda size: _filled(size, lambda name: f"[{name}]\n"),
     "very deep tables": lambda size: _filled(size, lambda name: f"[{name}" + ".a" * 97 + "]\n"),
@@ -124,14 +123,6 @@ def test_a_file_of_all_that_is_allowed_is_read(tmp_path: Path) -> None:
     path = tmp_path / "many.toml"
     path.write_bytes(ordinary(MAX_BYTES))
     assert len(read(path)) > 150
-
-
-@pytest.mark.parametrize("key", ["a" + ".a" * MAX_DOTS + ".a", "'a'" + " . a" * (MAX_DOTS + 1)])
-def test_a_long_dotted_key_is_refused_before_it_is_parsed(key: str, tmp_path: Path) -> None:
-    path = tmp_path / "any.toml"
-    path.write_text(f"title = 'x'\n{key} = 1\n", encoding="utf-8")
-    with pytest.raises(MaterialsFileError, match="has a line of more than 100 dots"):
-        read(path)
 
 
 # --- Texts with units -------------------------------------------------------------------------------------------------

@@ -403,6 +403,7 @@ def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
     ],
 )  # fmt: skip
 def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: str) -> None:
+    Path("grains.csv").touch()
     ran = run(words)
     assert (ran.code, ran.out) == (code, "")
     assert ran.err.startswith(f"jkroll: {message}")

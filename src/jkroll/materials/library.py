@@ -18,7 +18,6 @@ from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_
 from ..text import closest, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
-MAX_DOTS = 100  # in a line: a dotted key costs time and memory with the square of its parts
 MAX_NAME = 60
 
 _HERE = os.path.dirname(os.path.abspath(__file__))
@@ -151,10 +150,7 @@ def data_of(path: str) -> Mapping[str, Any]:
     import tomllib
 
     try:
-        text = content.decode("utf-8-sig")
-        if any(line.count(".") > MAX_DOTS for line in text.split("\n")):
-            raise Malformed(f"has a line of more than {MAX_DOTS} dots")
-        return tomllib.loads(text)
+        return tomllib.loads(content.decode("utf-8-sig"))
     except UnicodeDecodeError:
         raise Malformed("is not UTF-8") from None
     except ValueError as error:

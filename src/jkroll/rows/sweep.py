@@ -98,7 +98,7 @@ class Sweep:
             raise Failure(OF_IDENTICAL_SPHERES)
         names = [name for name in quantities if name in shown]
         kinds = [(scene, self.shown(scene, names, named)) for scene in self.kinds]
-        inputs = {name for scene, own in kinds for name in scene.echo(scene.inputs_used(names, own))}
+        inputs = {name for scene, own in kinds for name in scene.echo(scene.inputs_used(own))}
         return Wanted(names, named=named, inputs=in_order(inputs - shown), sides=sides_in(kinds))
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> "Wanted":

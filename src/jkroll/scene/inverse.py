@@ -213,7 +213,7 @@ class Problem(NamedTuple):
     def used(self) -> list[str]:
         """Return the other inputs on which the measured quantities depend."""
         unknowns = {each for name in self.unknowns for each in self.names_of(name)}
-        inputs = self.filled().inputs_used([*self.measured], [*self.measured])
+        inputs = self.filled().inputs_used([*self.measured])
         return [name for name in inputs if name not in unknowns]
 
     def echo(self) -> dict[str, Any]:

@@ -340,7 +340,7 @@ class Evaluation:
 
     def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the inputs on which quantities depend, as they were understood, with their error bars."""
-        inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names, names))
+        inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names))
         if self.sources is not None:
             inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
         return inputs

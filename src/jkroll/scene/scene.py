@@ -37,7 +37,7 @@ from .failures import (
     failure_of,
     written_outcome,
 )
-from .wiring import OF_A_SOLID, Plan, depends_on, formula_of, in_order, interned, plan_for
+from .wiring import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -192,7 +192,7 @@ class Scene:
         self._implied = _implied(self.values, self.law, self.uncertain)
         for values in self._implied.values():
             self.values = {**values, **self.values}
-        self.known = interned(frozenset(self.values))
+        self.known = frozenset(self.values)
         self.kind = (self.known, material2 is not None, self.law.name)  # on which plans depend
         self.is_rigid = _is_rigid(self.given, own_material2=material2 is not None)
         if self.is_rigid is True:
@@ -346,11 +346,10 @@ class Scene:
             used |= {"radius", "radius2"}  # by which a material's is scaled
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
-    def inputs_used(self, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
-        """Return the inputs on which quantities depend, as far as the scene has them; `shown`: its own."""
-        if possible := self.possible(shown):
-            return self.inputs_of(*possible)
-        return depends_on(names) & self.given.keys()
+    def inputs_used(self, names: Sequence[str]) -> Collection[str]:
+        """Return the inputs on which quantities depend, as far as the scene has them."""
+        possible = self.possible(names)
+        return self.inputs_of(*possible) if possible else depends_on(names) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
         """Return the inputs that are used, as they were understood: the materials, the law and SI values by name."""

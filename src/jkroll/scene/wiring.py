@@ -51,12 +51,6 @@ def steps_to(plans: Iterable[Plan], before: Mapping[str, Plan] = MappingProxyTyp
 
 
 @cache
-def interned(known: frozenset[str]) -> frozenset[str]:
-    """Return the first of equal sets of names: one that is the same object is found in a cache without a comparison."""
-    return known
-
-
-@cache
 def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
     """Return the plan of a quantity under a law of attraction, for the names of what is known."""
     name = _source(wanted, known, own_material2, routes(model, known))
