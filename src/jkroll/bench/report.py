@@ -14,13 +14,12 @@ from .. import __version__
 from ..output.writers import Cell, write_records
 from ..physics.contact import pull_off_force, reduced_radius
 from ..physics.jkr import FOLD_APPROACH
-from ..pictures.picture import Axis, Curve, Mark, Panel, Picture
+from ..pictures.picture import Axis, Curve, Panel, Picture
 from ..quantities.formatting import significant
-from ..quantities.markup import plain
 from ..text import say
-from .ways import DECIMALS, OTHER_WAYS, QUANTITIES, Way, digits, exact, inputs_of, our_way
+from .ways import DECIMALS, OTHER_WAYS, QUANTITIES, Way, exact, inputs_of, our_way
 
-DEFAULT = "jkroll, arrays"
+DEFAULT, FLOATS = "jkroll, arrays", "jkroll, floats"
 PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), of the guide
 
 
@@ -63,6 +62,15 @@ class Row(NamedTuple):
 Arrays = Mapping[str, Any]
 REGIONS = ("ordinary", "pull-off", "fold", "δ = 0", "extreme")
 _PULL_OFF_APPROACH = -(2 ** (-4 / 3))  # δ/δ0 at the pull-off force
+# Decades of ordinary inputs, and of any.
+_ORDINARY = {
+    "radius": (-8, -4), "radius2": (-8, -4), "work_of_adhesion": (-2, 0.3), "contact_modulus": (9, 11.5),
+    "density": (3, 4), "yield_displacement": (-10, -9.3), "gravity": (-3, 1), "atomic_spacing": (-10, -9),
+}  # fmt: skip
+_ANY = {
+    "radius": (-12, 3), "radius2": (-12, 3), "work_of_adhesion": (-6, 2), "contact_modulus": (4, 13),
+    "density": (1, 5), "yield_displacement": (-12, -6), "gravity": (-3, 3),
+}  # fmt: skip
 
 
 def regions(count: int) -> Mapping[str, Arrays]:
@@ -76,40 +84,26 @@ def regions(count: int) -> Mapping[str, Arrays]:
     def powers(low: float, high: float) -> Any:
         return 10 ** random.uniform(low, high, count)
 
-    sizes = {
-        "radius": powers(-8, -4),
-        "work_of_adhesion": powers(-2, 0.3),
-        "contact_modulus": powers(9, 11.5),
-        "density": powers(3, 4),
-        "yield_displacement": powers(-10, -9.3),
-        "gravity": powers(-3, 1),
-        "atomic_spacing": powers(-10, -9),
-    }
-    sizes["radius2"] = sizes["radius"] * powers(-1, 1)
-    any_sizes = {
-        "radius": powers(-12, 3),
-        "radius2": powers(-12, 3),
-        "work_of_adhesion": powers(-6, 2),
-        "contact_modulus": powers(4, 13),
-        "density": powers(1, 5),
-        "yield_displacement": powers(-12, -6),
-        "gravity": powers(-3, 3),
-    }
-    strain = any_sizes["work_of_adhesion"] / any_sizes["contact_modulus"]
-    reduced = reduced_radius(radius=any_sizes["radius"], radius2=any_sizes["radius2"])
-    any_sizes["atomic_spacing"] = numpy.cbrt(reduced * strain * strain) / powers(-4, 4)  # μ from 1e-4 to 1e4
+    ordinary = {name: powers(*ends) for name, ends in _ORDINARY.items()}
+    any_size = {name: powers(*ends) for name, ends in _ANY.items()}
+    strain = any_size["work_of_adhesion"] / any_size["contact_modulus"]
+    any_size["atomic_spacing"] = numpy.cbrt(_reduced(any_size) * strain * strain) / powers(-4, 4)  # μ from 1e-4 to 1e4
 
     sign = numpy.sign(random.uniform(-1, 1, count))
     small, tiny = sign * powers(-15, -2), sign * powers(-18, -2)
     is_tiny = numpy.arange(count) % 2 == 0
     huge, huge_load = numpy.where(is_tiny, powers(0, 6), powers(6, 60)), numpy.where(is_tiny, tiny, powers(0, 9))
     return {
-        "ordinary": _at(sizes, random.uniform(-0.8, 3, count), random.uniform(-0.8, 2, count)),
-        "pull-off": _at(any_sizes, _PULL_OFF_APPROACH * (1 + small), powers(-15, -2) - 1),
-        "fold": _at(any_sizes, FOLD_APPROACH + powers(-14, -1)),
-        "δ = 0": _at(any_sizes, tiny, -8 / 9 * (1 + small)),
-        "extreme": _at(any_sizes, huge, huge_load),
+        "ordinary": _at(ordinary, random.uniform(-0.8, 3, count), random.uniform(-0.8, 2, count)),
+        "pull-off": _at(any_size, _PULL_OFF_APPROACH * (1 + small), powers(-15, -2) - 1),
+        "fold": _at(any_size, FOLD_APPROACH + powers(-14, -1)),
+        "δ = 0": _at(any_size, tiny, -8 / 9 * (1 + small)),
+        "extreme": _at(any_size, huge, huge_load),
     }
+
+
+def _reduced(sizes: Arrays) -> Any:
+    return reduced_radius(radius=sizes["radius"], radius2=sizes["radius2"])
 
 
 def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
@@ -117,8 +111,7 @@ def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
     points = {**sizes, "approach_at_load": approach_ratio, "approach": numpy.ones_like(approach_ratio)}
     if load_ratio is None:
         return points
-    reduced = reduced_radius(radius=sizes["radius"], radius2=sizes["radius2"])
-    force = pull_off_force(work_of_adhesion=sizes["work_of_adhesion"], reduced_radius=reduced)
+    force = pull_off_force(work_of_adhesion=sizes["work_of_adhesion"], reduced_radius=_reduced(sizes))
     return {**points, "pull_off_force": force, "load": numpy.maximum(load_ratio * force, -force)}
 
 
@@ -141,24 +134,22 @@ def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[Row]
 
 
 def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, root: float) -> Iterator[Row]:
+    """Measure every way to a quantity by arrays, and the package's by floats; `root`: ns of a cube root."""
     ours, others = our_way(quantity), OTHER_WAYS[quantity]
-    by_arrays: dict[str, Way] = {DEFAULT: ours, **{name: partial(_by_symbols, way) for name, way in others.items()}}
-    by_points: dict[str, Way] = {
-        "jkroll, floats": lambda few: [ours(point) for point in few],
-        "60 digits": lambda few: [float(digits(quantity, point)) for point in few],
-    }
     names = {name for way in (getattr(DECIMALS, quantity), *others.values()) for name in inputs_of(way)}
-    reached = [region for region, arrays in points.items() if names <= arrays.keys()]
-    given = {region: {name: points[region][name] for name in names} for region in reached}
-    listed = {region: each(arrays) for region, arrays in given.items()}
-    wanted = {region: numpy.array([exact(quantity, point) for point in few]).T for region, few in listed.items()}
+    given = {
+        region: {name: arrays[name] for name in names} for region, arrays in points.items() if names <= arrays.keys()
+    }
+    exacts = {region: numpy.array([exact(quantity, point) for point in each(given[region])]).T for region in given}
+    ways: dict[str, Way] = {DEFAULT: ours, **{name: partial(_by_symbols, way) for name, way in others.items()}}
     many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
-    few = listed["ordinary"]
-    for ways, timed, count, at_points in ((by_arrays, many, size.elements, given), (by_points, few, len(few), listed)):
-        times = _best({name: partial(way, timed) for name, way in ways.items()}, size.repeats)
-        for name, way in ways.items():
-            errors = {region: _error(way(arrays), *wanted[region]) for region, arrays in at_points.items()}
-            yield Row(quantity, name, times[name] / count, times[name] / count / root, errors)
+    few = each(given["ordinary"])
+    runs = {name: partial(way, many) for name, way in ways.items()} | {FLOATS: lambda: [*map(ours, few)]}
+    counts = dict.fromkeys(ways, size.elements) | {FLOATS: len(few)}
+    ways[FLOATS] = lambda arrays: [*map(ours, each(arrays))]
+    for name, time in _best(runs, size.repeats).items():
+        errors = {region: _error(ways[name](arrays), *exacts[region]) for region, arrays in given.items()}
+        yield Row(quantity, name, time / counts[name], time / counts[name] / root, errors)
 
 
 def _by_symbols(way: Way, arrays: Arrays) -> Any:
@@ -185,10 +176,10 @@ def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, floa
 
 # --- The table --------------------------------------------------------------------------------------------------------
 
-_FIELDS = ("ordinary", "pull_off", "fold", "zero_approach", "extreme")  # the regions, in names of columns
 HEADS = (
     "quantity", "way", "ns_per_point", "cube_roots",
-    *(f"{which}_{region}" for region in _FIELDS for which in ("median", "worst")),
+    *(f"{which}_{region}" for region in ("ordinary", "pull_off", "fold", "zero_approach", "extreme")
+      for which in ("median", "worst")),
 )  # fmt: skip
 LEGEND = f"""ns      nanoseconds a point
 × cbrt  the same in cube roots of an array by numpy, on this machine
@@ -199,16 +190,16 @@ others  median and largest error in ulp/(1 + κ) in a region of points, κ the c
 
 def write_bench(out: TextIO, kind: str, size: Size) -> list[Row]:
     """Measure everything, write it in a format, and return it. A table for readers has a part for each quantity."""
-    rows: list[Row] = []
-    if kind == "table":
-        say(f"{machine()}\n{LEGEND}", out)
-        for quantity, ways in groupby(measure(size), lambda row: row.quantity):
-            rows += (of_quantity := [*ways])
-            write_records((quantity, "ns", "× cbrt", *REGIONS), map(_in_short, of_quantity), kind, out)
-            say("", out)
-    else:
-        rows += measure(size)
+    if kind != "table":
+        rows = [*measure(size)]
         write_records(HEADS, map(_in_full, rows), kind, out)
+        return rows
+    say(f"{machine()}\n{LEGEND}", out)
+    rows = []
+    for quantity, ways in groupby(measure(size), lambda row: row.quantity):
+        rows += (of_quantity := [*ways])
+        write_records((quantity, "ns", "× cbrt", *REGIONS), map(_in_short, of_quantity), kind, out)
+        say("", out)
     return rows
 
 
@@ -220,14 +211,14 @@ def machine() -> str:
 
 def _in_full(row: Row) -> list[Cell]:
     errors = [number for region in REGIONS for number in row.errors.get(region, (math.nan, math.nan))]
-    return [row.quantity, plain(row.way), row.cost, row.cube_roots, *(e if math.isfinite(e) else None for e in errors)]
+    return [row.quantity, row.way, row.cost, row.cube_roots, *(e if math.isfinite(e) else None for e in errors)]
 
 
 def _in_short(row: Row) -> list[Cell]:
     """Return the cells of a row with two digits: for errors and times, more say nothing."""
     pairs = [row.errors.get(region) for region in REGIONS]
     errors = [pair and " ".join(significant(number, 2) for number in pair) for pair in pairs]
-    return [plain(row.way), significant(row.cost, 2), significant(row.cube_roots, 2), *errors]
+    return [row.way, significant(row.cost, 2), significant(row.cube_roots, 2), *errors]
 
 
 # --- The page ---------------------------------------------------------------------------------------------------------
@@ -247,9 +238,9 @@ def picture_of(rows: Sequence[Row]) -> Picture:
     """Return error against cost, a panel for each of six quantities."""
     panels = tuple(_panel(title, [row for row in rows if row.quantity == name]) for name, title in PLOTTED.items())
     caption = (
-        "Each point is a way, numbered by its cost; its error is the largest in all regions, in ulp/(1 + κ).",
+        "Each point is a way, with its largest error in all regions, in ulp/(1 + κ).",
         "Dashed: the promise of the guide. Points at 10¹⁶: no number, or no digit.",
-        f"{machine()}. Arrays, but for floats and 60 digits.",
+        f"{machine()}. Arrays, but for floats.",
     )
     return Picture("Error against cost of the ways to six quantities", panels, caption)
 
@@ -258,9 +249,9 @@ def _panel(title: str, rows: Sequence[Row]) -> Panel:
     """Return the panel of one quantity, with the error that the guide promises."""
     promise = PROMISE_OF_MAUGIS if "maugis" in rows[0].quantity else PROMISE
     x, y = Axis("time_of_a_point", 1e-10, 1e-2), Axis("error", 0.01, 1e18)
-    line = Curve("promise", numpy.array([x.low, x.high]), numpy.array([promise, promise]), is_dashed=True)
-    points, keys = [], []
-    for number, row in enumerate(sorted(rows, key=lambda row: row.cost), 1):
-        points.append(Mark(str(number), row.cost * 1e-9, min(max(row.worst, _NEAREST), _ALL_DIGITS)))
-        keys.append(f"{number}  {row.way}")
-    return Panel(x, y, (line,), tuple(points), title, keys=tuple(keys))
+    ways = [
+        Curve(row.way, numpy.array([row.cost * 1e-9]), numpy.clip([row.worst], _NEAREST, _ALL_DIGITS), number)
+        for number, row in enumerate(rows)
+    ]
+    line = Curve("promise", numpy.array([x.low, x.high]), numpy.full(2, promise), colour=-1, is_dashed=True)
+    return Panel(x, y, (*ways, line), title=title)

@@ -40,19 +40,18 @@ def inputs_of(way: Way) -> tuple[str, ...]:
 class Equations:
     """The equations, for numbers with these roots and this π.
 
-    `tolerance`: of the last step but one of an iteration, which squares it. `is_stable`: whether the digits that a
-    load near pull-off has are kept.
+    `tolerance`: of the last step but one of an iteration, which squares it.
     """
 
-    def __init__(self, sqrt: Way, cbrt: Way, pi: Any, tolerance: Any, *, is_stable: bool = True) -> None:
-        self.sqrt, self.cbrt, self.pi, self.tolerance, self.is_stable = sqrt, cbrt, pi, tolerance, is_stable
+    def __init__(self, sqrt: Way, cbrt: Way, pi: Any, tolerance: Any) -> None:
+        self.sqrt, self.cbrt, self.pi, self.tolerance = sqrt, cbrt, pi, tolerance
 
     def reduced(self, first: Any, second: Any) -> Any:
         return 1 / (1 / first + 1 / second)
 
     def factor(self, P: Any, P_c: Any) -> Any:
         """Return the larger root x = â^(3/2) of P/P_c = 4(x² − x), Eq 5."""
-        return (1 + self.sqrt((P + P_c) / P_c if self.is_stable else 1 + P / P_c)) / 2
+        return (1 + self.sqrt(1 + P / P_c)) / 2
 
     def stretch(self, P: Any, P_c: Any) -> Any:
         return self.cbrt(self.factor(P, P_c) ** 2)
@@ -162,7 +161,6 @@ def _root(function: Callable[[Decimal], Decimal], near: Decimal) -> Decimal:
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459")
 DECIMALS = Equations(Decimal.sqrt, lambda value: value ** (1 / Decimal(3)), PI, Decimal("1e-30"))
 DOUBLES = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15)
-AS_PRINTED = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15, is_stable=False)
 
 
 class Exact(NamedTuple):
@@ -212,14 +210,6 @@ def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
     return run
 
 
-def _printed(quantity: str) -> dict[str, Way]:
-    """Return the equation of the paper, and what becomes of it by a square root that keeps the digits near pull-off."""
-    return {
-        "⟦s = √(1+P/P_c)⟧": getattr(AS_PRINTED, quantity),
-        "⟦s = √((P+P_c)/P_c)⟧": getattr(DOUBLES, quantity),
-    }
-
-
 def _by_radicals(delta: Any, delta0: Any) -> Any:
     """Solve 3y⁴ − 2y = δ/δ0 by Ferrari's resolvent in the textbook's form."""
     ratio = delta / delta0
@@ -260,19 +250,12 @@ def _half_circles(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -
     return less - more
 
 
-def _quadrature(points: int, *, in_angle: bool) -> Way:
-    """Return Eq 17 over the tilted pressure of the shifted circle, by Gauss-Legendre in r/a or in its arc sine."""
-    nodes = list(zip(*(values.tolist() for values in leggauss(points)), strict=True))
-
-    def way(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -> Any:
-        a = DOUBLES.contact_radius_at_load(R1, R2, w, E, P, P_c)
-        total = 0.0
-        for node, weight in nodes:  # of X²/√(1 − r²/a²), which the pressure leaves
-            r = (1 + node) / 2
-            total = total + weight / 2 * (pi / 2 * sin(pi / 2 * r) ** 3 if in_angle else r**3 / sqrt(1 - r**2))
-        return 2 * E * xi / DOUBLES.reduced(R1, R2) * total * a**3 - xi * P
-
-    return way
+def _quadrature(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -> Any:
+    """Return Eq 17 over the tilted pressure of the shifted circle, by Gauss-Legendre's 16 points in the angle."""
+    nodes = ((pi / 4 * (1 + node), pi / 4 * weight) for node, weight in zip(*leggauss(16), strict=True))
+    total = sum(weight * sin(angle) ** 3 for angle, weight in nodes)  # of r³/√(1 − r²) over r, by r = sin of the angle
+    a = DOUBLES.contact_radius_at_load(R1, R2, w, E, P, P_c)
+    return 2 * E * xi / DOUBLES.reduced(R1, R2) * total * a**3 - xi * P
 
 
 def _radius_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
@@ -300,11 +283,12 @@ def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
     return unloaded * cbrt(3 / 4 * pi * w * R**2 / E * spread**2)
 
 
+PRINTED = "as printed"
 OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
-    "pull_off_force": {"Eq 1": DOUBLES.pull_off_force},
-    "contact_radius_at_load": _printed("contact_radius_at_load"),
-    "approach_at_load": _printed("approach_at_load"),
-    "stiffness": _printed("stiffness"),
+    "pull_off_force": {PRINTED: DOUBLES.pull_off_force},
+    "contact_radius_at_load": {PRINTED: DOUBLES.contact_radius_at_load},
+    "approach_at_load": {PRINTED: DOUBLES.approach_at_load},
+    "stiffness": {PRINTED: DOUBLES.stiffness},
     "load_factor_at_approach": {
         "Newton on the quartic": DOUBLES.load_factor_at_approach,
         "closed form, radicals": _by_radicals,
@@ -313,15 +297,14 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
     },
     "contact_radius_maugis": {"JKR": _radius_by_jkr, "DMT": _radius_by_dmt, "COS 1999": _radius_by_cos},
     "yield_moment": {
-        **_printed("yield_moment"),
+        PRINTED: DOUBLES.yield_moment,
         "half-circles, Eq 19": _half_circles,
-        "Gauss 8 in r": _quadrature(8, in_angle=False),
-        "Gauss 16 in angle": _quadrature(16, in_angle=True),
+        "quadrature, Eq 17": _quadrature,
     },
-    "r_min": {"R1R2/ξ": DOUBLES.r_min},
-    "n_grav": _printed("n_grav"),
-    "vertical_frequency": _printed("vertical_frequency"),
-    "rolling_frequency": _printed("rolling_frequency"),
-    "n_roll": _printed("n_roll"),
+    "r_min": {PRINTED: DOUBLES.r_min},
+    "n_grav": {PRINTED: DOUBLES.n_grav},
+    "vertical_frequency": {PRINTED: DOUBLES.vertical_frequency},
+    "rolling_frequency": {PRINTED: DOUBLES.rolling_frequency},
+    "n_roll": {PRINTED: DOUBLES.n_roll},
 }
 QUANTITIES = tuple(OTHER_WAYS)

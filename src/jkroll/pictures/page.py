@@ -29,6 +29,7 @@ from ..quantities.markup import lines, plain, typeset
 from .picture import (
     DASHES,
     LETTER,
+    POINTS,
     SIZE,
     STYLES,
     Axis,
@@ -254,15 +255,17 @@ def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> list[An
         axes.plot(curve.x, curve.y, label="\n".join(lines(curve.text, letters)), **line_of(curve, number, style))[0]
         for number, curve in enumerate(panel.curves)
     ]
-    texts = [Patch(label=typeset(text), facecolor="none", edgecolor="none") for text in panel.keys]
-    return texts or (handles if len(handles) > 1 else [])
+    return handles if len(handles) > 1 else []
 
 
 def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
-    """Return the look of the curve of a number, as matplotlib takes it."""
+    """Return the look of the curve of a number, as matplotlib takes it. A curve of one point is a sign."""
+    colour = style.lines[curve.colour % len(style.lines)]
+    if len(curve.x) == 1:
+        return {"color": colour, "linestyle": "", "marker": POINTS[number % len(POINTS)], "markersize": 4}
     turn = number // len(DASHES)  # after which the colours come again, with other dashes
     dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
-    return {"color": style.lines[curve.colour % len(style.lines)], "linestyle": dashes, "linewidth": 1.1}
+    return {"color": colour, "linestyle": dashes, "linewidth": 1.1}
 
 
 # --- Texts inside the axes: each goes to the first of its places with the least faults, measured in pixels ------------

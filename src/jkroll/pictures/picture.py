@@ -133,7 +133,6 @@ class Panel(NamedTuple):
     title: str = ""
     field: Field | None = None
     is_true_to_scale: bool = False
-    keys: tuple[str, ...] = ()  # lines below it, where its marks have numbers
 
 
 class Picture(NamedTuple):
@@ -265,6 +264,7 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 
 SIZE = 8.6  # of letters in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
 LETTER = 0.42  # width of a letter over its size, on average
+POINTS = "os^Dv*"
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 
 
