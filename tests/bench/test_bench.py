@@ -171,7 +171,7 @@ def test_a_plot(run: Run, tmp_path: Path) -> None:
 
 
 def test_a_plot_of_no_known_ending_is_refused_before_anything_is_measured(run: Run) -> None:
-    problem = "--plot: 'bench.txt' does not end in .svg, .pdf or .png; --csv > FILE writes the numbers"
+    problem = "--plot: 'bench.txt' does not end in .svg, .pdf or .png"
     assert run("bench --plot bench.txt").err == f"jkroll: {problem}\n"
 
 

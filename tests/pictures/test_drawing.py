@@ -36,7 +36,7 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.text import Text
 
-from jkroll.pictures.page import FINE, bands_of, figure_of, line_of, settings
+from jkroll.pictures.page import FINE, bands_of, figure_of, levels_of, line_of, settings
 from jkroll.pictures.picture import DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -83,7 +83,7 @@ def contour_sets(page: Figure) -> list[Any]:
 def contours(field: Field, page: Figure) -> list[tuple[float, Any]]:
     """Return the levels of a drawn map, and points on their paths in SI units, between the vertices too."""
     found = []
-    for level, path in zip(field.levels(), contour_sets(page)[0].get_paths(), strict=True):
+    for level, path in zip(levels_of(field), contour_sets(page)[0].get_paths(), strict=True):
         ends, codes = np.asarray(path.vertices), np.asarray(path.codes)
         is_drawn = codes[1:] == 2  # a line from the vertex before; others begin anew
         middles = (ends[1:] + ends[:-1])[is_drawn] / 2
@@ -119,7 +119,7 @@ def test_a_contour_of_a_users_map_is_its_formula(
     words: list[str], axes: tuple[str, str], given: dict[str, Any]
 ) -> None:
     drawn, panel, field = map_drawn([*words, "--x", axes[0], "--y", axes[1]])
-    spacing = (field.levels()[-1] - field.levels()[0]) / len(field.levels())
+    spacing = (levels_of(field)[-1] - levels_of(field)[0]) / len(levels_of(field))
     for value, (x, y) in contours(field, figure_of(drawn, 4.0, PAPER, has_caption=False)):
         values = solve(field.quantity, **given, **{panel.x.name: x, panel.y.name: y})
         assert abs(values / value - 1).max() < 1e-3 or abs(values - value).max() < 1e-3 * spacing
@@ -279,7 +279,7 @@ def test_a_unit_stays_on_the_line_of_its_number(text: str, kept: str) -> None:
 def test_labels_without_a_unit_have_it_in_the_title() -> None:
     """A mass takes no prefix, so that the numbers on the contours stand alone."""
     drawn, _, field = map_drawn("mass --x radius=10cm:1m --y density=1g/cm3:10g/cm3".split())
-    assert {*field.in_words(field.levels())[0]} >= {"10", "1000"}
+    assert {*field.in_words(levels_of(field))[0]} >= {"10", "1000"}
     assert drawn.title.endswith("⟦m1⟧ [kg]")
 
 
@@ -352,7 +352,7 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
     paths = [path.transformed(axes.transData) for path in contour_sets(page)[0].get_paths()]
     _, field = field_of(drawn)
-    for level, path in zip(field.in_words(field.levels())[0], paths, strict=True):
+    for level, path in zip(field.in_words(levels_of(field))[0], paths, strict=True):
         of_level = [box for text, box in zip(labels, boxes, strict=True) if text.get_text().strip() == typeset(level)]
         own = [box for box in of_level if path.intersects_bbox(box, filled=False)]
         assert len(own) == 1, level
@@ -410,7 +410,7 @@ def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
 
 
 def test_as_many_curves_as_there_may_be_differ() -> None:
-    looks = [line_of(Curve("", None, None, number), number, PAPER) for number in range(MAX_CURVES)]
+    looks = [line_of(Curve("", (0, 1), (0, 1), number), number, PAPER) for number in range(MAX_CURVES)]
     assert len({(look["color"], look["linestyle"]) for look in looks}) == MAX_CURVES
 
 

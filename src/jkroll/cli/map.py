@@ -25,11 +25,10 @@ from ..text import ending, listed, quoted, say, say_wrapped
 from .call import PICTURES, Call
 
 
-def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str = "--data FILE") -> None:
+def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
     """Raise BadRequest for a picture that cannot be drawn, before anything is computed.
 
-    `path`: of the file that `flag` names, if there is one; `numbers`: the option that writes the numbers instead of a
-    picture.
+    `path`: of the file that `flag` names, if there is one.
     """
     inches_of(call.width)
     for kind, word, known in (("style", call.style, STYLES), ("panel", call.panel, PANELS)):
@@ -42,8 +41,7 @@ def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str =
             raise BadRequest(f"{listed(given)} {verb} to files; add {flag} FILE")
         return
     if ending(path) not in PICTURES:
-        endings = f".{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}"
-        raise BadRequest(f"{flag}: {quoted(path)} does not end in {endings}; {numbers} writes the numbers")
+        raise BadRequest(f"{flag}: {quoted(path)} does not end in .svg, .pdf or .png")
     with missing_extra("plot"):
         from ..pictures import page  # noqa: F401
 
@@ -85,7 +83,7 @@ def run_figure(call: Call) -> int:
 
 def draw_contact(call: Call) -> int:
     """Draw the curves of a contact; return the exit code."""
-    check_picture(call, call.target, numbers="--csv > FILE")
+    check_picture(call, call.target)
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
@@ -137,9 +135,9 @@ def _write_data(drawn: Picture, path: str) -> None:
                 say("", out)
             heads = (panel.x.header(), panel.y.header())
             if (field := panel.field) is not None:
-                values = evaluate(field.scene, field.quantity, panel.x, panel.y).ravel()
-                x, y = (grid.ravel() for grid in numpy.meshgrid(panel.x.values(), panel.y.values()))
-                write_columns((*heads, header(field.quantity)), [x, y, values], "csv", out)
+                x, y = numpy.meshgrid(panel.x.values(), panel.y.values())
+                values = evaluate(field.scene, field.quantity, panel.x, panel.y)
+                write_columns((*heads, header(field.quantity)), [each.ravel() for each in (x, y, values)], "csv", out)
             else:
                 names = [plain(curve.text) for curve in panel.curves for _ in curve.x]
                 x, y = (numpy.concatenate([getattr(curve, side) for curve in panel.curves]) for side in ("x", "y"))
@@ -148,6 +146,7 @@ def _write_data(drawn: Picture, path: str) -> None:
 
 # --- Map request ------------------------------------------------------------------------------------------------------
 
+MAX_POINTS = 2000  # of an axis
 MAX_CURVES = 24  # more cannot be told apart
 
 
@@ -171,6 +170,8 @@ def axis_of(text: str, option: str) -> Axis:
     spread = between(first, last, count, *scale, name=name, text=values)
     if not spread.low < spread.high:
         raise QuantityError(name, values, "does not rise", "write FROM:TO with FROM below TO")
+    if spread.size > MAX_POINTS:
+        raise QuantityError(name, values, "has too many values", f"an axis takes {MAX_POINTS}")
     return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
 
 

@@ -220,7 +220,7 @@ def run_bench(call: Call) -> int:
     """
     from .map import check_picture, draw_into
 
-    check_picture(call, call.plot, "--plot", numbers="--csv > FILE")
+    check_picture(call, call.plot, "--plot")
     from ..bench.report import FULL, QUICK, picture_of, write_bench
 
     rows = write_bench(sys.stdout, call.kind, QUICK if call.quick else FULL)

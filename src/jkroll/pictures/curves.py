@@ -11,7 +11,7 @@ from ..answers.answer import Answer
 from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, OF_CURVE, PULL_OFF, Loads, states
 from ..answers.questions import Question
 from ..physics.contact import pressure
-from ..quantities.formatting import amount
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import symbol
 from ..scene.failures import BEYOND_PULL_OFF, Failure, NotInLaw
@@ -55,7 +55,9 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
     x = axis_around("approach_at_load", [curve.x for curve in curves])
     y = axis_around("load", [curve.y for curve in curves], margin=0.08)
     ends = Axis("load", *loads, is_log=False) if loads is not None else y
-    return Panel(x, ends, tuple(curves), tuple(points), _titled("force, Eqs (5) and (6)", "force", scenes))
+    is_jkr = len(scenes) == 1 and scenes[0].law.is_default
+    title = "force, Eqs (5) and (6)" if is_jkr else f"force{_of_law(scenes)}"
+    return Panel(x, ends, tuple(curves), tuple(points), title)
 
 
 def _path(scene: Scene, most: float) -> tuple[list[str], Any, Any]:
@@ -95,8 +97,7 @@ def _pressure(scenes: Sequence[Scene], _: Loads | None) -> Panel:
         state = values_of(scene.replace(load_factor=NAMED[name]), AREA_AND_PRESSURES)
         x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))
-    law = f", {scene.law.title}" if scene.stated_model is not None else ""
-    return pressure_panel(curves, state["hertz_pressure"], f"pressure, Eq (12){law}")
+    return pressure_panel(curves, state["hertz_pressure"], f"pressure, Eq (12){_of_law(scenes)}")
 
 
 def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
@@ -120,15 +121,13 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     ]
     x = Axis("yield_displacement", 0.0, limit, is_log=False)
     y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], margin=0.0)
-    return Panel(x, y, tuple(curves), tuple(points), _titled("moment, up to ⟦ξ_max⟧", "moment without load", scenes))
+    title = f"moment up to ⟦ξ_max⟧ = {amount('yield_displacement', limit, Format(digits=3))}"
+    return Panel(x, y, tuple(curves), tuple(points), title + _of_law(scenes))
 
 
-def _titled(of_jkr: str, text: str, scenes: Sequence[Scene]) -> str:
-    """Return the title of a panel: that of JKR alone, or another, with the law if there is one."""
-    if len(scenes) > 1:
-        return text
-    law = scenes[0].law
-    return of_jkr if law.is_default else f"{text}, {law.title}"
+def _of_law(scenes: Sequence[Scene]) -> str:
+    """Return the end of the title of a panel of one law that was chosen."""
+    return f", {scenes[0].law.title}" if len(scenes) == 1 and scenes[0].stated_model is not None else ""
 
 
 def _lacking(scene: Scene, *names: str) -> NotInLaw | None:
@@ -175,14 +174,13 @@ def curves_of_contact(
             notes |= dict.fromkeys(notes_on(scene, unloaded, inputs, names))
     if not panels:
         raise missing[0]
-    ends = [drawn.x.high for drawn in panels if is_one and drawn.x.name == "yield_displacement" and not drawn.marks]
-    limits = (
-        f"The moment is drawn up to ⟦ξ_max⟧ = {amount('yield_displacement', end)}, before this ⟦ξ⟧." for end in ends
-    )
-    caption = (*fixed_inputs([*fixed]), *limits)
     about = _OF_MOMENT if panel == "moment" else OF_CURVE
     doubtful = [note.text for note in Answer(about, scenes[0]).doubts()] if is_one else []
-    return Picture("", tuple(panels), caption), (*(f"no curve: {error}" for error in missing), *doubtful, *notes)
+    return Picture("", tuple(panels), fixed_inputs([*fixed])), (
+        *(f"no curve: {error}" for error in missing),
+        *doubtful,
+        *notes,
+    )
 
 
 def across(first: float, last: float) -> Any:

@@ -5,7 +5,7 @@ The paper's other figures carry no data.
 
 from collections.abc import Callable, Mapping, Sequence
 from math import pi
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy
 
@@ -21,7 +21,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.solver import values_of
 from .curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
-from .picture import Axis, Curve, Mark, Panel, Picture, Region
+from .picture import Axis, Curve, Mark, Panel, Picture
 from .request import DRAWN_LIMITS, PlotRequest, mark_at, picture_of
 
 # --- Maps: Figs. 3, 6 and 8 -------------------------------------------------------------------------------------------
@@ -43,15 +43,8 @@ class PaperMap(NamedTuple):
     given: Mapping[str, float] = _SOFT
     marks: tuple[Mark, ...] = ()  # points that the text speaks of
     printed: str = ""  # the same quantity as the paper prints it
-    regions: tuple[Region, ...] = ()  # besides those of the limits
 
 
-def _beyond_rolling(here: Scene) -> Any:
-    """Return by how much the spin of Eq (47), (2/7)W0, falls short of W_yield, as the logarithm of a factor."""
-    return -numpy.log(2 / 7 * here["energy_over_yield"])
-
-
-NO_ROLLING = Region("⟦(2/7)W0 < W_yield⟧: it springs back", "^", "----", _beyond_rolling)
 PAPER_MAPS: Mapping[str, PaperMap] = {
     "3a": PaperMap(
         "pull_off_force",
@@ -94,7 +87,6 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
         "1.5·10⁹ m⁻¹.",
         x=Axis("modulus_over_energy", 1e9, 1e13, needs={"surface_energy": 1.0}),  # γ may be any
         given={},
-        regions=(NO_ROLLING,),
     ),
 }
 
@@ -105,16 +97,17 @@ def paper_map(
     """Return a map of the paper with marked grains. `is_plain`: without the limits of the model."""
     declared = PAPER_MAPS[name]
     scenes, printed = (("", Scene(declared.given)),), declared.printed if as_printed else ""
-    request = PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, DRAWN_LIMITS, printed=printed)
-    shown = request._replace(limits=()) if is_plain else request._replace(regions=declared.regions)
-    drawn, _ = picture_of(shown)
+    limits = () if is_plain else DRAWN_LIMITS
+    drawn, _ = picture_of(
+        PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits, printed=printed)
+    )
     (panel,) = drawn.panels
     dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed, each below its contour.",) if printed else ()
     return Picture(
         f"Fig. {name}: {symbol(declared.quantity)}",
         (panel._replace(marks=(*panel.marks, *declared.marks)),),
         (*drawn.caption, *dashed),
-        (declared.remark,),
+        (*drawn.remarks, declared.remark),
     )
 
 

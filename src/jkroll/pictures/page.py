@@ -6,7 +6,6 @@ the content, and nothing from the user's own matplotlib settings.
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from functools import partial
 from io import BytesIO
 from math import ceil
 from typing import Any
@@ -19,7 +18,6 @@ from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ign
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
-from matplotlib.path import Path  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.patheffects import withTickedStroke  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
@@ -41,10 +39,13 @@ from .picture import (
     Style,
     described,
     evaluate,
+    extent,
+    is_flat,
     over,
     quantity_of,
 )
 
+_CONTOURS = 12
 FINE = 401  # points a side of a field, between which its lines are straight
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
@@ -95,7 +96,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     for panel, axes, (_, contours) in zip(drawn.panels, every, drawings, strict=False):
         taken = _label_marks(axes, panel.marks, style)
         if panel.field is not None and contours is not None:
-            _label_contours(axes, contours, panel.field.in_words(panel.field.levels())[0], taken, style)
+            _label_contours(axes, contours, panel.field.in_words(levels_of(panel.field))[0], taken, style)
     return figure
 
 
@@ -213,7 +214,7 @@ def _draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: in
 
     values = scaled(field.quantity)
     mask = numpy.ma.getmaskarray(values)
-    heights = [float(scale(level)) for level in field.levels()]
+    heights = [float(scale(level)) for level in levels_of(field)]
     colours = bands_of(style)(numpy.linspace(0, 1, len(heights) + 1))
     axes.contourf(across, up, values, levels=[values.min() - 1, *heights, values.max() + 1], colors=colours)
     keys: list[Any] = []
@@ -244,6 +245,17 @@ def _draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: in
     return keys, contours
 
 
+def levels_of(field: Field) -> list[float]:
+    """Return the values of the contours: round ones within the extent of a field."""
+    low, high = extent(field.values)
+    if is_flat(field.values):
+        return []
+    ticks: Any = ticker.MaxNLocator(_CONTOURS, steps=[1, 2, 5, 10])
+    if field.is_log:
+        ticks = ticker.LogLocator(subs=(1, 2, 5) if high < 1e3 * low else (1,), numticks=_CONTOURS)
+    return [float(f"{value:.12g}") for value in ticks.tick_values(low, high) if low <= value <= high]
+
+
 def bands_of(style: Style) -> Any:
     """Return the colours between the lowest number of a field, 0, and the highest, 1."""
     return LinearSegmentedColormap.from_list("", style.bands)
@@ -268,46 +280,35 @@ def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}
 
 
-# --- Texts inside the axes: each goes to the first of its places with the least faults, measured in pixels ------------
+# --- Texts inside the axes, measured in pixels ------------------------------------------------------------------------
 
 _EDGE = 4.0  # points of the page inside the frame that its ticks take
 _ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
 _DOT = 3.0  # half the size of a point, in points of the page
 _WAYS = ((0.7, 0.7), (0.7, -0.7), (-0.7, 0.7), (-0.7, -0.7), (1, 0), (-1, 0), (0, 1), (0, -1))  # the best first
-_REACH = (4.0, 8.0, 14.0, 20.0, 30.0, 42.0)  # from a point to its text, in points of the page
-_NEAR = 8.0  # a text that is farther, or nearer to another point, has a line to its point
+_REACH = (7.0, 11.0, 16.0, 22.0, 30.0, 42.0, 56.0)  # from a point to its text, in points of the page
 
 
 def _label_marks(axes: Any, marks: Sequence[Mark], style: Style) -> list[Any]:
-    """Draw marked points with their texts, where these cover least; return boxes that keep other texts off."""
+    """Draw marked points with their texts at free places and lines to them; return boxes that keep other texts off."""
     scale = axes.figure.dpi / 72
-    frame = axes.get_window_extent().padded(-_EDGE * scale)
-    points = [((mark.x, mark.y), mark.text) for mark in marks if mark.x is not None and mark.y is not None]
-    points.sort(reverse=True)  # those on the right have the least room
-    dots = [_box(axes.transData.transform(place), _DOT * scale) for place, _ in points]
+    frame, drawn = axes.get_window_extent().padded(-_EDGE * scale), _points_of_lines(axes)
+    points = [(mark.text, mark.x, mark.y) for mark in marks if mark.x is not None and mark.y is not None]
+    taken = [_box(axes.transData.transform(place), _DOT * scale) for _, *place in points]
     steps = numpy.array([[reach * scale * numpy.array(way) for way in _WAYS] for reach in _REACH]).reshape(-1, 2)
-    taken = [*dots]
-    for (place, label), dot in zip(points, dots, strict=True):
-        axes.plot(*place, "o", color=style.ink, markeredgecolor=style.paper, markersize=3.5, clip_on=False, zorder=4)
+    for label, *place in sorted(points, key=lambda point: -point[1]):  # those on the right have the least room
         text, half = _text(axes, typeset(label), zorder=5)
-        middles = (_middle(dot) + steps + half * numpy.sign(steps)).clip(frame.min + half, frame.max - half)
-        others = [box.padded(scale) for box in taken if box is not dot]
-        faults = partial(_faults, dot=dot, others=others, drawn=_points_of_lines(axes))
-        box = min((_box(middle, half) for middle in middles), key=faults)
-        _put(text, box, style if any(faults(box)) else None)
+        dot = axes.transData.transform(place)
+        middles = (dot + steps + half * numpy.sign(steps)).clip(frame.min + half, frame.max - half)
+        boxes = [_box(middle, half) for middle in middles]
+        free = [box for box in boxes if not any(map(box.padded(scale).overlaps, taken))] or boxes
+        box = next((box for box in free if not box.padded(1).count_contains(drawn)), free[0])
+        ends = axes.transData.inverted().transform([dot, dot.clip(box.min, box.max)])
+        axes.plot(*ends.T, color=style.ink, linewidth=0.4, zorder=3)
+        axes.plot(*place, "o", color=style.ink, markeredgecolor=style.paper, markersize=3.5, clip_on=False, zorder=4)
+        _put(text, box, style)
         taken.append(box)
-        length = _length(dot, box)
-        if length > (_NEAR + _DOT) * scale or any(_length(other, box) < length for other in dots):
-            ends = axes.transData.inverted().transform(_leader(dot, box))
-            axes.plot(*ends.T, color=style.ink, linewidth=0.4, zorder=3)
     return [box.padded(3 * scale) for box in taken]
-
-
-def _faults(box: Any, *, dot: Any, others: Sequence[Any], drawn: Any) -> tuple[int, bool]:
-    """Return what speaks against a text in a box beside a dot: boxes it or its leader meets, then covered lines."""
-    leader = Path(_leader(dot, box))
-    met = sum(box.overlaps(other) or leader.intersects_bbox(other, filled=False) for other in others)
-    return met + box.overlaps(dot), box.padded(1).count_contains(drawn) > 0
 
 
 def _label_contours(axes: Any, contours: Any, texts: Sequence[str], taken: list[Any], style: Style) -> None:
@@ -318,20 +319,19 @@ def _label_contours(axes: Any, contours: Any, texts: Sequence[str], taken: list[
     """
     frame, drawn = axes.get_window_extent(), _points_of_lines(axes)
     paths = [axes.transData.transform(path.vertices) for path in contours.get_paths()]
-    for number, (label, path) in enumerate(zip(texts, paths, strict=True)):
+    for label, path in zip(texts, paths, strict=True):
         text, half = _text(axes, f" {typeset(label)} ", zorder=3)
         inside = path.clip(frame.min + half, frame.max - half)
         is_on_line = (abs(path - inside) < half).all(axis=1)
-        cost = numpy.hypot(*(inside - _middle(frame)).T) + _ASIDE * numpy.hypot(*(inside - path).T)
-        places = inside[is_on_line][cost[is_on_line].argsort(kind="stable")]
-        others = numpy.concatenate([*paths[:number], *paths[number + 1 :], numpy.empty((0, 2))])
-        boxes = (_box(place, half) for place in places)
-        free = [box for box in boxes if not box.count_contains(others) and not any(map(box.overlaps, taken))]
-        clear = (box for box in free if box.count_contains(drawn) <= box.count_contains(path))  # of borders, too
-        if free:
-            box = next(clear, free[0])
-            _put(text, box, style)
-            taken.append(box)
+        cost = numpy.hypot(*(inside - (frame.min + frame.max) / 2).T) + _ASIDE * numpy.hypot(*(inside - path).T)
+        boxes = [_box(place, half) for place in inside[is_on_line][cost[is_on_line].argsort(kind="stable")]]
+        free = [box for box in boxes if not any(map(box.overlaps, taken))]
+        for lines_off in (drawn, numpy.concatenate(paths)):  # all lines, or at least the other contours
+            box = next((box for box in free if box.count_contains(lines_off) <= box.count_contains(path)), None)
+            if box is not None:
+                _put(text, box, style)
+                taken.append(box)
+                break
         else:
             text.remove()
 
@@ -342,11 +342,10 @@ def _text(axes: Any, label: str, zorder: int) -> tuple[Any, Any]:
     return text, text.get_window_extent().size / 2
 
 
-def _put(text: Any, box: Any, style: Style | None) -> None:
-    """Put a text into a box; with a style, on a patch of its paper."""
-    text.set_position(text.axes.transData.inverted().transform(_middle(box)))
-    if style is not None:
-        text.set_bbox({"boxstyle": "square,pad=0", "linewidth": 0, "facecolor": style.paper})
+def _put(text: Any, box: Any, style: Style) -> None:
+    """Put a text into a box, on a patch of paper."""
+    text.set_position(text.axes.transData.inverted().transform((box.min + box.max) / 2))
+    text.set_bbox({"boxstyle": "square,pad=0", "linewidth": 0, "facecolor": style.paper})
 
 
 def _points_of_lines(axes: Any) -> Any:
@@ -356,21 +355,6 @@ def _points_of_lines(axes: Any) -> Any:
     contours = (drawing for drawing in axes.collections if not getattr(drawing, "filled", False))
     points += [axes.transData.transform(path.vertices) for drawing in contours for path in drawing.get_paths()]
     return numpy.concatenate([*points, numpy.empty((0, 2))])
-
-
-def _leader(dot: Any, box: Any) -> Any:
-    """Return both ends of the line from a point to the nearest place of a box."""
-    return numpy.array([_middle(dot), _middle(dot).clip(box.min, box.max)])
-
-
-def _length(dot: Any, box: Any) -> float:
-    """Return the distance of a box from a point."""
-    return float(numpy.hypot(*numpy.diff(_leader(dot, box), axis=0)[0]))
-
-
-def _middle(box: Any) -> Any:
-    """Return the middle of a box."""
-    return (box.min + box.max) / 2
 
 
 def _box(middle: Any, half: Any) -> Any:

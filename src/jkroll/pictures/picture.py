@@ -1,7 +1,6 @@
 """Pictures as data: panels with curves, or with a field of a quantity over two inputs. Nothing is drawn here."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from math import ceil, floor, log10
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -12,10 +11,8 @@ from ..quantities.nomenclature import NOMENCLATURE, Quantity, header
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 
-MAX_CONTOURS = 12
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 SAME = 1e-9  # relative difference of values that are the same but for rounding
-_FIRST, _LAST = -323, 308  # decades of the doubles
 
 # The axes of figures that are no quantities of a scene.
 _OF_FIGURES: Mapping[str, Quantity] = {
@@ -36,7 +33,6 @@ class Axis(NamedTuple):
     is_log: bool = True
     size: int = 0  # number of values; 0: the picture's default
     needs: Mapping[str, float] = MappingProxyType({})  # further inputs of a scene at a value
-    chosen: tuple[float, ...] = ()  # the values, where they are not equally spaced
 
     def inputs(self, values: Any) -> dict[str, Any]:
         """Return the inputs of a scene at values on the axis."""
@@ -51,19 +47,13 @@ class Axis(NamedTuple):
         return header(self.name, quantity_of(self.name).unit)
 
     def values(self) -> Any:
-        """Return the values as an array, equally spaced along the axis unless they were chosen."""
-        if self.chosen:
-            return numpy.array(self.chosen)
+        """Return the values as an array, equally spaced along the axis."""
         spaced = numpy.geomspace if self.is_log else numpy.linspace
         return spaced(self.low, self.high, self.size)
 
-    def at_round_values(self, most: int) -> "Axis":
-        """Return the axis with at most `most` values: its own if they are so few, else round ones."""
-        if 0 < self.size <= most:
-            return self
-        digits = ((1, 2, 5), (1, 3), (1,))
-        chosen = tuple(round_values(self.low, self.high, most, is_log=self.is_log, digits=digits))
-        return self._replace(chosen=chosen, size=len(chosen))
+    def in_words(self, values: Sequence[float], digits: int) -> tuple[list[str], str]:
+        """Return values on the axis as texts, and their unit, which is empty where each has its own."""
+        return in_units(quantity_of(self.name).unit, values, digits, is_log=self.is_log)
 
 
 class Mark(NamedTuple):
@@ -109,12 +99,6 @@ class Field(NamedTuple):
     def is_log(self) -> bool:
         """True if contours are those of the logarithm."""
         return is_wide(self.values)
-
-    def levels(self) -> list[float]:
-        """Return the values of the contours: round ones within the extent."""
-        low, high = extent(self.values)
-        rounded = round_values(low, high, MAX_CONTOURS, is_log=self.is_log) if not is_flat(self.values) else []
-        return [value for value in rounded if low <= value <= high]
 
     def in_words(self, values: Sequence[float], digits: int = 12) -> tuple[list[str], str]:
         """Return values as texts, and the unit of all numbers of the field, which is empty where each has its own."""
@@ -167,46 +151,12 @@ def bracketed(unit: str) -> str:
     return f" [{unit}]" if unit not in ("", "1") else ""
 
 
-def round_values(
-    low: float, high: float, most: int, *, is_log: bool, digits: Sequence[Sequence[int]] = ((1, 2, 5), (1,))
-) -> list[float]:
-    """Return at most `most` round values between two: as many as fit of 1, 2 and 5 times powers of ten, or equal steps.
-
-    `digits`: those of each decade of a logarithmic scale, the most first.
-
-    >>> round_values(1e-9, 1e-8, 12, is_log=True), round_values(1e-9, 1e-6, 5, is_log=True)
-    ([1e-09, 2e-09, 5e-09, 1e-08], [1e-09, 1e-08, 1e-07, 1e-06])
-    >>> round_values(-1.0, 1.0, 5, is_log=False), round_values(-300.0, 600.0, 5, is_log=False)
-    ([-1.0, -0.5, 0.0, 0.5, 1.0], [-200.0, 0.0, 200.0, 400.0, 600.0])
-    """
-    if is_log:
-        decades = range(floor(log10(low)), ceil(log10(high)) + 1)
-        step, least = ceil(len(decades) / most), 2 if high > 50 * low else 3
-        some_decades = [decade for decade in decades if decade % step == 0]
-        every = [*((several, decades) for several in digits), ((1,), some_decades)]
-        for several, of_decades in every:
-            values = [float(f"{digit}e{decade}") for decade in of_decades for digit in several]
-            inside = [value for value in values if low * (1 - 1e-9) <= value <= high * (1 + 1e-9)]
-            if least <= len(inside) <= most:
-                return inside
-    if not high > low:
-        return [low]
-    decade = floor(log10((high - low) / most))
-    widths = (float(f"{digit}e{place}") for place in (decade, decade + 1) for digit in (1, 2, 5))
-    for width in widths:
-        places = range(ceil(low / width - 1e-9), floor(high / width + 1e-9) + 1)
-        if 1 < len(places) <= most:
-            return [float(f"{place * width:.12g}") for place in places]
-    return [low, high]
-
-
 def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
     """Return an axis that holds all finite values; logarithmic if it may be and they are of different orders."""
     known = numpy.concatenate([numpy.ravel(array) for array in values])
     low, high = extent(known)
     if may_be_log and is_wide(known):
-        room = log10(high / low) * margin
-        return Axis(name, 10.0 ** max(log10(low) - room, _FIRST), 10.0 ** min(log10(high) + room, _LAST))
+        return Axis(name, low / (1 + 4 * margin), high * (1 + 4 * margin))
     if is_flat(known):  # no rounding errors as large as the picture
         return Axis(name, low - (abs(low) * margin or 1.0), high + (abs(high) * margin or 1.0), is_log=False)
     room = (high - low) * margin
@@ -220,7 +170,12 @@ def over(scene: Scene, x: Axis, y: Axis | None = None) -> Scene:
     """Return a scene of arrays along one axis, or over two, with a row for each value of y."""
     if y is None:
         return scene.replace(**x.inputs(x.values()))
-    return scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
+    return over_values(scene, x, x.values(), y, y.values())
+
+
+def over_values(scene: Scene, x: Axis, of_x: Any, y: Axis, of_y: Any) -> Scene:
+    """Return a scene of arrays at values of two axes, with a row for each value of y."""
+    return scene.replace(**x.inputs(of_x[None, :]), **y.inputs(of_y[:, None]))
 
 
 def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis | None = None) -> Any:

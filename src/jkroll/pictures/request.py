@@ -3,7 +3,6 @@
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import partial
 from math import isclose, log, nan
-from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy
@@ -38,19 +37,20 @@ from .picture import (
     over,
 )
 
-SIDE = 201  # points a side of a field at most, from which contours and limits follow
+SIDE = 201  # points a side of a field, from which captions and limits follow, and of its numbers if none were asked for
 ALONG = 1001  # points of a curve, unless its axis says another number
-MAX_POINTS = 4_000_000  # of a field whose numbers are written, and of all curves together
 # The limits that have a place on a map, each with its sign in a terminal and its hatch on a page. A pattern belongs to
 # one limit on every map. No two patterns together look like a third.
 SIGNS = {
     "contact_radius_in_spacings": ("x", "...."),
     "displacement_ratio": ("/", "////"),
+    "energy_over_yield": ("^", "----"),
     "tabor_parameter": ("|", "||||"),
 }
 BORDER = ("'", "")  # of what a law is off by, whose border has ticks
 DRAWN_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
 _FARTHEST = log(1e3)  # excess of a limit that has a place on a map
+_TWO, _THREE, _FOUR = (Format(digits=digits) for digits in (2, 3, 4))
 
 
 class PlotRequest(NamedTuple):
@@ -63,7 +63,6 @@ class PlotRequest(NamedTuple):
     marks: Sequence[str]
     materials: Materials
     limits: Sequence[Limit] = LIMITS  # of which those that concern the quantity are drawn or told
-    regions: tuple[Region, ...] = ()  # of a field, besides those of the limits
     printed: str = ""  # the same quantity as the paper prints it
 
 
@@ -76,44 +75,37 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     """Return the field of a request, with its limits as regions, and notes on it."""
     quantity, ((_, scene),) = request.quantity, request.scenes
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
-    _check_size(x.size, y.size)
-    layer = Layer(request, "", scene, [axis._replace(size=min(axis.size, SIDE)) for axis in (x, y)])
+    layer = Layer(request, "", scene, [axis._replace(size=SIDE) for axis in (x, y)])
     regions, sentences = layer.regions()
-    field = Field(quantity, scene, layer.values, (*request.regions, *regions), request.printed)
-    marks = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
-    of_materials, left_out = _material_marks(request.materials, x, y) if scene.material is None else ((), ())
+    field = Field(quantity, scene, layer.values, tuple(regions), request.printed)
+    marks = [mark_at(text, request.materials, scene, x, y) for text in request.marks]
+    of_materials, left_out = _material_marks(request.materials, x, y) if scene.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
-    caption = (*_opening(quantity, [layer]), *_other_values(request, panel, marks), *left_out, *sentences)
-    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption), layer.notes
+    caption = (*_opening(quantity, [layer]), *left_out, *sentences)
+    remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
+    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, remarks), layer.notes
 
 
 def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     """Return the curves of a request, and notes on them."""
     quantity, x = request.quantity, request.x._replace(size=request.x.size or ALONG)
-    _check_size(len(request.scenes), x.size)
     layers: list[Layer] = []
-    errors: list[MissingInput | NoResult] = []
-    notes: list[str] = []
+    errors: dict[str, MissingInput | NoResult] = {}
     for text, scene in request.scenes:
         try:
             layers.append(Layer(request, text, scene, [x]))
         except (MissingInput, NoResult) as error:
-            errors.append(error)
-            notes.append(f"no curve: {text}: {error}")
+            errors[text] = error
     if not layers:
-        raise errors[0]
+        raise next(iter(errors.values()))
     curves = tuple(Curve(layer.text, x.values(), layer.values, colour) for colour, layer in enumerate(layers))
     y = axis_around(quantity, [curve.y for curve in curves], may_be_log=True)
     marks = tuple(mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks)
-    caption = (*_opening(quantity, layers), *_doubts_along(x, layers), *_farthest_off(x, layers))
+    farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
+    caption = (*_opening(quantity, layers), *_doubts_along(x, layers), *farthest)
+    notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
     notes += dict.fromkeys(note for layer in layers for note in layer.notes)
     return Picture("", (Panel(x, y, curves, marks),), caption), tuple(notes)
-
-
-def _check_size(first: int, second: int) -> None:
-    """Raise BadRequest for more points than a picture may have."""
-    if first * second > MAX_POINTS:
-        raise BadRequest(f"{first} x {second} points are more than {MAX_POINTS}")
 
 
 # --- Marks ------------------------------------------------------------------------------------------------------------
@@ -140,32 +132,36 @@ def _scene_at(text: str, materials: Materials, scene: Scene) -> Scene:
     return Scene({**scene.stated, **values}, material or scene.material, scene.material2, model=scene.stated_model)
 
 
-def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, ...], tuple[str, ...]]:
+def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark], tuple[str, ...]]:
     """Return a mark for each material that has a place on an axis, and the sentence of a caption on the others.
 
     Materials with a state are not asked: several of one substance would crowd the edge.
     """
-    marks = []
+    placed, others = [], []
     for material in materials.materials.values():
         if not material.state:
             numbers = Scene({}, material).numbers(x.name, y.name)
             places = [numbers[axis.name] if axis.has(numbers.get(axis.name, nan)) else None for axis in (x, y)]
-            marks.append(Mark(material.name, *places))
-    placed = tuple(mark for mark in marks if mark.x is not None or mark.y is not None)
-    others = [mark.text for mark in marks if mark not in placed]
+            if places == [None, None]:
+                others.append(material.name)
+            else:
+                placed.append(Mark(material.name, *places))
     return placed, (f"Not shown: {', '.join(others)}.",) if placed and others else ()
 
 
-def _other_values(request: PlotRequest, panel: Panel, marks: Iterable[Mark]) -> Iterator[str]:
-    """Iterate over sentences on marked grains of which a map shows another value, as it has an input of others."""
+def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
+    """Iterate over the places of marks on an axis and the values at points, with the map's if it has other inputs."""
     quantity, ((_, scene),) = request.quantity, request.scenes
-    for mark in marks:
-        if mark.x is not None and mark.y is not None:
-            drawn = scene.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
-            for name, value in _scene_at(mark.text, request.materials, scene).numbers(quantity).items():
-                if not isclose(value, drawn.get(name, nan), rel_tol=SAME):
-                    its_value = f"its {symbol(name)} is {amount(name, value)}"
-                    yield f"{mark.text} has other inputs than are fixed here: {its_value}."
+    for mark in panel.marks:
+        places = {axis.name: value for axis, value in ((panel.x, mark.x), (panel.y, mark.y)) if value is not None}
+        other = ""
+        if len(places) == 2:
+            of_map = scene.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
+            places = _scene_at(mark.text, request.materials, scene).numbers(quantity) or of_map
+            if not isclose(places.get(quantity, nan), of_map.get(quantity, nan), rel_tol=SAME) and places and of_map:
+                other = f" by its own inputs, {amount(quantity, of_map[quantity], _FOUR)} by those that are fixed"
+        for name, value in places.items():
+            yield f"{mark.text}: {symbol(name)} = {amount(name, value, _FOUR)}{other}"
 
 
 # --- The quantity of one scene --------------------------------------------------------------------------------------
@@ -179,26 +175,25 @@ class Layer:
 
     def __init__(self, request: PlotRequest, text: str, scene: Scene, axes: Sequence[Axis]) -> None:
         """Evaluate the quantity of a request in a scene; `text`: the label of a curve."""
-        self.text, self.given, self.quantity, self.axes = text, scene, (quantity := request.quantity), axes
+        self.text, self.given, self.quantity = text, scene, (quantity := request.quantity)
         at_an_end = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
         self.scene = scene.replace(**at_an_end)  # what a quantity needs is the same all along an axis
         limits = touched(self.scene, [quantity], request.limits)
         every = judged(limits, over(scene, *axes), [quantity])  # at each point
         self.doubts = [doubt for doubt in every if doubt.error is None]
         missing = [doubt.error for doubt in every if doubt.error is not None]
-        notes = [f"limits are not judged: {symbol_of(error.wanted)} {error.reason()}" for error in missing[:1]]
-        self.is_judged = not missing
         names = [quantity, *(doubt.limit.name for doubt in self.doubts if doubt.limit in DRAWN_LIMITS)]
-        inputs = self.scene.inputs_of(*names)
-        used = {*self.scene.inputs_of(quantity)}
+        inputs, used = self.scene.inputs_of(*names), self.scene.inputs_of(quantity)
         # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
         shown = [name for name in inputs if name in used or name != "load" or name in self.scene.given]
         self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in at_an_end])
         remark = NOMENCLATURE[quantity].note
-        remarks = [f"{symbol_of(quantity)}: {remark}"] if remark else []
-        idle = [note.text for note in about_idle(idle_of(self.scene, inputs))]
-        data = notes_on(scene, self.scene, shown, names)
-        self.notes = tuple(dict.fromkeys([*notes, *idle, *data, *remarks]))
+        self.unjudged = [f"Limits are not judged: {symbol(error.wanted)} {error.reason()}." for error in missing[:1]]
+        self.notes = (
+            *(note.text for note in about_idle(idle_of(self.scene, inputs))),
+            *notes_on(scene, self.scene, shown, names),
+            *([f"{symbol_of(quantity)}: {remark}"] if remark else []),
+        )
         self.values = evaluate(scene, quantity, *axes)
         self.known = numpy.isfinite(self.values)
         if not self.known.any():
@@ -223,11 +218,13 @@ class Layer:
                     break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
-        """Return what holds beyond a threshold."""
+        """Return what holds beyond a threshold, with the number that a limit names unless another is judged."""
         if limit.bits & OF_LAW:
             return f"{self.given.law.title} is off by more than {percent(threshold)}"
-        number, unit = AS_USUAL.rounded(limit.name, threshold)
         meaning = limit.consequence.partition(";")[0]
+        if limit.factor is not None:
+            return meaning
+        number, unit = AS_USUAL.rounded(limit.name, threshold)
         return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧{unit and f' {unit}'}: {meaning}"
 
     def regions(self) -> tuple[list[Region], list[str]]:
@@ -297,23 +294,20 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
             yield f"{label} same everywhere: {symbol(quantity)} = {amount(quantity, extent(layer.values)[0])}."
     if any(layer.scene.may_rest_on_spacing(quantity) and not layer.known.all() for layer in layers):
         yield f"No value where it {RESTS_ON_SPACING.words}."
+    yield from dict.fromkeys(sentence for layer in layers for sentence in layer.unjudged)
 
 
 def _doubts_along(x: Axis, layers: Sequence[Layer]) -> Iterator[str]:
     """Iterate over sentences on the stretches of curves where the model has no meaning or is not exact."""
-    unjudged = [layer.text for layer in layers if not layer.is_judged]
-    if unjudged:
-        which = f" for {', '.join(unjudged)}" if len(unjudged) < len(layers) else ""
-        yield f"Limits are not judged{which}."
-    places: dict[str, list[tuple[str, str]]] = {}  # the curves and their stretches, by what holds there
+    places: dict[str, dict[str, str]] = {}  # by what holds there: the stretches of each curve
     for layer in layers:
         for _, _, text, is_beyond in layer.exceeded():
-            places.setdefault(text, []).append((layer.text, _stretches(x, is_beyond[layer.known], layer.known)))
+            places.setdefault(text, {})[layer.text] = _stretches(x, is_beyond[layer.known], layer.known)
     for text, stretches in places.items():
-        if stretches == [(layer.text, "") for layer in layers]:
+        if len(stretches) == len(layers) and not any(stretches.values()):
             yield f"Everywhere {text}."
         else:
-            each = (", ".join(filter(None, (label, where or "everywhere"))) for label, where in stretches)
+            each = (", ".join(filter(None, (label, where or "everywhere"))) for label, where in stretches.items())
             yield f"{'; '.join(each)}: {text}."
 
 
@@ -323,24 +317,19 @@ def _stretches(x: Axis, is_beyond: Any, known: Any) -> str:
         return ""
     values = x.values()[known]
     edges = numpy.flatnonzero(numpy.diff(is_beyond, prepend=False, append=False)).reshape(-1, 2)
-    ends = ([amount(x.name, float(f"{values[end]:.2g}")) for end in (first, last - 1)] for first, last in edges)
+    ends = ([amount(x.name, values[end], _TWO) for end in (first, last - 1)] for first, last in edges)
     return f"{symbol(x.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
 
 
-def _farthest_off(x: Axis, layers: Sequence[Layer]) -> Iterator[str]:
-    """Iterate over the sentence on the place at which the law of curves is farthest off, with the value by Maugis'."""
-    places = []
-    for layer in layers:
-        for doubt in (doubt for doubt in layer.doubts if doubt.limit.bits & OF_LAW):
-            excess = numpy.where(layer.known & (doubt.excess > 0), doubt.excess, 0.0)
-            if excess.any():
-                places.append((float(excess.max()), float(x.values()[excess.argmax()]), layer))
-    if not places or len({layer.given.law.name for layer in layers}) > 1:  # several laws can be compared
-        return
-    _, value, layer = max(places, key=itemgetter(0))
-    quantity, here = layer.quantity, layer.given.replace(**x.inputs(value))
-    if told := advised(here, quantity):
-        place = f"{symbol(x.name)} = {amount(x.name, float(f'{value:.2g}'))}"
-        place += f" ({layer.text})" if layer.text and len(layers) > 1 else ""
-        shown = amount(quantity, here[quantity], Format(digits=3))
-        yield f"{here.law.title} is farthest off at {place}: {symbol(quantity)} {told} by Maugis' law, {shown} here."
+def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
+    """Iterate over the sentence on the place at which the law of a curve is farthest off, with the value by Maugis'."""
+    for doubt in (doubt for doubt in layer.doubts if doubt.limit.bits & OF_LAW):
+        excess = numpy.where(layer.known, doubt.excess, -numpy.inf)
+        value = float(x.values()[excess.argmax()])
+        quantity, here = layer.quantity, layer.given.replace(**x.inputs(value))
+        if excess.max() > 0 and (told := advised(here, quantity)):
+            place, shown = amount(x.name, value, _TWO), amount(quantity, here[quantity], _THREE)
+            yield (
+                f"{here.law.title} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} {told} by Maugis' "
+                f"law, {shown} here."
+            )

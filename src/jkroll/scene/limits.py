@@ -201,13 +201,13 @@ LIMITS = (
     *(
         Limit(
             "energy_over_yield", frozenset({turns}), "<=", {least: code},
-            f"with {energy} the contact springs back",
+            f"with {energy} of the energy the contact springs back",
             ends_meaning=True,
         )
         for turns, least, code, energy in (
-            ("n_roll", 7 / 2, "does-not-roll-sliding", "the (2/7)W0 of n_roll"),
-            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "the (5/7)W0 of n_imp"),
-            ("n_roll_energy_balance", 1.0, "does-not-roll", "all of W0, as n_bal,"),
+            ("n_roll", 7 / 2, "does-not-roll-sliding", "2/7"),
+            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "5/7"),
+            ("n_roll_energy_balance", 1.0, "does-not-roll", "all"),
         )
     ),
     Limit(
