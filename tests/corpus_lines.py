@@ -15,16 +15,15 @@ import shlex
 import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
-from contextlib import chdir, contextmanager, redirect_stderr, redirect_stdout
+from contextlib import chdir, contextmanager
 from importlib.util import find_spec
 from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 from unittest import mock
 
-from harness import Stream
+from harness import Ran, captured
 from input_files import CONTENTS
-from jkroll.cli.process import main
 
 PATH = Path(__file__).parent / "corpus" / "command_lines.txt"
 _ENVIRONMENT = {"XDG_CONFIG_HOME": "/nonexistent", "COLUMNS": "80", "LINES": "24", "TERM": "dumb"}
@@ -143,23 +142,11 @@ def run(line: Line) -> Outcome:
     return Outcome(code, out, err, written)
 
 
-def _run(command: Command) -> tuple[int, str, str]:
-    """Run a command; return its exit code and streams."""
-    with (
-        tempfile.TemporaryFile() as out_file,  # a table goes past the stream, to its descriptor
-        open(command.standard_input, "rb") as standard_input,
-        mock.patch.dict(os.environ, command.variables),
-    ):
+def _run(command: Command) -> Ran:
+    """Run a command."""
+    with open(command.standard_input, "rb") as standard_input, mock.patch.dict(os.environ, command.variables):
         os.dup2(standard_input.fileno(), 0)
-        err = Stream()
-        with (
-            Stream(os.fdopen(os.dup(out_file.fileno()), "wb"), terminal=not command.is_piped) as out,
-            redirect_stdout(out),
-            redirect_stderr(err),
-        ):
-            code = main(command.words)
-        out_file.seek(0)
-        return code, out_file.read().decode(), err.text()
+        return captured(command.words, terminal=not command.is_piped)
 
 
 def faults(line: Line, outcome: Outcome) -> list[str]:

@@ -1,8 +1,13 @@
 """Tools to run the command line in this process: streams in memory, and the result of a call."""
 
 import io
-from collections.abc import Callable
+import os
+import tempfile
+from collections.abc import Callable, Sequence
+from contextlib import redirect_stderr, redirect_stdout
 from typing import BinaryIO, NamedTuple
+
+from jkroll.cli.process import main
 
 
 class Ran(NamedTuple):
@@ -33,3 +38,17 @@ class Stream(io.TextIOWrapper):
 
 
 Run = Callable[..., Ran]
+
+
+def captured(words: Sequence[str], *, terminal: bool = False) -> Ran:
+    """Run a command line with its output in a file, as a table goes past the stream, to its descriptor."""
+    with tempfile.TemporaryFile() as file:
+        err = Stream()
+        with (
+            Stream(os.fdopen(os.dup(file.fileno()), "wb"), terminal=terminal) as out,
+            redirect_stdout(out),
+            redirect_stderr(err),
+        ):
+            code = main([*words])
+        file.seek(0)
+        return Ran(code, file.read().decode("utf-8", "surrogateescape"), err.text())

@@ -3,14 +3,13 @@
 A test replays tests/corpus on them, and tests/tools/fuzz.py searches for violations.
 """
 
-import io
 import os
 import resource
 import tempfile
 from collections.abc import Callable
-from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
+from harness import captured
 from input_files import CONTENTS
 from jkroll.cli.process import main
 from jkroll.errors import JkrollError
@@ -90,16 +89,8 @@ def words(data: bytes) -> None:
 
 def check_call(arguments: list[str]) -> int:
     """Run a command line in this process, check the invariants of all command lines, and return its exit code."""
-    err = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", newline="")
-    with tempfile.TemporaryFile() as file:  # a table goes past the stream, to its descriptor
-        out = io.TextIOWrapper(os.fdopen(os.dup(file.fileno()), "wb"), encoding="utf-8", newline="")
-        with redirect_stdout(out), redirect_stderr(err):
-            code = main(arguments)
-        out.close()
-        file.seek(0)
-        said = _text(file.read())
-    err.flush()
-    lines = err.buffer.getvalue().decode("utf-8").splitlines()
+    code, said, err = captured(arguments)
+    lines = err.splitlines()
     if "--debug" in arguments and code:  # a traceback stands before the line
         lines = lines[-1:]
     errors = [line for line in lines if line.startswith("jkroll: ")]
@@ -109,10 +100,7 @@ def check_call(arguments: list[str]) -> int:
         for line in lines
     ), (arguments, lines)
     assert bool(errors) == (code != 0), (arguments, code, lines)
-    assert len(errors) <= 1 or "batch" in arguments[:2], (
-        arguments,
-        lines,
-    )  # of many tables, each that fails has a line
+    assert len(errors) <= 1 or "batch" in arguments[:2], (arguments, lines)  # each table that fails has a line
     assert not any("this is a bug in jkroll" in line for line in errors), (arguments, lines)
     if code == JkrollError.exit_code:
         assert said == "", arguments

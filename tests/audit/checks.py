@@ -43,25 +43,11 @@ class Check(NamedTuple):
             return "approximate"
         return "wrong"
 
-    def row(self) -> "Row":
-        """Return the outcome, with those of several numbers that differ most."""
+    @property
+    def numbers(self) -> tuple[float, float]:
+        """What is printed, and what follows; of several numbers, those that differ most."""
         pairs = zip(_terms(self.printed), _terms(self.follows), strict=True)
-        printed, follows = max(pairs, key=lambda pair: _difference(*pair))
-        difference = _difference(printed, follows)
-        return Row(self.equation, self.claim, printed, follows, difference, self.verdict, self.expected, self.reason)
-
-
-class Row(NamedTuple):
-    """The outcome of a check."""
-
-    equation: str
-    claim: str
-    printed: float
-    follows: float
-    difference: float  # relative to what follows
-    verdict: Verdict
-    expected: Verdict
-    reason: str
+        return max(pairs, key=lambda pair: _difference(*pair))
 
 
 def _terms(value: Terms) -> tuple[float, ...]:

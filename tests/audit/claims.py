@@ -25,11 +25,11 @@ def claims() -> tuple[Check, ...]:
 
 def table() -> str:
     """Return the claims that do not hold as a table in Markdown, each with its numbers at the values of the audit."""
-    rows = [check.row() for check in claims() if check.verdict != "holds"]
+    checks = [(check, *check.numbers) for check in claims() if check.verdict != "holds"]
     cells = (
-        (row.equation, row.claim.replace("|", "\\|"), f"{row.printed:.4g}", f"{row.follows:.4g}",
-         f"{row.printed / row.follows:.3g}", row.verdict, row.reason)
-        for row in rows
+        (check.equation, check.claim.replace("|", "\\|"), f"{printed:.4g}", f"{follows:.4g}",
+         f"{printed / follows:.3g}", check.verdict, check.reason)
+        for check, printed, follows in checks
     )  # fmt: skip
     return HEAD + "".join(f"| {' | '.join(line)} |\n" for line in cells)
 
