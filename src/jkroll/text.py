@@ -3,7 +3,7 @@
 import codecs
 import os
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, TextIO
 
 _ASCII = {
@@ -72,35 +72,10 @@ def json_text(value: Any, out: TextIO) -> str:
 
     Raises ValueError for a number that is not finite.
     """
-    from json.encoder import encode_basestring, encode_basestring_ascii
+    from json import dumps
 
     is_utf_8 = (out.encoding or "utf-8").lower() == "utf-8"
-    return _json(value, encode_basestring if is_utf_8 else encode_basestring_ascii, "\n")
-
-
-def _json(value: Any, text_of: Callable[[str], str], line_end: str) -> str:
-    """Return a value as JSON; numbers have the spelling that they have elsewhere."""
-    inner = line_end + "  "
-    if isinstance(value, dict):
-        members = [f"{text_of(str(key))}: {_json(each, text_of, inner)}" for key, each in value.items()]
-        return _between("{", members, "}", line_end)
-    if isinstance(value, list | tuple):
-        return _between("[", [_json(each, text_of, inner) for each in value], "]", line_end)
-    if value is None or isinstance(value, bool):
-        return {None: "null", True: "true", False: "false"}[value]
-    if isinstance(value, float):
-        if value - value != 0:
-            raise ValueError(f"{value} is not in JSON")
-        return spelled(value)
-    return str(value) if isinstance(value, int) else text_of(value)
-
-
-def _between(start: str, members: list[str], end: str, line_end: str) -> str:
-    """Return the members of a JSON object or array between its brackets, each on a line of its own."""
-    if not members:
-        return start + end
-    inner = line_end + "  "
-    return start + inner + f",{inner}".join(members) + line_end + end
+    return dumps(value, indent=2, ensure_ascii=not is_utf_8, allow_nan=False)
 
 
 def spelled(number: float) -> str:

@@ -16,8 +16,7 @@ from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain, symbol
 from ..quantities.nomenclature import as_input, header
-from ..quantities.units import BadUnit, dimension_of
-from ..quantities.values import QuantityError, between, error_about, parse_value
+from ..quantities.values import QuantityError, between, parse_quantity
 from ..scene.limits import LIMITS
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
@@ -51,9 +50,9 @@ def inches_of(width: str | None) -> float | None:
     if width is None:
         return None
     try:
-        metres = parse_value(width, dimension_of("m"))
-    except BadUnit as error:
-        raise error_about("--width", width, error, [dimension_of("m")], "expected a width such as 85mm") from None
+        metres = parse_quantity(width, "radius")
+    except QuantityError as error:
+        raise QuantityError("--width", width, error.reason, error.remedy or "expected a width such as 85mm") from None
     if not 0.07 <= metres <= 1:
         raise BadRequest(f"--width: {quoted(width)} is not between 70mm and 1m")
     return metres / 0.0254

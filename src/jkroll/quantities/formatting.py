@@ -5,8 +5,8 @@ from math import floor, isinf, log10
 
 from ..text import first_of
 from .nomenclature import INFINITY, NOMENCLATURE, header
-from .units import RAISED, Unit, convert, power_of_ten
-from .values import Interval, Uncertain
+from .units import Unit, convert, power_of_ten
+from .values import Measured, Uncertain, ends_of
 
 DIGITS = 6  # significant, of a rounded value
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
@@ -78,9 +78,10 @@ class Format:
         """Return a rounded value in a unit, with its uncertainty if it has one, without the unit; a word as it is."""
         if isinstance(value, str):
             return value
-        if isinstance(value, Uncertain):
-            return _range(value, unit[1], self.digits) if isinstance(value, Interval) else _plus_minus(value, unit[1])
-        return significant(convert(value, unit[1]), self.digits or DIGITS)
+        if isinstance(value, Measured):
+            return _plus_minus(*(convert(number, unit[1]) for number in (value.value, value.minus, value.plus)))
+        ends = (significant(convert(end, unit[1]), self.digits or DIGITS) for end in ends_of(value))
+        return " to ".join(dict.fromkeys(ends))
 
 
 def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
@@ -187,42 +188,19 @@ def _shift(size: float) -> int:
     return 0 if size == 0 or 1e-3 <= size < 1e6 else floor(log10(size))
 
 
-def _range(interval: Uncertain, scale: Unit, digits: int | None) -> str:
-    """Return a range, whose ends are rounded to two digits of their distance unless there is a number of digits.
-
-    Both ends have as many decimals as the one that needs more. Ends that are the same in these digits are one number.
-    """
-    low, high = convert(interval.low, scale), convert(interval.high, scale)
-    place = _second_digit(high - low)
-    texts = []
-    for end in (low, high):
-        least = floor(log10(abs(end))) - place + 1 if end else 1
-        texts.append(significant(end, digits or max(1, min(least, DIGITS))))
-    if digits is None and not any("e" in text for text in texts):
-        decimals = max(len(text.partition(".")[2]) for text in texts)
-        texts = [f"{float(text):.{decimals}f}" for text in texts]
-    return " to ".join(dict.fromkeys(texts))
-
-
-def _plus_minus(measured: Uncertain, scale: Unit) -> str:
+def _plus_minus(value: float, minus: float, plus: float) -> str:
     """Return a value with its standard uncertainty.
 
     An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both
     shown.
     """
-    value, minus, plus = (convert(number, scale) for number in (measured.value, *measured.sides.values()))
     shift = _shift(abs(value))
-    value, minus, plus = (number * 10.0**-shift for number in (value, minus, plus))
-    place = _second_digit(min(side for side in (minus, plus) if side))
-    middle, below, above = (f"{round(number, -place):.{max(-place, 0)}f}" for number in (value, minus, plus))
+    numbers = [number * 10.0**-shift for number in (value, minus, plus)]
+    place = int(f"{min(filter(None, numbers[1:])):.1e}".partition("e")[2]) - 1  # of the second digit
+    middle, below, above = (f"{round(number, -place):.{max(-place, 0)}f}" for number in numbers)
     is_symmetric = abs(minus - plus) <= 0.1 * max(minus, plus)
     text = f"{middle} ± {max(below, above, key=float)}" if is_symmetric else f"{middle} +{above}/-{below}"
     return f"({text})e{shift}" if shift else text
-
-
-def _second_digit(number: float) -> int:
-    """Return the power of ten of the second significant digit, after rounding to two."""
-    return int(f"{number:.1e}".partition("e")[2]) - 1
 
 
 def in_words(name: str, value: float | str) -> float | str:
@@ -240,35 +218,20 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
     """Return values as text, and the unit of them all: on a logarithmic scale empty where each has its own.
 
     >>> in_units("m", [1e-9, 1e-7], is_log=True), in_units("1", [1000.0, 1e6], is_log=True)
-    ((['1 nm', '100 nm'], ''), (['1000', '10⁶'], ''))
+    ((['1 nm', '100 nm'], ''), (['1000', '1e6'], ''))
     >>> in_units("kg/m^3", [10.0, 1000.0], is_log=True), in_units("N", [-1e-8, 0.0, 1e-8], is_log=False)
     ((['10', '1000'], 'kg/m³'), (['-10', '0', '10'], 'nN'))
     """
-    unit = unit.removeprefix("1")
     if is_log and unit in PREFIXABLE:
         texts = (engineering(value, unit, digits) for value in values)
         return [f"{number} {pretty(shown)}" for number, shown in texts], ""
-    if is_log:
-        return [in_powers(value, digits) for value in values], pretty(unit)
-    largest = max(map(abs, values), default=0.0)
+    largest = 0.0 if is_log else max(map(abs, values), default=0.0)
     _, power = _scaled(largest, unit, 3)
     scale = (*power_of_ten(power), ())
     without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
-    return [significant(convert(value, scale), digits) for value in without_errors], pretty(_PREFIXES[power] + unit)
-
-
-def in_powers(value: float, digits: int = 4) -> str:
-    """Return a value as text, as a power of ten where it is large or small.
-
-    >>> in_powers(1e9), in_powers(0.01), in_powers(2e6)
-    ('10⁹', '0.01', '2·10⁶')
-    """
-    if value == 0 or 1e-3 <= abs(value) < 1e4:
-        return significant(value, digits)
-    mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
-    factor = mantissa.rstrip("0").rstrip(".")
-    power = "10" + str(int(exponent)).translate(RAISED)
-    return power if factor == "1" else f"{factor}·{power}"
+    digits = min(digits, DIGITS) if is_log else digits  # these are round, and may be large
+    texts = [significant(convert(value, scale), digits) for value in without_errors]
+    return texts, pretty(_PREFIXES[power] + unit.removeprefix("1"))
 
 
 def first_symbols(names: list[str]) -> str:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Collection, Iterable
 from functools import cache, lru_cache
 from math import gcd
-from operator import add, sub
+from operator import add
 from typing import Any
 
 from ..text import closest, composed, quoted, shown
@@ -107,38 +107,16 @@ class BadUnit(Exception):
     Its words follow the quoted text: "has no unit".
     """
 
-    def __init__(self, words: str, instead: str = "") -> None:
-        """`instead`: what to type, where the text tells it."""
+    def __init__(self, words: str, instead: str = "", unknown: str = "", *, is_alone: bool = True) -> None:
+        """`instead`: what to type, where the text tells it; `unknown`: a name that is none, alone or among others."""
         super().__init__(words)
-        self._instead = instead
-
-    def remedy(self, dimensions: Collection[Dimension]) -> str:  # noqa: ARG002
-        """Return what to type instead, for a unit of one of these dimensions; "" if the text does not tell."""
-        return self._instead
-
-
-class UnknownUnit(BadUnit):
-    """Error raised for a name that neither the table nor pint knows."""
-
-    def __init__(self, name: str, terms: Iterable[Term]) -> None:
-        super().__init__(f"has an unknown unit {quoted(name)}")
-        self.name, self.terms = name, tuple(terms)
+        self._instead, self._unknown, self._is_alone = instead, unknown, is_alone
 
     def remedy(self, dimensions: Collection[Dimension]) -> str:
-        """Suggest a similar unit with which the whole text would have one of these dimensions."""
-        power = sum(power for name, power in self.terms if name == self.name)
-        try:
-            _, _, others = _product(term for term in self.terms if term[0] != self.name)
-        except BadUnit:
-            return ""
-        lacking = [tuple(map(sub, wanted, others)) for wanted in dimensions]
-        fitting = frozenset(
-            tuple(exponent // power for exponent in missing)
-            for missing in lacking
-            if power and not any(exponent % power for exponent in missing)
-        )
-        guess = similar_unit(self.name, fitting)
-        return f"did you mean {guess}?" if guess else ""
+        """Return what to type instead, for a unit of one of these dimensions; "" if the text does not tell."""
+        dimensions = frozenset(dimensions if self._is_alone else ())
+        guess = similar_unit(self._unknown, dimensions) if self._unknown else None
+        return f"did you mean {guess}?" if guess else self._instead
 
 
 # Characters that mean the same as one of ours. Whatever else is outside the grammar is refused.
@@ -237,7 +215,7 @@ def exponent_of(unit: Unit) -> int | None:
 
 @lru_cache(maxsize=1000)  # many cells of a table may have the same mistake
 def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
-    """Return the unit of one of these dimensions that a mistyped word probably is; None if no unit is similar.
+    """Return the unit that a mistyped word probably is, of one of these dimensions if there are any; else None.
 
     >>> similar_unit("Gpa", frozenset([dimension_of("Pa")])), similar_unit("Nm", frozenset([dimension_of("N m")]))
     ('GPa', 'N m')
@@ -253,7 +231,8 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
         if (len(prefix) > 2) == (len(unit) > 3)  # a symbol takes a symbol, a word a word
     }
     known = {**PREFIXABLE, **PLAIN, **prefixed}
-    return closest(word, [unit for unit, (_, _, dimension) in known.items() if dimension in dimensions], SIMILAR)
+    fitting = [unit for unit, (_, _, dimension) in known.items() if dimension in dimensions or not dimensions]
+    return closest(word, fitting, SIMILAR)
 
 
 def _terms(text: str) -> list[Term]:
@@ -297,7 +276,8 @@ def _product(terms: Iterable[Term]) -> Unit:
     for name, power in terms:
         unit = _in_table(name) or lookup(name)
         if unit is None:
-            raise UnknownUnit(name, terms)
+            is_alone = terms == [(name, 1)]
+            raise BadUnit(f"has an unknown unit {quoted(name)}", unknown=name, is_alone=is_alone)
         above, below, powers = unit
         up, down = (above, below) if power > 0 else (below, above)
         numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)

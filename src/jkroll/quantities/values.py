@@ -31,7 +31,6 @@ from .units import (
 # --- Values that a quantity does not have -----------------------------------------------------------------------------
 
 NO_UNIT = "has no unit"
-NO_UNIT_OF_BAR = "has an uncertainty without a unit"
 
 
 class QuantityError(JkrollError):
@@ -49,7 +48,7 @@ class QuantityError(JkrollError):
     @property
     def is_bare(self) -> bool:
         """True for a number without a unit where one is needed."""
-        return self.reason in (NO_UNIT, NO_UNIT_OF_BAR)
+        return self.reason == NO_UNIT
 
     def problem(self) -> str:
         """Return what is wrong and, of a text, what to type instead, without the name and the value."""
@@ -94,18 +93,13 @@ class Uncertain:
 
     @property
     def low(self) -> Any:
-        """The lower end."""
-        return self.sides["low"]
+        """The lower end, or the value less its uncertainty."""
+        return self.sides["low"] if "low" in self.sides else self.value - self.sides["minus"]
 
     @property
     def high(self) -> Any:
-        """The upper end."""
-        return self.sides["high"]
-
-    @property
-    def spread(self) -> Any:
-        """The standard deviation of smaller values; 0 for a range, beyond whose ends nothing lies."""
-        return self.sides.get("minus", 0.0)
+        """The upper end, or the value plus its uncertainty."""
+        return self.sides["high"] if "high" in self.sides else self.value + self.sides["plus"]
 
     def __eq__(self, other: object) -> bool:
         return type(other) is type(self) and vars(other) == vars(self)
@@ -146,16 +140,6 @@ class Measured(Uncertain):
     def plus(self) -> Any:
         """The uncertainty above the value."""
         return self.sides["plus"]
-
-    @property
-    def low(self) -> Any:
-        """The value less its uncertainty."""
-        return self.value - self.minus
-
-    @property
-    def high(self) -> Any:
-        """The value plus its uncertainty."""
-        return self.value + self.plus
 
 
 class Interval(Uncertain):
@@ -308,15 +292,6 @@ def _unit_meant(text: str, dimension: Dimension) -> Unit:
     return parse_unit("standard_gravity" if text == "g" and dimension == dimension_of("m/s^2") else text)
 
 
-def parse_value(text: str, dimension: Dimension) -> float:
-    """Read a number with a unit of a dimension, in SI units, correctly rounded. Raises a `BadUnit`.
-
-    >>> parse_value("36 km/h", dimension_of("m/s"))
-    10.0
-    """
-    return _value(written(text), partial(_unit_in, dimension=dimension))
-
-
 def _value(text: str, unit_in: _UnitIn) -> float:
     """Read a number with a unit."""
     number, unit_text = split_number(text)
@@ -377,9 +352,14 @@ def split_number(text: str) -> tuple[_Decimal, str]:
     return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
 
 
-# A number, which may have an uncertainty in its own unit, and its unit.
-_TYPED_NUMBER = r"[+-]?[0-9.]+(?: ?\+[0-9.]+ ?/ ?-[0-9.]+| ?\([0-9.]+\))?\)?(?:[eE][+-]?[0-9]+)?"
-_TYPED = rf"({_TYPED_NUMBER}) ?(?!to )([^±]*?)(?= ±| to |$)"
+# As units are typed, and as they are written: behind a number there is a space, and no e of a power of ten.
+_AS_WRITTEN = {
+    r" ?± ?": " ± ",
+    r"(?<=[0-9.)])(?![eE][-+]?[0-9])(?=[^\W\d_]|[%°])": " ",
+    r"\bangstroms?\b": "Å",
+    r"\bu(?=[mgsNJP])": "µ",
+}
+_TYPED_POWER = r"(?<=[A-DF-Za-df-z])(?:\^|\*\*)?(-?[0-9]+)"
 
 
 def as_typed(text: str) -> str:
@@ -390,13 +370,10 @@ def as_typed(text: str) -> str:
     >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
     ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
     """
-    spaced = re.sub(" ?± ?", " ± ", written(text))
-    return re.sub(_TYPED, lambda match: f"{match[1]} {_unit_as_written(match[2])}".strip(), spaced)
-
-
-def _unit_as_written(unit: str) -> str:
-    unit = re.sub(r"\bu(?=[mgsNJP])", "µ", re.sub("angstroms?", "Å", unit))
-    return re.sub(r"(?<=[A-Za-z])(?:\^|\*\*)?([-0-9]+)", lambda power: power[1].translate(RAISED), unit)
+    text = written(text)
+    for typed, as_written in _AS_WRITTEN.items():
+        text = re.sub(typed, as_written, text)
+    return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
 
 
 def ratio(number: _Decimal, unit: Unit) -> tuple[int, int]:
@@ -420,12 +397,11 @@ def rounded(numerator: int, denominator: int) -> float:
 
 # --- Forms of an uncertainty ------------------------------------------------------------------------------------------
 
-_SIGNED_NUMBER = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)"
-_UNIT = r" ?([^±()]*)"
-_POWER = r"(?:[eE]([+-]?[0-9]{1,3}))?"
-_IN_BRACKETS = rf"\( ?{_SIGNED_NUMBER} ?± ?{_SIGNED_NUMBER} ?\){_POWER}{_UNIT}"  # (25±5)e-3 J/m2
-_LAST_DIGITS = rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER}{_UNIT}"  # 25.0(50) mJ/m2
-_TWO_SIDES = rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_UNIT}"  # 25 +6/-4 mJ/m2
+_SIGNED = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)"
+_POWER_AND_UNIT = r"(?:[eE]([+-]?[0-9]{1,3}))? ?([^±()]*)"
+_IN_BRACKETS = rf"\( ?{_SIGNED} ?± ?{_SIGNED} ?\){_POWER_AND_UNIT}"  # (25±5)e-3 J/m2
+_LAST_DIGITS = rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER_AND_UNIT}"  # 25.0(50) mJ/m2
+_TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED} ?([^±()]*)"  # 25 +6/-4 mJ/m2
 
 
 def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
@@ -465,7 +441,7 @@ def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
         share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
         return _measured(value, unit_in(unit_text), share)
     if unit_text and not unit_of_error:
-        raise BadUnit(NO_UNIT_OF_BAR)
+        raise BadUnit("has an uncertainty without a unit")
     other = unit_in(unit_of_error)
     return _measured(value, unit_in(unit_text) if unit_text else other, uncertainty, other=other)
 
