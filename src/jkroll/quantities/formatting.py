@@ -223,8 +223,8 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
     ((['10', '1000'], 'kg/m³'), (['-10', '0', '10'], 'nN'))
     """
     if is_log and unit in PREFIXABLE:
-        texts = (engineering(value, unit, digits) for value in values)
-        return [f"{number} {pretty(shown)}" for number, shown in texts], ""
+        with_prefixes = (engineering(value, unit, digits) for value in values)
+        return [f"{number} {pretty(shown)}" for number, shown in with_prefixes], ""
     largest = 0.0 if is_log else max(map(abs, values), default=0.0)
     _, power = _scaled(largest, unit, 3)
     scale = (*power_of_ten(power), ())
