@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager, nullcontext
 from itertools import islice
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
@@ -93,17 +94,18 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
         if row.failed and all(isnan(row.column(name)[0]) for name in headline):
             raise row.failure(0)
         blocks = iter([row])
-    notes = OfRows(sweep.noted(wanted))
-    deliver(call, wanted, notes, blocks, form, is_table=is_shown)
-    if len(sweep) == 1 and not call.quiet:
-        return _ended(call, notes, lines_of(answer(next(sweep.scenes()))))
-    return _ended(call, notes, notes.lines(has_table=is_shown, quiet=call.quiet))
+    single = answer(next(sweep.scenes())) if len(sweep) == 1 and not call.quiet else None
+    return _write_columns(call, wanted, OfRows(sweep.noted(wanted)), blocks, form, is_table=is_shown, single=single)
 
 
-def deliver(
-    call: Call, wanted: "Wanted", notes: OfRows, blocks: "Iterable[Columns]", form: Format, *, is_table: bool
-) -> None:
-    """Write columns to a file, to stdout as lines of text, or, those of a single block, as a table."""
+def _write_columns(
+    call: Call, wanted: "Wanted", notes: OfRows, blocks: "Iterable[Columns]", form: Format, *, is_table: bool,
+    single: "Answer | None",
+) -> int:  # fmt: skip
+    """Write columns to a file, to stdout as lines, or as a table, and their notes; return the exit code.
+
+    `single`: the answer of which the notes are those of the columns.
+    """
     every = notes.watch(blocks)
     if call.target is not None:
         from ..batch.run import write_file
@@ -121,10 +123,7 @@ def deliver(
         for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
             sys.stdout.write(text.decode())
         sys.stdout.flush()
-
-
-def _ended(call: Call, notes: OfRows, lines: Iterable[str]) -> int:
-    """Print the notes on rows, and how many of them failed, if any did; return the exit code."""
+    lines = notes.lines(has_table=is_table, quiet=call.quiet) if single is None else lines_of(single, has_head=is_table)
     for line in lines:
         say_wrapped(line, sys.stderr)
     return _failed(call, notes.tally.failed, notes.tally.rows)
@@ -144,8 +143,6 @@ def _failed(call: Call, failed: int, count: int, first: JkrollError | None = Non
 
 def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Format) -> int:
     """Write answers one by one, and the notes of a single one unless these are in it; return the exit code."""
-    from ..output.writers import text_output
-
     failures: list[JkrollError] = []
 
     def watched() -> "Iterator[Answer]":
@@ -156,7 +153,7 @@ def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Fo
                 failures.append(answer.failure)
             yield answer
 
-    with text_output(call.target or "-") as out:
+    with _output(call.target) as out:
         if call.kind == "json":
             from ..output.answered import write_json
 
@@ -174,6 +171,15 @@ def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Fo
             _write_answer(call, next(watched()), out, form)
         out.flush()
     return _failed(call, len(failures), count, failures[0] if failures else None)
+
+
+def _output(target: str | None) -> AbstractContextManager[TextIO]:
+    """Return the file of a name, which is written whole, or stdout."""
+    if target is None:
+        return nullcontext(sys.stdout)
+    from ..output.writers import text_output
+
+    return text_output(target)
 
 
 def _write_answer(call: Call, answer: "Answer", out: TextIO, form: Format) -> None:
@@ -239,7 +245,5 @@ def _write_curve(call: Call) -> int:
 
     curves = [*dict.fromkeys(sample.curve for sample in samples)]
     notes = OfRows((curve.scene, [*curve.outcomes]) for curve in curves)
-    deliver(call, wanted, notes, columns(), form, is_table=is_table)
-    if len(sweep) == 1 and not call.quiet:
-        return _ended(call, notes, lines_of(curves[0], has_head=is_table))
-    return _ended(call, notes, notes.lines(has_table=is_table, quiet=call.quiet))
+    single = curves[0] if len(sweep) == 1 and not call.quiet else None
+    return _write_columns(call, wanted, notes, columns(), form, is_table=is_table, single=single)
