@@ -43,7 +43,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, middle, value_of
 from jkroll.rows.columns import DOUBT, STATUS
 from jkroll.scene.alternatives import at_least_measured, at_most_measured
-from jkroll.scene.failures import INFINITE, OF_IDENTICAL_SPHERES, Failure, MissingInput, reason_of, rests_on_spacing
+from jkroll.scene.failures import INFINITE, OF_IDENTICAL_SPHERES, Failure, MissingInput, reason_of
 from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
@@ -499,7 +499,7 @@ def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequen
         if number != values.get(key) and not options:
             yield f"{key} = {values.get(key)!r} and {number!r}"
         error = reasons.get(key)
-        if not name and not rests_on_spacing(error):
+        if not name:
             reason = reason_of(key, error) if isinstance(error, MissingInput | NoResult) else None
             if reason != entry.get("reason"):
                 yield f"{key}: {reason} and {entry.get('reason')}"

@@ -10,7 +10,7 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import middle
-from ..scene.alternatives import at_half_spacing, factor_of_law, in_place_of, uses_law
+from ..scene.alternatives import factor_of_law, in_place_of, uses_law
 from ..scene.failures import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
@@ -18,8 +18,6 @@ from ..scene.failures import (
     Failure,
     MissingInput,
     reason_of,
-    rests_on_spacing,
-    without_value,
 )
 from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, Evaluation
 from ..scene.scene import Scene
@@ -110,13 +108,6 @@ def equation_of(scene: Scene, name: str) -> str:
     return NOMENCLATURE[scene.plan(name).name].equation or scene.law.source
 
 
-def over_spacing(name: str, scene: Scene) -> str:
-    """Return why a quantity that rests on the atomic spacing has no one value."""
-    ends = [scene.replace(atomic_spacing=scene["atomic_spacing"]), at_half_spacing(scene)]
-    texts = [f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end['atomic_spacing'])}" for end in ends]
-    return f"from {' to '.join(texts)}; give --z0"
-
-
 _MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 
 
@@ -155,8 +146,6 @@ class Answer(Evaluation):
         """Compute the quantities of a question as far as the scene allows."""
         super().__init__(scene, scene.outcomes(question.quantities, question.named))
         self.question = question
-        for name in filter(lambda name: rests_on_spacing(self.errors[name]), self.errors):
-            self.errors[name] = without_value(name, over_spacing(name, scene))
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""

@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
+from itertools import chain
 from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
@@ -72,10 +73,10 @@ class Wanted:
         names_of = names_with_alternatives(scenes, [name for name in self.names if name in names])
         sides = self.sides
         if sides is not None:
+            law, names = next(iter(names_of.items()))
             with suppress(JkrollError):  # sources of two kinds give no error bars
-                of_others = sides_in((other, names_of.get(other.law.name, ())) for other in map(by_law, scenes))
-                law = next(iter(names_of))
-                sides = {**sides, **{f"{name}{_BY}{law}": of_name for name, of_name in of_others.items()}}
+                of_law = sides_in((by_law(scene), names) for scene in scenes)
+                sides = {**sides, **{f"{name}{_BY}{law}": of_name for name, of_name in of_law.items()}}
         return type(self)(self.names, self.named, self.inputs, sides, self.doubts, names_of)
 
     @cached_property
@@ -188,15 +189,12 @@ class Wanted:
         return {}, BadRequest(f"{listed(evaluation.sources.given)}: {problem}", "error bars left out")
 
 
-def sides_in(kinds: Iterable[tuple[Scene, Sequence[str]]]) -> dict[str, set[str]]:
-    """Return the sides of the uncertainties of quantities that have some in scenes, each with those that it shows."""
+def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> dict[str, set[str]]:
+    """Return the sides of the uncertainties that enter quantities; `kinds`: scenes with the quantities of each."""
     sides: dict[str, set[str]] = {}
-    for scene, names in kinds:
-        if scene.is_uncertain:
-            from ..scene.uncertainty import sides_of_results
-
-            for name, of_name in sides_of_results(scene, names).items():
-                sides.setdefault(name, set()).update(of_name)
+    for name, scene in ((name, scene) for scene, names in kinds for name in names):
+        if (sources := Evaluation(scene, {name: None}).sources) is not None:
+            sides.setdefault(name, set()).update(sources.sides)
     return sides
 
 
@@ -310,17 +308,7 @@ class Columns:
     @property
     def counted_doubts(self) -> Counter[int]:
         """The numbers of rows, by the bits of their doubts."""
-        if isinstance(self.doubts, list):
-            return Counter(self.doubts)
-        distinct, _, counts = self.distinct_doubts
-        return Counter(dict(zip(distinct.tolist(), counts.tolist(), strict=True)))
-
-    @cached_property
-    def distinct_doubts(self) -> tuple[Any, Any, Any]:
-        """The bits of doubts that differ, the place of each row's among them, and the number of rows of each."""
-        import numpy
-
-        return numpy.unique(self.doubts, return_inverse=True, return_counts=True)
+        return Counter(as_list(self.doubts))
 
     @cached_property
     def failed(self) -> list[int]:
@@ -504,23 +492,13 @@ def lack(reasons: Reasons) -> JkrollError | None:
 
 def status_of(reasons: Reasons) -> str:
     """Return a phrase for each kind of reason. All inputs that quantities lack are in one."""
-    lacked = dict.fromkeys(
-        name for error in reasons.values() if isinstance(error, MissingInput) for name in error.missing
-    )
-    needs = needs_in_words(lacked)
+    lacked = (error.missing for error in reasons.values() if isinstance(error, MissingInput))
+    needs = needs_in_words(dict.fromkeys(chain.from_iterable(lacked)))
     phrases = []
     for name, error in reasons.items():
-        if _is_side(name):
-            phrases.append("no error bar")
-        elif isinstance(error, MissingInput) and error.missing:
-            phrases.append(needs)
-        else:
-            phrases.append(error.phrase or str(error))
+        phrase = needs if isinstance(error, MissingInput) and error.missing else error.phrase or str(error)
+        phrases.append("no error bar" if _is_side(name) else phrase)
     return "; ".join(dict.fromkeys(phrases))
-
-
-def _first_names(names: list[str]) -> str:
-    return first_of(names, _MAX_NAMES)
 
 
 def _is_side(name: str) -> bool:
@@ -528,7 +506,12 @@ def _is_side(name: str) -> bool:
     return name not in NOMENCLATURE and name not in (ROW, UNCERTAINTY)
 
 
-def worded(reasons: Reasons, named: Callable[[list[str]], str] = _first_names) -> str:
+def first_names(names: list[str]) -> str:
+    """Return the first names of a list, and how many more there are."""
+    return first_of(names, _MAX_NAMES)
+
+
+def worded(reasons: Reasons, named: Callable[[list[str]], str] = first_names) -> str:
     """Return reasons in full; `named` returns quantities in words, by default their names."""
     if (error := lack(reasons)) is not None:
         return str(error)
@@ -554,14 +537,13 @@ class Tally(NamedTuple):
     said: tuple[str, ...] = ()  # of each table as a whole
 
     @classmethod
-    def of(cls, columns: "Columns", named: Callable[[list[str]], str] = _first_names) -> "Tally":
-        """Return the counts of some rows; `named` as `reasons.worded` has it."""
+    def of(cls, columns: Columns, named: Callable[[list[str]], str] = first_names) -> "Tally":
+        """Return the counts of some rows; `named` as `worded` has it."""
         rows: dict[str, list[int]] = {}
         for row, status in sorted(columns.status.items()):
             rows.setdefault(status, []).append(row)
         gaps = {
-            status: (len(places), places[0] + 1, worded(columns.reasons[places[0]], named))
-            for status, places in rows.items()
+            status: (len(places), places[0] + 1, worded(columns.reasons[places[0]], named)) for status, places in rows.items()
         }
         return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
 

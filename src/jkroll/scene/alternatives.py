@@ -181,15 +181,8 @@ def names_with_alternatives(scenes: Sequence[Scene], names: Sequence[str]) -> di
     others = {other_law(scene.law.name) for scene in scenes}
     law = others.pop() if len(others) == 1 else BETWEEN
     moved = {name for scene in scenes for name in moved_by_law(scene, names)}
-    rolled = {name for scene in scenes if _may_be_rolled(scene) for name in rolling(names, scene.law.name)}
+    rolled = {name for scene in scenes if assumes_displacement(scene) for name in rolling(names, scene.law.name)}
     return {law: [name for name in names if name in moved], DATA: [name for name in names if name in rolled]}
-
-
-def _may_be_rolled(scene: Scene) -> bool:
-    """Return whether rolling may have been measured on the solid of rows, of which one without a name may be any."""
-    solid = scene.material
-    is_any = solid is not None and not solid.name and bool(solid.properties)
-    return assumes_displacement(scene) if is_any else bool(solid_of_kind(scene))
 
 
 def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]:

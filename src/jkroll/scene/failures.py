@@ -161,11 +161,6 @@ class Failure(NoResult):
         return self.kind.words.format(value, *limits)
 
 
-def rests_on_spacing(error: JkrollError | None) -> bool:
-    """Return whether a quantity has no value as the atomic spacing, which was not given, decides on it."""
-    return isinstance(error, Failure) and error.kind == RESTS_ON_SPACING
-
-
 def without_value(name: str, words: str, phrase: str = "") -> Failure:
     """Return the error of a quantity that has no value for a reason that is in words already."""
     return Failure(Kind(phrase, words), name)

@@ -112,13 +112,6 @@ def sources_of_results(scene: "Scene | Problem | Solution", names: Sequence[str]
     return sources_of(problem.scene, problem.used(), measured)
 
 
-def sides_of_results(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
-    """Return the sides of the uncertainties of those quantities of a scene that have some: minus, plus, low, high."""
-    inputs_of = {name: {*scene.inputs_of(name)} for name in scene.possible(names)}
-    sources = sources_of(scene, set().union(*inputs_of.values()))
-    return {name: sources.sides for name, used in inputs_of.items() if not used.isdisjoint(sources.given)}
-
-
 # --- Error bars -------------------------------------------------------------------------------------------------------
 
 
