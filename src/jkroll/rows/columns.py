@@ -542,9 +542,8 @@ class Tally(NamedTuple):
         rows: dict[str, list[int]] = {}
         for row, status in sorted(columns.status.items()):
             rows.setdefault(status, []).append(row)
-        gaps = {
-            status: (len(places), places[0] + 1, worded(columns.reasons[places[0]], named)) for status, places in rows.items()
-        }
+        reasons = {status: worded(columns.reasons[places[0]], named) for status, places in rows.items()}
+        gaps = {status: (len(places), places[0] + 1, reasons[status]) for status, places in rows.items()}
         return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally") -> "Tally":
