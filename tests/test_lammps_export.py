@@ -1,4 +1,4 @@
-"""What `jkroll export lammps` prints, run by LAMMPS; and its two laws at the ends of Maugis' theory."""
+"""What `jkroll export lammps` prints, run by LAMMPS."""
 
 import math
 from typing import Any
@@ -7,12 +7,10 @@ import pytest
 
 import jkroll
 from harness import Run
-from third_party import Body, Spheres, bisect, both, frequency, import_lammps
+from third_party import IRON, QUARTZ, Body, Spheres, bisect, both, frequency, import_lammps
 
 pytestmark = pytest.mark.slow
 
-QUARTZ: Body = {"surface_energy": 0.025, "youngs_modulus": 5.4e10, "poisson_ratio": 0.17, "density": 2600.0}
-IRON: Body = {"surface_energy": 3.0, "youngs_modulus": 2.1e11, "poisson_ratio": 0.27, "density": 7700.0}
 GRAIN: Body = {**QUARTZ, "radius": 1e-6}
 PAIRS = {
     "quartz 1um": (GRAIN, GRAIN),

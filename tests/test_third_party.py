@@ -14,6 +14,8 @@ import pytest
 import jkroll
 from jkroll.physics import cylinder
 from third_party import (
+    IRON,
+    QUARTZ,
     Body,
     Spheres,
     both,
@@ -40,8 +42,6 @@ TORSION = 4e-4
 ADHESIVE_SPHERE = 0.03  # what its range and its neighbours leave
 JKR_RELATIONS = 4e-14
 
-QUARTZ: Body = {"surface_energy": 0.025, "youngs_modulus": 5.4e10, "poisson_ratio": 0.17, "density": 2600.0}
-IRON: Body = {"surface_energy": 3.0, "youngs_modulus": 2.1e11, "poisson_ratio": 0.27, "density": 7700.0}
 GRAIN: Body = {**QUARTZ, "radius": 1e-7}
 PAIRS: Mapping[str, tuple[Body, Body]] = {
     "quartz-quartz": (GRAIN, GRAIN),

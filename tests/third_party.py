@@ -17,6 +17,8 @@ import jkroll
 
 Body = Mapping[str, Any]
 Array = Any
+QUARTZ: Body = {"surface_energy": 0.025, "youngs_modulus": 5.4e10, "poisson_ratio": 0.17, "density": 2600.0}
+IRON: Body = {"surface_energy": 3.0, "youngs_modulus": 2.1e11, "poisson_ratio": 0.27, "density": 7700.0}
 
 
 def third_party(name: str, requirement: str) -> Any:

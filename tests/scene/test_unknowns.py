@@ -91,75 +91,33 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
 # --- Refusals ---------------------------------------------------------------------------------------------------------
 
 
+ENERGY_AND_RADIUS = ("surface_energy", "radius")
+FORCES = {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}  # what every pair gives
+STAY = "and pull_off_force_dmt cannot give both: both stay as they are along γ1 ∝ R1^-1 (κ is above 1e8)"
+# f = √(K/m)/2π, and under a large load K does not depend on γ
+PRESSED = {"stiffness": 1e3, "vertical_frequency": 1e6}, {**PLANE, "density": 2e3, "load": 1e3}
+PULLED = {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "load": -1e-7}
+
+
 @pytest.mark.parametrize(
     ("names", "measured", "given", "error", "words"),
     [
-        *(
-            (
-                ("surface_energy", "radius"),
-                {"pull_off_force": 3e-7, "pull_off_force_dmt": force},
-                {"radius2": math.inf},
-                Unseparated,
-                "and pull_off_force_dmt cannot give both: both stay as they are along γ1 ∝ R1^-1 (κ is above 1e8)",
-            )
-            for force in (4e-7, 5e-7)  # what every pair gives, and what none does
-        ),
-        (NAMES, {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}, PLANE, Unseparated, (
-            "they leave E1 open (κ is above "
-            "1e8)"
-        )),
-        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, (
-            "r_min depends on neither (κ is above "
-            "1e8)"
-        )),
-        *(  # f = √(K/m)/2π, and under a large load K does not depend on γ
-            (
-                names,
-                {"stiffness": 1e3, "vertical_frequency": 1e6},
-                {**PLANE, "density": 2e3, "load": 1e3},
-                Unseparated,
-                "they leave γ1 open (κ is above 1e8)",
-            )
-            for names in (NAMES, NAMES[::-1])
-        ),
-        (
-            NAMES,
-            {"pull_off_force": 3e-7, "stiffness": 1e12},
-            PLANE,
-            NoSolution,
-            "no pair of values gives stiffness = 1e12 N/m; it lies between 3.72794 µN/m and 37.2794 MN/m",
-        ),
-        (
-            NAMES,
-            {"pull_off_force": 3e-7, "stiffness": 1e7},
-            PLANE,
-            NoSolution,
-            (
-                "where pull_off_force = 300 nN, stiffness lies between 93.7726 µN/m and 937.726 kN/m for γ1 = 1 µJ/m² "
-                "to 1 kJ/m² and E1 = 1 Pa to 1e15 Pa"
-            ),
-        ),
-        (
-            ("youngs_modulus", "radius"),
-            {"contact_radius_at_load": 1.28e-6, "contact_radius": 3.25e-6},
-            {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "load": -1e-7},
-            NoSolution,
-            "where contact_radius_at_load = 1.28 µm, contact_radius lies between",
-        ),
-        (
-            NAMES,
-            {"stiffness": 1e3, "pull_off_force": 3.0},
-            PLANE,
-            NoSolution,
-            "no pair of values gives pull_off_force = 3 N; it lies between 18.8496 pN and 18.8496 mN",
-        ),
-        (
-            ("surface_energy", "load"),
-            {"contact_radius_at_load": 1e-8, "stiffness": 1e3},
-            {**PLANE, "youngs_modulus": math.inf},
-            Failure,
-            "both bodies are rigid",
-        ),
+        (ENERGY_AND_RADIUS, FORCES, {"radius2": math.inf}, Unseparated, STAY),
+        (ENERGY_AND_RADIUS, {**FORCES, "pull_off_force_dmt": 5e-7}, {"radius2": math.inf}, Unseparated, STAY),
+        (NAMES, FORCES, PLANE, Unseparated, "they leave E1 open (κ is above 1e8)"),
+        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, "r_min depends on neither (κ is above"),
+        (NAMES, *PRESSED, Unseparated, "they leave γ1 open (κ is above 1e8)"),
+        (NAMES[::-1], *PRESSED, Unseparated, "they leave γ1 open (κ is above 1e8)"),
+        (NAMES, {**MEASURED, "stiffness": 1e12}, PLANE, NoSolution,
+         "no pair of values gives stiffness = 1e12 N/m; it lies between 3.72794 µN/m and 37.2794 MN/m"),
+        (NAMES, {**MEASURED, "stiffness": 1e7}, PLANE, NoSolution,
+         "where pull_off_force = 300 nN, stiffness lies between 93.7726 µN/m and 937.726 kN/m for γ1 = 1 µJ/m² to "),
+        (NAMES, {**MEASURED, "pull_off_force": 3.0}, PLANE, NoSolution,
+         "no pair of values gives pull_off_force = 3 N; it lies between 18.8496 pN and 18.8496 mN"),
+        (("youngs_modulus", "radius"), {"contact_radius_at_load": 1.28e-6, "contact_radius": 3.25e-6}, PULLED,
+         NoSolution, "where contact_radius_at_load = 1.28 µm, contact_radius lies between"),
+        (("surface_energy", "load"), {"contact_radius_at_load": 1e-8, "stiffness": 1e3},
+         {**PLANE, "youngs_modulus": math.inf}, Failure, "both bodies are rigid"),
         (NAMES, MEASURED, {"radius": 2e-6}, MissingInput, "normal stiffness at the load needs Poisson's ratio"),
         (NAMES, MEASURED, {**PLANE, "surface_energy": 1.0}, BadRequest, "surface_energy is given and asked for"),
         (NAMES, MEASURED, {**PLANE, "work_of_adhesion": 1.0}, BadRequest, "one follows from the other"),
