@@ -4,7 +4,6 @@ From the sdist, which has no `.docs`, these tests are left out. Where CI is set,
 """
 
 import os
-import pty
 import re
 import shlex
 import subprocess
@@ -16,6 +15,7 @@ from typing import Any
 import pytest
 
 from browser import CHROMIUM, DRIVER, Browser, browser, served
+from terminal import on_terminal
 
 DOCS = Path(__file__).parents[1] / ".docs"
 IS_CI = bool(os.environ.get("CI"))
@@ -73,21 +73,8 @@ def answer(window: Browser, line: str) -> dict[str, Any]:
 
 def script(line: str) -> tuple[str, int]:
     """Return what the script prints on a terminal of 80 columns, and its exit code."""
-    head, tail = pty.openpty()
-    environment = {**os.environ, **TERMINAL}
-    with subprocess.Popen(
-        [sys.executable, "-m", "jkroll", *shlex.split(line)], stdout=tail, stderr=tail, env=environment
-    ) as run:
-        os.close(tail)
-        printed = b""
-        try:
-            while part := os.read(head, 65536):
-                printed += part
-        except OSError:  # the script has ended
-            pass
-        code = run.wait()
-    os.close(head)
-    return printed.decode().replace("\r\n", "\n"), code
+    code, shown = on_terminal([sys.executable, "-m", "jkroll", *shlex.split(line)], **TERMINAL)
+    return shown.replace("\r\n", "\n"), code
 
 
 def without_colours(text: str) -> str:

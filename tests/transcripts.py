@@ -5,6 +5,8 @@ backquotes: these must end with the exit code 0. `python tests/transcripts.py FI
 anew, to be read before they are committed.
 """
 
+import doctest
+import io
 import os
 import re
 import shlex
@@ -102,6 +104,16 @@ def exit_code(command: str) -> int:
     stream = Stream()
     with redirect_stdout(stream), redirect_stderr(stream):
         return main(shlex.split(command)[1:])
+
+
+def failures(text: str) -> str:
+    """Return what doctest says of the Python examples of a text that print something else than stands there."""
+    examples = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
+    test = doctest.DocTestParser().get_doctest(examples, {}, "examples", "examples", 0)
+    said = io.StringIO()
+    results = doctest.DocTestRunner().run(test, out=said.write)
+    assert results.attempted > 3
+    return said.getvalue() if results.failed else ""
 
 
 def renewed(text: str) -> str:
