@@ -85,17 +85,11 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
 @pytest.mark.parametrize(
     ("line", "candidates"),
     [
-        ("jkroll figure 3", ["3a", "3b", "3c", "3d"]),
         ("jkroll figure 3a --mark quar", ["quartz"]),
-        ("jkroll guide mo", ["models"]),
-        ("jkroll export lam", ["lammps"]),
         ("jkroll quantities r_", ["r_min", "r_min_over_radius"]),
         ("jkroll map r_", ["r_min", "r_min_over_radius"]),
         ("jkroll report quartz --quantities surf", []),
         ("jkroll map r_min qua", ["quartz"]),
-        ("jkroll map r_min --x rad", ["radius=", "radius2="]),
-        ("jkroll infer gam", ["gamma"]),
-        ("jkroll infer gamma --measured n_g", ["n_grav="]),
         ("jkroll contact --model dmt,j", ["dmt,jkr"]),
         ("jkroll contact --gamma 5mJ", ["5mJ/m2"]),
         ("jkroll contact --material2 = ir", ["iron"]),  # as bash divides --material2=ir

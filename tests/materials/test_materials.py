@@ -437,7 +437,7 @@ def test_two_solids_have_no_displacement_in_common(run: Run, own: str) -> None:
     for words in ("quartz 100nm --material2 own", *(f"own 100nm {words}" for words in pairs)):
         ran = run(f"yield-force {words} {own}")
         assert (ran.code, ran.out) == (2, "")
-        assert "that of two different solids is not known; give, for example, --xi 2angstrom" in ran.err
+        assert "needs critical rolling displacement; give --xi 2angstrom" in ran.err
         assert not run(f"pull-off {words} {own}").code
         assert not run(f"yield-force {words} --xi 1nm {own}").code
     assert forces_of(run, f"own 100nm --material2 own {own}") == forces_of(run, f"own 100nm {own}")

@@ -5,16 +5,14 @@ reader.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from importlib import import_module
 from typing import Any
 
 import typer
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
 from ..errors import JkrollError
-from ..output.manual import topics
 from ..quantities.laws import LAWS
-from ..quantities.nomenclature import ANY, NOMENCLATURE, OPTION_WORDS
+from ..quantities.nomenclature import ANY, NOMENCLATURE
 from . import process
 from .commands import COMMANDS, DEBUG, HELP, VERSION, Option
 from .help import TITLE
@@ -137,13 +135,6 @@ def _materials(begun: str) -> list[str]:
     return names or [name for name in materials.aliases if name.startswith(begun)]
 
 
-def _inputs(_: str) -> list[str]:
-    """Return the inputs that can be inferred, by their names and the words of their options."""
-    from ..scene.inverse import SIZES
-
-    return [*SIZES, *(word for word, name in OPTION_WORDS.items() if name in SIZES)]
-
-
 _RESULTS = [  # the quantities that a formula gives, without variants and without what is only an input
     name
     for name, quantity in NOMENCLATURE.items()
@@ -152,13 +143,6 @@ _RESULTS = [  # the quantities that a formula gives, without variants and withou
 # The names that a begun word may become, by its kind, or by the name of the option whose value it is.
 _NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
     **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
-    **dict.fromkeys(("QUANTITY", "quantities"), lambda _: _RESULTS),
-    **dict.fromkeys("xy", lambda _: [f"{name}=" for name, each in NOMENCLATURE.items() if each.range is not ANY]),
-    "FIGURE": lambda _: import_module("..pictures.figures", __package__).FIGURE_NAMES,
-    "INPUT": _inputs,
-    "NAME": lambda _: NOMENCLATURE,
-    "PROGRAM": lambda _: import_module("..output.exports", __package__).PROGRAMS,
-    "TOPIC": lambda _: topics(),
-    "measured": lambda _: [f"{name}=" for name in _RESULTS],
+    **dict.fromkeys(("QUANTITY", "NAME", "quantities"), lambda _: _RESULTS),
     "model": lambda _: LAWS,
 }

@@ -13,7 +13,7 @@ from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import approach_at_fold
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_OR_LOAD
 from ..quantities.values import parse_quantity
 from ..text import listed
 
@@ -84,22 +84,17 @@ class Kind:
         phrase: str,  # of the status of a row
         words: str,  # in full; {0} stands for the value of `name` that rules a result out, the others for its limits
         name: str = "",  # the quantity that has no value, or whose value rules it out, where it is always the same
-        has_contact: bool = True,  # False: nothing of the scene is to be trusted
     ) -> None:
-        self.phrase, self.words, self.name, self.has_contact = phrase, words, name, has_contact
+        self.phrase, self.words, self.name = phrase, words, name
+        self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the scene is to be trusted
 
 
-BEYOND_PULL_OFF = Kind(
-    "beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load", has_contact=False
-)
-HELD_BY_MAUGIS = Kind(
-    BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load", has_contact=False
-)
+BEYOND_PULL_OFF = Kind("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
+HELD_BY_MAUGIS = Kind(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load")
 BEYOND_FOLD = Kind(
     "beyond the fold",
     "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
     "approach_at_load",
-    has_contact=False,
 )
 TWO_RIGID_BODIES = Kind("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
 RESTS_ON_SPACING = Kind(

@@ -373,16 +373,15 @@ class Scene:
         plan = self.plan(name)
         if plan.lacking:
             return NotInLaw(name, in_order(plan.lacking), self.law.title)
-        names = in_order(plan.missing)
-        materials = {1: self.material, 2: self.material2 or self.material}
-        properties = [each for each in names if of_sphere(1, each) in PROPERTIES]
-        without = [(materials[NOMENCLATURE[each].sphere], of_sphere(1, each)) for each in properties]
-        lacking = dict.fromkeys(material.lack_of(name) for material, name in without if material and material.name)
-        if XI in names and "radius" in self.given:
-            lacking["that of two different solids is not known"] = None
-        elif XI in names:
-            names = tuple(dict.fromkeys("radius" if each == XI else each for each in names))
-        return MissingInput(name, names, ", ".join(lacking))
+        names = plan.missing
+        if XI in names and "radius" not in self.given:
+            names = names - {XI} | {"radius"}  # by which that of a solid is scaled
+        lacking = {}
+        for each in in_order(names):
+            solid = self.material2 or self.material if NOMENCLATURE[each].sphere == 2 else self.material
+            if solid is not None and solid.name and of_sphere(1, each) in PROPERTIES:
+                lacking[solid.lack_of(of_sphere(1, each))] = True
+        return MissingInput(name, in_order(names), ", ".join(lacking))
 
     # --- Values -------------------------------------------------------------------------------------------------------
 
