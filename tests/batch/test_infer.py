@@ -120,10 +120,7 @@ def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
     [
         ("--infer gamma", "--infer INPUT and --measured QUANTITY go together"),
         ("--measured pull_off_force", "--infer INPUT and --measured QUANTITY go together"),
-        (
-            "--infer gamma --measured pull_off_force=3nN",
-            "a table has a column of the measured values; write --measured 'pull_off_force'",
-        ),
+        ("--infer gamma --measured pull_off_force=3nN", "did you mean pull_off_force?"),
         ("--infer gamma --measured pull_off_force --quantities r_min", "exclude each other"),
         ("--infer sigma --measured pull_off_force", "sigma"),
         ("--infer gamma --measured pull_of_force", "pull_off_force"),
@@ -151,6 +148,7 @@ def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ..
 
 
 def test_infer_says_how_a_table_is_read(run: Run) -> None:
+    Path("forces.csv").touch()
     ran = run("infer gamma forces.csv --measured pull_off_force=1nN")
     assert (ran.code, ran.err.replace("\n  ", " ")) == (
         2, "jkroll: infer reads no tables; jkroll batch forces.csv --infer INPUT --measured QUANTITY does\n"

@@ -233,9 +233,10 @@ def test_it_dies_by_other_signals_silently(number: int, tmp_path: Path) -> None:
 # --- A broken configuration -------------------------------------------------------------------------------------------
 
 
+NO_UTF_8 = "is not TOML: 'utf-8' codec can't decode byte 0xff in position 0: invalid start byte"
 BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
     "a directory": (Path.mkdir, "Is a directory"),
-    "no UTF-8": (lambda path: path.write_bytes(b"\xff\xfe"), "is not UTF-8"),
+    "no UTF-8": (lambda path: path.write_bytes(b"\xff\xfe"), NO_UTF_8),
     "2 MB": (lambda path: path.write_bytes(b"#" * 2_000_000), "is larger than 64 kB"),
     "a loop": (lambda path: path.symlink_to(path), "Too many levels of symbolic links"),
     "a link to nothing": (lambda path: path.symlink_to("nowhere"), "No such file or directory"),

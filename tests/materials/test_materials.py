@@ -211,8 +211,7 @@ BROKEN = {
     ),
     "[materials.a]\nnotes = { x = 'y' }": "'a' has a note on 'x', which it does not give",
     "title = 3": "title is not a text in quotes",
-    "a = " + "[" * 1200: "is not TOML: nested too deeply",
-    b"\xff\xfe": "is not UTF-8",
+    b"\xff\xfe": "is not TOML: 'utf-8' codec can't decode byte 0xff in position 0: invalid start byte",
     "x = '" + "y" * 200_001 + "'": "is larger than 64 kB",
 }
 

@@ -137,14 +137,9 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
     for option, value in (("quantities", call.quantities), ("alternatives", call.alternatives)):
         if value:
             raise BadRequest(f"--infer and --{option} exclude each other")
-    quantity, has_value, _ = call.measured[0].partition("=")
-    if has_value:
-        remedy = f"write --measured {quoted(quantity)}"
-        raise BadRequest(f"--measured: a table has a column of the measured values; {remedy}")
     from ..scene.inverse import inputs_named
 
-    (unknown,) = inputs_named([call.infer])
-    return unknown, quantity_named(quantity)
+    return inputs_named([call.infer])[0], quantity_named(call.measured[0])
 
 
 def run_materials(call: Call) -> int:

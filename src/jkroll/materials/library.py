@@ -134,43 +134,35 @@ class Material(NamedTuple):
 # --- A file -----------------------------------------------------------------------------------------------------------
 
 
-class Malformed(Exception):
-    """Error raised for something in a materials file that is not a material; `materials_in` adds the file."""
-
-
 def data_of(path: str) -> Mapping[str, Any]:
-    """Return the content of a TOML file; raise Malformed if it cannot be read or exceeds the limits above."""
+    """Return the content of a TOML file; raise BadRequest if it cannot be read or is too large."""
     try:
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:  # a NUL makes no path
-        raise Malformed(getattr(error, "strerror", "") or "cannot be read") from None
+        raise BadRequest(getattr(error, "strerror", "") or "cannot be read") from None
     if len(content) > MAX_BYTES:
-        raise Malformed(f"is larger than {MAX_BYTES // 1000} kB")
+        raise BadRequest(f"is larger than {MAX_BYTES // 1000} kB")
     import tomllib
 
     try:
         return tomllib.loads(content.decode("utf-8-sig"))
-    except UnicodeDecodeError:
-        raise Malformed("is not UTF-8") from None
-    except ValueError as error:
-        raise Malformed(f"is not TOML: {shown(str(error))}") from None
-    except RecursionError:
-        raise Malformed("is not TOML: nested too deeply") from None
+    except (ValueError, RecursionError) as error:
+        raise BadRequest(f"is not TOML: {shown(str(error))}") from None
 
 
 _FORMS: Mapping[type, str] = {dict: "a table", list: "a list", str: "a text in quotes"}
 
 
 def checked(value: object, form: type, where: str) -> Any:
-    """Return a value if it has a form: a table, a list or a text. Malformed names its place, `where`, if it has not."""
+    """Return a value if it has a form: a table, a list or a text; `where`: its place. Raises BadRequest."""
     if not isinstance(value, form):
-        raise Malformed(f"{shown(where)} is not {_FORMS[form]}")
+        raise BadRequest(f"{shown(where)} is not {_FORMS[form]}")
     return value
 
 
 def texts(value: object, form: type, where: str) -> Any:
-    """Return a text, or the texts of a list or a table, safe to print; raise Malformed if it is none."""
+    """Return a text, or the texts of a list or a table, safe to print; raise BadRequest if it is none."""
     content = checked(value, form, where)
     if form is dict:
         return {key: texts(text, str, f"{where}.{key}") for key, text in content.items()}
@@ -195,7 +187,7 @@ def materials_in(path: str) -> list[Material]:
     try:
         data = data_of(path)
         if unknown := data.keys() - {"title", "materials", "references"}:
-            raise Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
+            raise BadRequest(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
         title = texts(data.get("title", shown(path)), str, "title")
         tables, references = (checked(data.get(key, {}), dict, key) for key in ("materials", "references"))
         materials = [_read(name, table, title, path, references) for name, table in tables.items()]
@@ -203,11 +195,11 @@ def materials_in(path: str) -> list[Material]:
         for material in materials:
             for key, word in material.words.items():
                 if not is_material_name(word):
-                    raise Malformed(f"{quoted(word, MAX_NAME)} cannot name a material; a name {_RULE}")
+                    raise BadRequest(f"{quoted(word, MAX_NAME)} cannot name a material; a name {_RULE}")
                 if (other := names.get(key, material.name)) != material.name:
                     both = f"{quoted(other)} and {quoted(material.name)}"
-                    raise Malformed(f"{quoted(word)} names both {both}; case makes no difference")
-    except Malformed as error:
+                    raise BadRequest(f"{quoted(word)} names both {both}; case makes no difference")
+    except BadRequest as error:
         raise MaterialsFileError(path, str(error)) from None
     return materials
 
@@ -224,7 +216,7 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
             given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
             _refuse_unknown_keys(where, given, (*needed, *ORIGIN))
             if lacking := [each for each in needed if each not in given]:
-                raise Malformed(f"{shown(where)} has no {lacking[0]}")
+                raise BadRequest(f"{shown(where)} has no {lacking[0]}")
             values[key] = _value(key, given["value"], name, where)
             if given is table[key]:
                 origins[key] = texts({each: given[each] for each in ORIGIN if given.get(each, "") != ""}, dict, where)
@@ -232,15 +224,15 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
         if (measured := values.pop(XI, None)) is not None:
             radius = _value("radius", table[XI]["radius"], name, f"{name}.{XI}.radius")
             if not isinstance(radius, float):
-                raise Malformed(f"{shown(name)}.{XI}: the radius of the spheres is a single one")
+                raise BadRequest(f"{shown(name)}.{XI}: the radius of the spheres is a single one")
             displacement = Displacement(Interval(middle(measured), *ends_of(measured)), radius)
         notes = texts(table.get("notes", {}), dict, f"{name}.notes")
         if idle := [key for key in notes if key not in (*PROPERTIES, *table)]:
-            raise Malformed(f"{quoted(name)} has a note on {quoted(idle[0])}, which it does not give")
+            raise BadRequest(f"{quoted(name)} has a note on {quoted(idle[0])}, which it does not give")
         keys = [*texts(table.get("references", []), list, f"{name}.references")]
         keys += [origin["reference"] for origin in origins.values() if "reference" in origin]
         if lacking := [key for key in keys if key not in references]:
-            raise Malformed(f"{quoted(name)} cites {quoted(lacking[0])}, which [references] does not have")
+            raise BadRequest(f"{quoted(name)} cites {quoted(lacking[0])}, which [references] does not have")
         return material._replace(
             properties=read_only({key: middle(value) for key, value in values.items()}),
             notes=read_only(notes),
@@ -252,7 +244,7 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
             origins=read_only(origins),
             displacement=displacement,
         )
-    except Malformed as error:
+    except BadRequest as error:
         return material._replace(problem=str(error))
 
 
@@ -260,7 +252,7 @@ def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[s
     if unknown := [key for key in table if key not in known]:
         guess = closest(named(unknown[0]), known)
         hint = f"; did you mean {guess}?" if guess else ""
-        raise Malformed(f"{quoted(where)} has an unknown key {quoted(unknown[0])}{hint}")
+        raise BadRequest(f"{quoted(where)} has an unknown key {quoted(unknown[0])}{hint}")
 
 
 def _value(key: str, value: object, name: str, where: str) -> float | Uncertain:
@@ -270,9 +262,9 @@ def _value(key: str, value: object, name: str, where: str) -> float | Uncertain:
         text = repr(value) if is_number and NOMENCLATURE[key].unit == "1" else value
         return value_of(texts(text, str, where), key)
     except QuantityError as error:
-        raise Malformed(f"{shown(name)}: {error}") from None
+        raise BadRequest(f"{shown(name)}: {error}") from None
     except ValueError:  # thousands of hexadecimal digits, which Python does not convert
-        raise Malformed(f"{shown(where)} has too many digits") from None
+        raise BadRequest(f"{shown(where)} has too many digits") from None
 
 
 @cache
