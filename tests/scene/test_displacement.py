@@ -8,7 +8,9 @@ from typing import Any
 import pytest
 
 from harness import Run
-from jkroll.answers.advice import about_displacement, about_doubt, displacement_in_full
+from jkroll.answers.answer import Answer
+from jkroll.answers.notes import about_displacement
+from jkroll.answers.questions import question_about
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import ends_of, value_of
 from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, in_place_of, rolled_solid
@@ -106,7 +108,7 @@ def test_where_nothing_of_the_solid_was_measured(material: str, radius: float, g
 
 def words(scene: Scene, *names: str) -> str:
     found = [doubt for doubt in doubts(scene, names, [ASSUMED_DISPLACEMENT]) if doubt.is_exceeded]
-    return about_doubt(found[0], scene, names, names) if found else about_displacement(scene, "")
+    return Answer(question_about(",".join(names)), scene).about(found[0]) if found else about_displacement(scene, "")
 
 
 def test_words() -> None:
@@ -144,7 +146,7 @@ def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
     over = found["displacement"]["over_assumed"]["yield_force"]
     assert over == approx([force / 94.2478e-12 for force in FORCES], rel=1e-5)
     assert found["displacement"]["here"] == approx(found["displacement"]["at_pair"])
-    assert displacement_in_full(of("ice-warm", 1e-6), ["yield_force"]) is not None
+    assert Answer(question_about("yield_force"), of("ice-warm", 1e-6)).displacement is not None
     assert "displacement" not in json.loads(run("pull-off quartz 0.95um --json").out)
 
 

@@ -16,7 +16,6 @@ from hypothesis import strategies as st
 import maugis_reference as reference
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.answers.advice import over_this_law
 from jkroll.answers.answer import Answer
 from jkroll.answers.curve import FORCE_CURVE, at_states
 from jkroll.answers.questions import QUESTIONS, question_about
@@ -25,7 +24,7 @@ from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.physics import jkr
 from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
-from jkroll.scene.alternatives import factor_of_law, in_place_of
+from jkroll.scene.alternatives import factor_of_law
 from jkroll.scene.failures import Failure, NotInLaw
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import plan_for, steps_to
@@ -279,7 +278,7 @@ def test_rolling_has_two_readings(material: str, radius: float, at_displacement:
 
 def over_jkr(scene: Scene, name: str) -> Mapping[str, Any]:
     """Return a quantity by Maugis' law over that of JKR."""
-    return over_this_law(scene, in_place_of(scene, [name])["maugis"])[name]
+    return Answer(question_about(name), scene).laws[name]
 
 
 def readings(scene: Scene, name: str) -> tuple[float, float]:

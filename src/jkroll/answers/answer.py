@@ -1,16 +1,37 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
-from ..quantities.formatting import amount, in_words
+from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
-from ..quantities.values import middle
-from ..scene.alternatives import factor_of_law, in_place_of, uses_law
+from ..quantities.values import ends_of, is_uncertain, middle
+from ..scene.alternatives import (
+    DATA,
+    FORCES,
+    ROLLED,
+    SIO2,
+    assumes_displacement,
+    at_half_spacing,
+    at_least_measured,
+    at_most_measured,
+    at_other_reading,
+    by_law,
+    displacements_where_measured,
+    factor_of_data,
+    factor_of_law,
+    farthest,
+    in_place_of,
+    is_at_displacement,
+    moved_by_law,
+    rolled_solid,
+    rolling,
+    uses_law,
+)
 from ..scene.failures import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
@@ -19,9 +40,8 @@ from ..scene.failures import (
     MissingInput,
     reason_of,
 )
-from ..scene.limits import ASSUMED_DISPLACEMENT, LIMITS, Doubt, Evaluation
+from ..scene.limits import ASSUMED_DISPLACEMENT, JUMP, LAW_MATTERS, LIMITS, Doubt, Evaluation
 from ..scene.scene import Scene
-from .advice import about_doubt, displacement_in_full, over_this_law
 from .notes import (
     Note,
     about_assumed,
@@ -43,6 +63,9 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated
 else:
     Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
+
+MAX_TOLD = 2  # quantities in a note
+_ALIKE = 0.2  # relative difference of radii that needs no scaling
 
 
 # --- Results ----------------------------------------------------------------------------------------------------------
@@ -133,6 +156,11 @@ def with_force_by_maugis(error: Failure, scene: Scene) -> Failure:
     return Failure(HELD_BY_MAUGIS, numbers=(*error.numbers, -force)) if force >= -error.numbers[0] else error
 
 
+def readings_of(law: str) -> tuple[str, str]:
+    """Return the keys of the two readings of a rolling quantity."""
+    return f"over_{law}_at_equal_displacement", f"over_{law}_at_equal_hysteresis"
+
+
 # --- Answers ----------------------------------------------------------------------------------------------------------
 
 
@@ -200,10 +228,32 @@ class Answer(Evaluation):
 
     @cached_property
     def laws(self) -> Mapping[str, Mapping[str, Any]]:
-        """The results under the other law, and their distance from these."""
-        if self.scene.missing(["tabor_parameter"]):
+        """The results under the other law, also over these: with the atomic spacing, and with half of it.
+
+        One has its error bar, and a rolling quantity both readings: at equal displacement, and at equal hysteresis.
+        """
+        scene, law = self.scene, self.scene.law.name
+        if scene.missing(["tabor_parameter"]):
             return {}
-        return over_this_law(self.scene, self.others.get(other_law(self.scene.law.name), {}))
+        values = self.others.get(other_law(law), {})
+        ours = {name: self.values[name] for name in values if self.values.get(name)}
+        numbers = {name: None if values[name] is None else middle(values[name]) for name in ours}
+        columns = {f"over_{law}": numbers}
+        if law != BETWEEN:
+            at_half = at_half_spacing(by_law(scene)).numbers(*ours)
+            columns[f"over_{law}_at_half_spacing"] = {name: at_half.get(name) for name in ours}
+        rolled = rolling(ours, BETWEEN)
+        if rolled and (reading := at_other_reading(scene)) is not None:
+            readings = reading.numbers(*rolled)
+            both = [{name: numbers[name] for name in readings}, readings]
+            columns |= zip(readings_of(law), both if is_at_displacement(scene) else reversed(both), strict=True)
+        entries: dict[str, dict[str, Any]] = {name: {"value": number} for name, number in numbers.items()}
+        for key, column in columns.items():
+            for name, number in column.items():
+                entries[name][key] = None if number is None else number / ours[name]
+        for name in filter(lambda name: is_uncertain(values[name]), entries):
+            entries[name]["uncertainty"] = values[name]
+        return entries
 
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
@@ -213,8 +263,23 @@ class Answer(Evaluation):
 
     @cached_property
     def displacement(self) -> Mapping[str, Any] | None:
-        """The worth of the assumed displacement for the results, as far as forces were measured."""
-        return displacement_in_full(self.scene, [*self.values]) if XI in self.inputs else None
+        """The measured displacement there and here, and the results with it, also over those of the assumed one.
+
+        None where it is not assumed, or enters no result.
+        """
+        scene, values = self.scene, self.values
+        rolled = rolling(values, scene.law.name)
+        if not rolled or not assumes_displacement(scene):
+            return None
+        worth: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
+        if rolled_solid(scene):
+            ends = at_least_measured(scene), at_most_measured(scene)
+            low, high = (end.numbers(*rolled) for end in ends)
+            both = [name for name in rolled if values[name] and name in low and name in high]
+            worth["here"] = [end[XI] for end in ends]
+            worth["over_assumed"] = {name: [low[name] / values[name], high[name] / values[name]] for name in both}
+            worth["values"] = {name: [*ends_of(self.others[DATA][name])] for name in both}
+        return worth
 
     @cached_property
     def others(self) -> Mapping[str, Mapping[str, Any]]:
@@ -238,9 +303,15 @@ class Answer(Evaluation):
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=lambda doubt: -doubt.excess)
 
     def about(self, doubt: Doubt) -> str:
-        """Return what follows from a limit for these results, with the values that may stand in their place."""
-        headline = [name for name in self.values if name in self.question.headline]
-        return about_doubt(doubt, self.scene, headline, [*self.values])
+        """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
+        scene, known = self.scene, [*self.values]
+        headline = [name for name in known if name in self.question.headline]
+        if doubt.limit.factor is factor_of_law and doubt.is_exceeded:
+            return _about_law(doubt, scene, headline or known)
+        if doubt.limit.factor is factor_of_data and doubt.is_exceeded:
+            rolled = rolling(headline, scene.law.name) or rolling(known, scene.law.name)
+            return _about_displacement(scene, {name: self.others[DATA][name] for name in rolled[:MAX_TOLD]})
+        return _about_roughness(scene) if doubt.code == "rough-matters" else doubt.text
 
     @cached_property
     def _entering(self) -> tuple[set[str], set[str]]:
@@ -280,3 +351,71 @@ class Answer(Evaluation):
             if isinstance(error, Failure) and not error.kind.has_contact:
                 return with_force_by_maugis(error, self.scene) if error.kind == BEYOND_PULL_OFF else error
         return None if self.values else next(iter(self.errors.values()), Failure(OF_IDENTICAL_SPHERES))
+
+
+# --- What stands in place of results, in words ------------------------------------------------------------------------
+
+
+def _about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
+    """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law"."""
+    texts = {name: advised(scene, name) for name in names}
+    told = [f"{NOMENCLATURE[name].symbol} {text}" for name, text in texts.items() if text]
+    spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
+    scale = f"(Tabor parameter {doubt.value:.2g}, z0 = {spacing})"
+    if not told:
+        return f"neither {scene.law.title} nor Maugis' law is exact here {scale}"
+    return f"{', '.join(told[:MAX_TOLD])} by Maugis' law, better here than {scene.law.title} {scale}: --model {BETWEEN}"
+
+
+def advised(scene: Scene, name: str) -> str:
+    """Return what a quantity is by Maugis' law, from half the atomic spacing on: "= 14–15 nN"; empty if it is the same.
+
+    A pull-off force by Lennard-Jones' law is above Maugis' in every scene that was tried. Below the Tabor parameter of
+    a jump, Maugis' law is no correction to the energies that separate spheres, and what follows from them: a well of
+    Lennard-Jones' law is deeper still, and its contacts form and open without a jump.
+    """
+    other, ours = by_law(scene), scene.numbers(name).get(name)
+    has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
+    is_no_correction = has_energy and not rolling([name], BETWEEN) and scene["tabor_parameter"] < JUMP
+    if ours is None or is_no_correction or not moved_by_law(scene, [name]):
+        return ""
+    fit = ["pull_off_force_lennard_jones"] if name == "pull_off_force" else []
+    others = [*other.numbers(name, *fit).values(), *at_half_spacing(other).numbers(name).values()]
+    if not others:
+        return "has no value"
+    is_moved = not farthest((value, ours) for value in others) <= LAW_MATTERS
+    return f"= {span(name, min(others), max(others))}" if is_moved else ""
+
+
+def _about_displacement(scene: Scene, values: Mapping[str, Any]) -> str:
+    """Return what stands in place of answers with the assumed ξ: "Q = 89–270 pN by forces on SiO2 of 1 µm".
+
+    The moment is proportional to what adhesion hysteresis supplies, which has an end.
+    """
+    told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(value))}" for name, value in values.items() if value)
+    text = f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi)"
+    most = at_most_measured(scene).numbers("hysteresis_ratio", "yield_force")
+    if len(most) < 2 or most["hysteresis_ratio"] <= 1:
+        return text
+    force = most["yield_force"] / most["hysteresis_ratio"]
+    return f"{text}; adhesion alone can supply up to Q = {span('yield_force', force, force)}"
+
+
+def _about_roughness(scene: Scene) -> str:
+    """Return what was measured where the pull-off force is that of smooth spheres."""
+    force = scene.numbers("pull_off_force").get("pull_off_force", 0.0)
+    smooth, rough = (span("pull_off_force", force / most, force / least) for most, least in ((4, 2), (100, 10)))
+    return (
+        f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 "
+        f"({rough})"
+    )
+
+
+def _forces(scene: Scene) -> str:
+    """Return what was measured, and how it was brought to the size of a scene."""
+    if rolled_solid(scene) != SIO2:
+        return "displacements of polystyrene on glass at 5 µm, scaled to this size"
+    text = f"forces on {SIO2} of 1 µm"
+    if abs(2 * scene["reduced_radius"] / ROLLED["radius"] - 1) < _ALIKE:
+        return text
+    return f"{text} ({span('yield_force', *FORCES)}), scaled to this size"

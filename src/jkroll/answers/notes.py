@@ -11,13 +11,19 @@ from ..quantities.formatting import Format, amount, first_symbols, significant, 
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
-from ..scene.alternatives import assumes_displacement, rolled_solid, rolling, solid_of_kind
+from ..scene.alternatives import (
+    SIO2,
+    assumes_displacement,
+    displacements_where_measured,
+    rolled_solid,
+    rolling,
+    solid_of_kind,
+)
 from ..scene.failures import NO_END, grouped
 from ..scene.limits import ENDING_MEANING, IMPACT, MEANINGS, Doubt, doubts, touched
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
-from .advice import about_displacement
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -206,6 +212,21 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
             lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
             text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"
             yield Note("model", text)
+
+
+def about_displacement(scene: Scene, solid: str) -> str:
+    """Return what was measured where ξ is assumed for a scene, or for rows for which it stands.
+
+    `solid`: that on which rolling was measured, if spheres may be like those; else empty.
+    """
+    if scene.material is not None and not solid:
+        spheres = scene.material.name if scene.material2 is None else "this pair"
+        like_these = " at this size and γ" if solid_of_kind(scene) else ""
+        return f"ξ is assumed (--xi): no ξ of {spheres} was measured{like_these}"
+    ends = span(XI, *displacements_where_measured(scene))
+    of_silica = f"forces on {SIO2} of 1 µm mean {ends} under {scene.law.title}"
+    measured = of_silica if solid in ("", SIO2) else "polystyrene has 42 nm at 5 µm"  # Sümer & Sitti
+    return f"ξ is assumed (--xi): {measured}, and it grows with the sphere"
 
 
 def _first_to_yield(scene: Scene) -> Note:

@@ -9,8 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TextIO
 
 from .. import __version__
-from ..answers.advice import readings_of
-from ..answers.answer import Answer, Result
+from ..answers.answer import Answer, Result, readings_of
 from ..answers.notes import every_line
 from ..errors import BadRequest
 from ..materials.library import data_of

@@ -7,8 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..answers.advice import advised
-from ..answers.answer import equation_of
+from ..answers.answer import advised, equation_of
 from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, idle_of
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
