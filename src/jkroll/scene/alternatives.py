@@ -1,7 +1,7 @@
 """Scenes that may stand in place of one: under another law, or with the displacement of measured forces."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from functools import cache, reduce
+from functools import reduce
 from math import nan
 from typing import Any
 
@@ -12,9 +12,7 @@ from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law, routed_apart
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, ends_of, middle
 from .scene import DEFAULTS, IN_ITS_PLACE, Scene, takes
-from .wiring import depends_on, plan_for
-
-_Kind = tuple[frozenset[str], bool, str]  # of scenes with the same plans
+from .wiring import depends_on
 
 
 def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
@@ -67,16 +65,10 @@ def at_other_reading(scene: Scene) -> Scene | None:
 
 def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
     """Return those of some quantities that the other law has by formulas of its own, or alone."""
-    return _moved(tuple(names), scene.kind, by_law(scene).kind)
-
-
-@cache  # many rows are of a kind
-def _moved(names: tuple[str, ...], kind: _Kind, other: _Kind) -> list[str]:
-    """Return those of some quantities that scenes of another kind have by other formulas, or alone."""
-    apart = routed_apart(kind[-1], other[-1], kind[0])
-    moved = []
+    other, moved = by_law(scene), []
+    apart = routed_apart(scene.law.name, other.law.name, scene.known)
     for name in names:
-        ours, theirs = plan_for(name, *kind), plan_for(name, *other)
+        ours, theirs = scene.plan(name), other.plan(name)
         is_same = ours.is_possible and apart.isdisjoint(ours.reached | theirs.reached)
         if theirs.is_possible and not is_same:
             moved.append(name)
@@ -190,10 +182,8 @@ def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]
 
     A result that is not among them is the same.
     """
-    values, law = alternatives_of(scene, names_with_alternatives([scene], names)), other_law(scene.law.name)
-    if lacking := [name for name in names if name in by_law(scene).missing(names)]:
-        values[law] = {**values.get(law, {}), **dict.fromkeys(lacking)}
-    return values
+    names_of, law = names_with_alternatives([scene], names), other_law(scene.law.name)
+    return alternatives_of(scene, {**names_of, law: [*names_of[law], *by_law(scene).missing(names)]})
 
 
 def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
