@@ -138,8 +138,8 @@ def _meaning(name: str, scene: Scene) -> str:
 # --- Citations --------------------------------------------------------------------------------------------------------
 
 
-def _references() -> dict[str, Mapping[str, str]]:
-    """Return the entries of this program, of the paper and of conventions."""
+def references() -> dict[str, Mapping[str, str]]:
+    """Return the entries of this program, of the paper, of laws and of conventions."""
     entries = {**data_of(os.path.join(os.path.dirname(__file__), "references.toml"))}
     entries["program"] = {**entries["program"], "howpublished": f"Computer program, version {__version__}"}
     return entries
@@ -154,10 +154,10 @@ class Sources:
         self.equations = {equation for name in formulas if (equation := NOMENCLATURE[name].equation)}
         between = answer.scene.replace(model=BETWEEN)
         rests_on_law = any(uses_law(between, name) for name in between.possible(self.names))
-        self.law = [answer.scene.law.reference] if rests_on_law else []
+        known = references()
+        self.law = [known[answer.scene.law.name]] if rests_on_law else []
         named = [NOMENCLATURE[name].reference for name in self.names]
-        entries = _references().items()
-        self.conventions = [entry for of_name in named for words, entry in entries if words in of_name]
+        self.conventions = [entry for of_name in named for words, entry in known.items() if words in of_name]
         used = answer.scene.data_used(answer.inputs)
         self.data = [entry for material, name in used for entry in material.sources_of(name)]
 
@@ -172,13 +172,13 @@ def _with_sources(answers: Iterable[Answer]) -> Iterator[tuple[Answer, Sources]]
 def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
     """Write BibTeX entries of this program, of the paper, with the equations used, and of the laws and data used."""
     equations: set[str] = set()
-    references: dict[str, Mapping[str, str]] = {}
+    others: dict[str, Mapping[str, str]] = {}
     for _, sources in _with_sources(answers):
         equations |= sources.equations
-        references |= {entry["key"]: entry for entry in (*sources.law, *sources.data, *sources.conventions)}
-    program, paper, *_ = _references().values()
+        others |= {entry["key"]: entry for entry in (*sources.law, *sources.data, *sources.conventions)}
+    program, paper, *_ = references().values()
     note = {"note": cited_equations(equations)} if equations else {}
-    for entry in (program, {**paper, **note}, *references.values()):
+    for entry in (program, {**paper, **note}, *others.values()):
         say(bibtex(entry), out)
 
 
@@ -219,7 +219,7 @@ def write_methods(answers: Iterable[Answer], out: TextIO) -> None:
 
 def _computed(answer: Answer, sources: Sources) -> str:
     """Return the sentence with the program, the equations, the laws and conventions, and the quantities."""
-    program, paper, *_ = _references().values()
+    program, paper, *_ = references().values()
     authors = f"Dominik \\& Tielens{_cite([paper])}"
     equations = f"{cited_equations(sources.equations).replace('. ', '.~', 1)} of " if sources.equations else ""
     ways = [f"{equations}{authors}"]

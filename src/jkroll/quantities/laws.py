@@ -6,9 +6,9 @@ such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) 
 for a quantity that the law does not have; a name without a route is found by the formula of the same name. A formula
 that one law alone routes to belongs to that law: under another it would mix the two, and is refused.
 
-A new law is one more `Law` here, its formulas in `physics`, the states of its force curve in `answers.curve`, and where
-the physics gives a formula no result, the reason in `scene.failures`. The nomenclature takes the names of its formulas
-from the routes.
+A new law is one more `Law` here, its formulas in `physics`, its reference in `output/references.toml`, the states of
+its force curve in `answers.curve`, and where the physics gives a formula no result, the reason in `scene.failures`. The
+nomenclature takes the names of its formulas from the routes.
 """
 
 from collections.abc import Mapping
@@ -29,22 +29,17 @@ class Law:
         name: str,
         title: str,
         source: str,  # as results name it, where the paper has no equation
-        reference: Mapping[str, str],  # the same as BibTeX has it
         tables: Mapping[str, Routes],
         omits: frozenset[str] = frozenset(),  # quantities that are not shown under it
         by_spacing: frozenset[str] = frozenset(),  # quantities that the atomic spacing decides while λ is below 1
     ) -> None:
-        self.name, self.title, self.source, self.reference = name, title, source, reference
+        self.name, self.title, self.source = name, title, source
         self.tables, self.omits, self.by_spacing = tables, omits, by_spacing
 
     @property
     def is_default(self) -> bool:
         """True for the paper's law."""
         return self.name == DEFAULT_LAW
-
-    def usual(self, name: str) -> str | None:
-        """Return the formula of a quantity, whatever is given; None if the law does not have it."""
-        return self.tables[ALWAYS].get(name, name)
 
 
 ALWAYS = ""  # in place of an input
@@ -73,17 +68,6 @@ _JKR = Law(
     name="jkr",
     title="JKR",
     source="",
-    reference={
-        "key": "johnson-kendall-roberts-1971",
-        "type": "article",
-        "author": "Johnson, K. L. and Kendall, K. and Roberts, A. D.",
-        "title": "Surface energy and the contact of elastic solids",
-        "journal": "Proceedings of the Royal Society of London A",
-        "volume": "324",
-        "pages": "301--313",
-        "year": "1971",
-        "doi": "10.1098/rspa.1971.0141",
-    },
     tables={
         ALWAYS: {"zone_radius": "contact_radius_at_load"},
         "viscous_time": {"sticking_speed": "sticking_speed_viscous"},
@@ -126,18 +110,6 @@ _MAUGIS = Law(
     name="maugis",
     title="Maugis–Dugdale",
     source="Maugis 1992",
-    reference={
-        "key": "maugis-1992",
-        "type": "article",
-        "author": "Maugis, D.",
-        "title": "Adhesion of spheres: the {JKR-DMT} transition using a {Dugdale} model",
-        "journal": "Journal of Colloid and Interface Science",
-        "volume": "150",
-        "number": "1",
-        "pages": "243--269",
-        "year": "1992",
-        "doi": "10.1016/0021-9797(92)90285-T",
-    },
     tables={
         ALWAYS: {
             **_OUTSIDE_JKR,
@@ -171,18 +143,6 @@ _DMT = Law(
     name="dmt",
     title="DMT",
     source="Derjaguin, Muller & Toporov 1975",
-    reference={
-        "key": "derjaguin-muller-toporov-1975",
-        "type": "article",
-        "author": "Derjaguin, B. V. and Muller, V. M. and Toporov, Yu. P.",
-        "title": "Effect of contact deformations on the adhesion of particles",
-        "journal": "Journal of Colloid and Interface Science",
-        "volume": "53",
-        "number": "2",
-        "pages": "314--326",
-        "year": "1975",
-        "doi": "10.1016/0021-9797(75)90018-1",
-    },
     tables={
         ALWAYS: {
             **_OUTSIDE_JKR,
@@ -272,4 +232,4 @@ def law_of(formula: str) -> str | None:
 @cache
 def differs(name: str) -> bool:
     """Return whether a law other than the default has a quantity by a formula of its own, or not at all."""
-    return any(law.usual(name) != _JKR.usual(name) for law in LAWS.values())
+    return any(name in law.tables[ALWAYS] for law in LAWS.values())

@@ -15,7 +15,7 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..quantities.laws import DEFAULT_LAW, Law, law_named
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import (
     INFINITY,
     NOMENCLATURE,
@@ -517,6 +517,6 @@ def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) ->
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
         implied.pop("youngs_modulus", None)  # sphere 2, which deforms, would take the ratio over
-    if law.usual("load_margin") is None:
+    if law.tables[ALWAYS].get("load_margin", "") is None:
         implied.pop("load", None)
     return implied
