@@ -7,11 +7,11 @@ import re
 from collections.abc import Callable
 from textwrap import wrap
 
-from ..text import NO_BREAK_SPACE, with_units_joined
+from ..text import LETTERS, NO_BREAK_SPACE, with_units_joined
 from .nomenclature import NOMENCLATURE
+from .units import SUPERSCRIPTS
 
-_SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
-_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
+_SUPERSCRIPTS = "".join(map(chr, SUPERSCRIPTS))
 _FORMULA = re.compile("⟦([^⟦⟧]*)⟧")
 # A letter with its subscript and a star, "P_c", "R1", "E*"; an exponent, "m²", "â^(3/2)"; a number; an operator.
 _TOKEN = re.compile(
@@ -27,22 +27,17 @@ _SIGNS = {
     "log₁₀": r"\mathrm{log}_{10}",
 }
 _LETTERS = {"â": r"\hat{a}", "π": r"\mathrm{π}"}
-_GREEK = zip(
-    "αβγδεζηθκλμµνξπρστφχψωΓΔΘΛΞΠΣΦΨΩ",
-    "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu mu nu xi pi rho sigma tau phi chi psi omega "
-    "Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega".split(),
-    strict=True,
-)
-_COMMANDS = {ord(letter): rf"{{\{name}}}" for letter, name in _GREEK} | {ord("√"): r"{\surd}", ord("±"): r"{\pm}"}
+_GREEK = {letter: name for name, letter in LETTERS.items() if "Α" <= letter <= "ω"} | {"µ": "mu"}
+_COMMANDS = {ord(letter): rf"{{\{name}}}" for letter, name in _GREEK.items()}
+_COMMANDS |= {ord("√"): r"{\surd}", ord("±"): r"{\pm}"}
 _ESCAPED = {
     **{sign: f"${command}$" for sign, command in _COMMANDS.items()},
-    **{ord(sign): f"$^{{{sign.translate(_DIGITS)}}}$" for sign in _SUPERSCRIPTS},
+    **{ord(sign): f"$^{{{sign.translate(SUPERSCRIPTS)}}}$" for sign in _SUPERSCRIPTS},
     **{ord(sign): rf"\{sign}" for sign in "&%$#_{}"},
     ord(NO_BREAK_SPACE): "~",
-    **{
-        ord(sign): rf"\text{name}{{}}"
-        for sign, name in (("\\", "backslash"), ("~", "asciitilde"), ("^", "asciicircum"))
-    },
+    ord("\\"): r"\textbackslash{}",
+    ord("~"): r"\textasciitilde{}",
+    ord("^"): r"\textasciicircum{}",
 }
 _POWER_OF_TEN = re.compile(r"(?<=\d)e([+-]?\d+)")
 _JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line ends: "P = 0 N", "P [nN]"
@@ -76,7 +71,7 @@ def typeset(text: str) -> str:
 
     def words(part: str) -> str:
         part = re.sub(r"(?<![\w.])-(?=[\d.])", "−", part).replace("$", r"\$")
-        return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(_DIGITS)}}}$", part)
+        return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(SUPERSCRIPTS)}}}$", part)
 
     return _in_parts(text, words, str)
 
@@ -115,7 +110,7 @@ def _token(match: re.Match[str]) -> str:
     """Return one token of a formula in mathtext."""
     letter, word, index, star, exponent, power = match.groups()
     if exponent or power:
-        return f"^{{{(exponent or power).translate(_DIGITS)}}}"
+        return f"^{{{(exponent or power).translate(SUPERSCRIPTS)}}}"
     if not letter:
         return _SIGNS.get(match[0], match[0])
     subscript = rf"\mathrm{{{word}}}" if word and word.isascii() else word or (index or "").lstrip("_")

@@ -311,14 +311,13 @@ _OTHER_WORDS = frozenset(
 
 
 @cache
-def registry(number: type = float) -> Any:
-    """Return pint's default registry, which computes in a type of number.
+def _registry() -> Any:
+    """Return pint's default registry, of decimals, which keeps factors with the precision that was first asked for."""
+    from decimal import Decimal
 
-    The registry of decimals caches factors with the precision of the context that asked first; only `lookup` uses it.
-    """
     import pint
 
-    return pint.UnitRegistry(non_int_type=number)
+    return pint.UnitRegistry(non_int_type=Decimal)
 
 
 @lru_cache(maxsize=1000)
@@ -337,7 +336,7 @@ def lookup(name: str) -> Unit | None:
     from decimal import Decimal, localcontext
 
     with localcontext(prec=_DIGITS):
-        exact = registry(Decimal)
+        exact = _registry()
         candidates = exact.parse_unit_name(name)
         if not candidates:
             return None

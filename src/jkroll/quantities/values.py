@@ -292,12 +292,6 @@ def _unit_meant(text: str, dimension: Dimension) -> Unit:
     return parse_unit("standard_gravity" if text == "g" and dimension == dimension_of("m/s^2") else text)
 
 
-def _value(text: str, unit_in: _UnitIn) -> float:
-    """Read a number with a unit."""
-    number, unit_text = split_number(text)
-    return rounded(*ratio(number, unit_in(unit_text)))
-
-
 def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> Unit:
     """Read a unit of a dimension; an empty text is another unit. Raises a `BadUnit`."""
     if not text and otherwise is not None:
@@ -376,21 +370,15 @@ def as_typed(text: str) -> str:
     return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
 
 
-def ratio(number: _Decimal, unit: Unit) -> tuple[int, int]:
-    """Return numerator and denominator of a number with a unit, in SI units."""
-    mantissa, exponent = number
-    numerator, denominator, _ = unit
+def _in_si(number: _Decimal, unit: Unit) -> float:
+    """Return the double nearest to a number with a unit, in SI units: Python rounds a division of integers once."""
+    (mantissa, exponent), (numerator, denominator, _) = number, unit
     above, below = power_of_ten(exponent)
-    return mantissa * numerator * above, denominator * below
-
-
-def rounded(numerator: int, denominator: int) -> float:
-    """Return the double nearest to a ratio: one division of integers, which Python rounds correctly."""
     try:
-        value = numerator / denominator
+        value = mantissa * numerator * above / (denominator * below)
     except OverflowError:
         raise BadUnit("is too large for a double") from None
-    if numerator and not value:
+    if mantissa and not value:
         raise BadUnit("is too small for a double")
     return value
 
@@ -407,7 +395,8 @@ _TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED} ?([^±()]*)"  # 25 +6/
 def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
     """Read a value alone or in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2."""
     if not has_uncertainty(text):
-        return _value(text, unit_in)
+        number, unit = split_number(text)
+        return _in_si(number, unit_in(unit))
     if match := re.fullmatch(_IN_BRACKETS, text):
         value, bar, power, unit = match.groups()
         return _measured(_decimal(value, power), unit_in(unit), _decimal(bar, power))
@@ -452,13 +441,11 @@ def _interval(text: str, unit_in: _UnitIn) -> Interval:
     first, first_unit = split_number(left)
     last, last_unit = split_number(right)
     unit = unit_in(last_unit)
-    low = ratio(first, unit_in(first_unit) if first_unit else unit)
-    high = ratio(last, unit)
-    middle = rounded(low[0] * high[1] + high[0] * low[1], 2 * low[1] * high[1])
-    ends = rounded(*low), rounded(*high)
-    if ends[0] >= ends[1]:
+    low, high = _in_si(first, unit_in(first_unit) if first_unit else unit), _in_si(last, unit)
+    if low >= high:
         raise BadUnit("does not rise from its first end to its second")
-    return Interval(middle, *ends)
+    middle = float(f"{low / 2 + high / 2:.15g}")  # of 0.1 and 0.2 it is 0.15
+    return Interval(min(max(low, middle), high), low, high)
 
 
 def _decimal(text: str, power: str | None = None) -> _Decimal:
@@ -473,7 +460,7 @@ def _measured(value: _Decimal, unit: Unit, *sides: _Decimal, other: Unit | None 
     """Return a value with an uncertainty, or one below it and one above it; `other` is their unit, if it is another."""
     if min(mantissa for mantissa, _ in sides) < 0:
         raise BadUnit("has a negative uncertainty")
-    return Measured(rounded(*ratio(value, unit)), *(rounded(*ratio(side, other or unit)) for side in sides))
+    return Measured(_in_si(value, unit), *(_in_si(side, other or unit) for side in sides))
 
 
 # --- Lists and ranges -------------------------------------------------------------------------------------------------
