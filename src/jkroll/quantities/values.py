@@ -395,8 +395,8 @@ _TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED} ?([^±()]*)"  # 25 +6/
 def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
     """Read a value alone or in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2."""
     if not has_uncertainty(text):
-        plain, unit_text = split_number(text)
-        return _in_si(plain, unit_in(unit_text))
+        decimal, unit = split_number(text)
+        return _in_si(decimal, unit_in(unit))
     if match := re.fullmatch(_IN_BRACKETS, text):
         value, bar, power, unit = match.groups()
         return _measured(_decimal(value, power), unit_in(unit), _decimal(bar, power))
