@@ -331,18 +331,16 @@ class Answer(Evaluation):
         """The sentences about the answer, but for doubts."""
         scene, known = self.scene, [*self.values]
         inputs, needed = self._entering
-        notes = (
+        return (
             *about_assumed(self.assumed),
+            *about_missing(self.errors),
+            *(about_uncertainties(self.bars, self.sources) if self.sources is not None else ()),
+            *about_values(scene, known),
             *about_given(scene, self._possible, inputs),
             *about_idle(idle_of(scene, needed)),
-            *about_values(scene, known),
-            *about_missing(self.errors),
             *about_limits(self.validity),
+            *(about_lost_contacts(scene, self.bars, self.sources) if self.sources and "load" in self.inputs else ()),
         )
-        if self.sources is None:
-            return notes
-        lost = about_lost_contacts(scene, self.bars, self.sources) if "load" in self.inputs else ()
-        return (*notes, *about_uncertainties(self.bars, self.sources), *lost)
 
     @cached_property
     def failure(self) -> JkrollError | None:

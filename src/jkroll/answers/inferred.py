@@ -131,12 +131,12 @@ class Inferred(Answer):
                 yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
             yield from _unused(name, [*forward], self.scene)
         if len(values) > 1:
-            yield Note("model", f"{_equal(values)} give {_equal(forward)}; κ = {condition:.3g}")
-            yield Note("model", f"scanned: {sizes_in_words(values)}, {PER_DECADE} values a decade")
+            yield Note("more", f"{_equal(values)} give {_equal(forward)}; κ = {condition:.3g}")
+            yield Note("more", f"scanned: {sizes_in_words(values)}, {PER_DECADE} values a decade")
             return
         slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*values, *forward))
         proof = f"{_equal(values)} gives {_equal(forward)}{_of_both(values, self.scene)}"
-        yield Note("model", f"{proof}; κ = |{slope}| = {condition:.3g}")
+        yield Note("more", f"{proof}; κ = |{slope}| = {condition:.3g}")
 
     @cached_property
     def explained(self) -> Answer:
@@ -158,7 +158,7 @@ def _unused(name: str, quantities: Sequence[str], scene: Scene) -> list[Note]:
     used = {(material.name, each) for material, each in scene.data_used(scene.inputs_of(*quantities))}
     materials = {material.name: material for material, _ in scene.materials}
     return [
-        Note("data", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
+        Note("more", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
         for material in materials.values()
         for each in _REPLACED.get(name, (name,))
         if each in material.properties and (material.name, each) not in used

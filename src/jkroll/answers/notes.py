@@ -31,26 +31,22 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Source, Sources
     from .answer import Answer
 
-# Of notes, the most important first.
-Kind = Literal["warning", "missing", "caveat", "displacement", "result", "model", "rows", "assumed", "open", "data"]
+# A warning is of a number without a meaning; a caveat may change what a reader does; a remark is less; what was assumed
+# stands above results; "more" is in explanations alone. Of one kind, notes stand in the order in which they are made.
+Kind = Literal["warning", "caveat", "remark", "assumed", "more"]
 _KINDS = get_args(Kind)
 
 
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Kind  # a warning is of a number without a meaning, "rows" counts those in doubt, "open" is what is not known
+    kind: Kind
     text: str
 
     @property
     def line(self) -> str:
         """The sentence as a line by itself."""
         return f"{'warning' if self.kind == 'warning' else 'note'}: {self.text}"
-
-
-def by_importance(notes: Iterable[Note]) -> list[Note]:
-    """Return notes, the most important kind first."""
-    return sorted(notes, key=lambda note: _KINDS.index(note.kind))
 
 
 Rows = tuple[Scene, Sequence[str]]  # of a kind: a scene that stands for them, and the quantities that it shows
@@ -68,7 +64,6 @@ _STICKING = (
     "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, "
     "of silica-dry 1.7 m/s"
 )
-_OF_SPINNING = ("n_roll", "n_roll_energy_balance")  # of a sphere that spins from the start
 _OF_TURNING = {"yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment"}
 
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
@@ -76,8 +71,6 @@ _MAX_NOTES = 2  # below results, with the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
 _MAX_CODES = 4  # of doubts, which are named
 _MAX_MEANINGS = 2  # of such codes, which are explained
-_BEHIND = ("model", "data")  # kinds that change nothing that a reader does: in explanations
-_APART = ("assumed", "warning")  # kinds that stand above all others
 
 
 # --- What is given ----------------------------------------------------------------------------------------------------
@@ -125,16 +118,13 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
     """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
     if "shear_strength" in scene.formulas_to(*names):
         text = "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)"
-        yield Note("open", text)
+        yield Note("remark", text)
     energies = [scene[name] for name in _ENERGIES if name in inputs]
     if len(energies) == len(_ENERGIES) and max(energies) > _UNLIKE * min(energies):
         work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
         text = f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike"
         yield Note("caveat", f"{text}: --work-of-adhesion")
-    if "speed" in scene.stated and (spinning := [symbol_of(name) for name in _OF_SPINNING if name in names]):
-        text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
-        yield Note("caveat", f"{text}, {listed(spinning)}")
-    yield from _about_data(scene, inputs)
+    yield from dict.fromkeys(_about_data(scene, inputs))
 
 
 def idle_of(scene: Scene, needed: Collection[str]) -> list[str]:
@@ -151,33 +141,39 @@ def about_idle(names: Sequence[str]) -> list[Note]:
     return [Note("caveat", f"{listed(options)} change{'' if options[1:] else 's'} no result here")] if names else []
 
 
-def _about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
-    """Return notes on the material data that were used, those on shadowed materials first."""
-    used = scene.data_used(inputs)
-    notes = [Note("data", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
-    for material, name in used:
-        if name in material.notes:
-            # A property whose origin is stated says what is against it.
-            kind: Kind = "caveat" if name in material.origins else "data"
-            notes.append(Note(kind, f"{symbol_beside(name, ())} of {material.name}: {material.notes[name]}"))
+def _about_data(scene: Scene, inputs: Collection[str]) -> Iterator[Note]:
+    """Iterate over notes on the material data that were used. A property with an origin says what is against it."""
+    for material, name in scene.data_used(inputs):
+        yield from (Note("more", f"{material.name}: {text}") for text in material.remarks)
         if name == XI and material.displacement is not None:
             radius = amount("radius", material.displacement.radius)
             text = f"ξ was measured with spheres of {radius}; elsewhere it is a range, scaled by R^(2/3) and by R"
-            notes.append(Note("data", f"{material.name}: {text}"))
-    return [*dict.fromkeys(notes)]
+            yield Note("more", f"{material.name}: {text}")
+        if name in material.notes:
+            kind: Kind = "caveat" if name in material.origins else "more"
+            yield Note(kind, f"{symbol_beside(name, ())} of {material.name}: {material.notes[name]}")
 
 
 def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
     """Return the note where values have uncertainties and the results, of a picture or an export, have none."""
     middles = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in uncertain.items())
-    return [Note("result", f"computed with the middle of {middles}")] if middles else []
+    return [Note("remark", f"computed with the middle of {middles}")] if middles else []
 
 
 # --- Values -----------------------------------------------------------------------------------------------------------
 
 
 def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on values: what happens in a collision, what a contact is, what gives way first in it."""
+    """Iterate over notes on values: on the assumed ξ, collisions, what a contact is, what gives way first in it."""
+    if rolling(names, scene.law.name):
+        if assumes_displacement(scene) and not rolled_solid(scene):
+            kind: Kind = "remark" if solid_of_kind(scene) else "caveat"  # of this solid, other sizes were rolled
+            yield Note(kind, about_displacement(scene, ""))
+        values = scene.numbers(XI, "hysteresis_ratio")
+        if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
+            lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
+            text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"
+            yield Note("more", text)
     if "hamaker" in scene.inputs_of(*names):
         cutoff = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
         here, there = (
@@ -185,15 +181,15 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
             for each in (scene, scene.replace(cutoff=cutoff))
         )
         spacing = amount("atomic_spacing", scene["atomic_spacing"], _SHORT)
-        yield Note("result", f"w = {here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)} (--cutoff) w = {there}")
+        yield Note("remark", f"w = {here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)} (--cutoff) w = {there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
-        yield Note("result", _STICKING)
+        yield Note("remark", _STICKING)
     if scene.numbers(*{"restitution"}.intersection(names)).get("restitution") == 0:
-        yield Note("result", "e = 0: they stick, as v is not above v_stick")
+        yield Note("remark", "e = 0: they stick, as v is not above v_stick")
     if "n_roll" in names and (IMPACT | {"viscous_time"}).isdisjoint(scene.stated):
         for ratio in scene.numbers("energy_over_sticking").values():  # none in a law without U_stick
             energy = "the impact energy of the turns, P_cδ0 of JKR,"
-            yield Note("result", f"{energy} is {ratio:.3g} times the largest that sticks")
+            yield Note("remark", f"{energy} is {ratio:.3g} times the largest that sticks")
     if unlike := [name for name in names if NOMENCLATURE[name].of_identical and not scene.is_identical]:
         yield Note("warning", f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone")
     if "n_grav" in names and not scene.is_identical:
@@ -203,15 +199,7 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if _OF_TURNING.issubset(names):
         yield _first_to_yield(scene)
     if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
-        yield Note("result", "a: the spheres are bound without touching")
-    if rolling(names, scene.law.name):
-        if assumes_displacement(scene) and not rolled_solid(scene):
-            yield Note("displacement", about_displacement(scene, ""))
-        values = scene.numbers(XI, "hysteresis_ratio")
-        if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
-            lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
-            text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"
-            yield Note("model", text)
+        yield Note("remark", "a: the spheres are bound without touching")
 
 
 def about_displacement(scene: Scene, solid: str) -> str:
@@ -246,12 +234,14 @@ def _first_to_yield(scene: Scene) -> Note:
 def about_limits(every: Iterable[Doubt]) -> list[Note]:
     """Return notes on the codes that could not be judged, of each limit the first, by the inputs that they need."""
     errors = {next(iter(doubt.limit.codes.values())): doubt.error for doubt in every if doubt.error is not None}
-    return [Note("open", f"not checked: {first_of(codes, _MAX_CODES)}: {reason}") for codes, reason in grouped(errors)]
+    return [
+        Note("remark", f"not checked: {first_of(codes, _MAX_CODES)}: {reason}") for codes, reason in grouped(errors)
+    ]
 
 
 def about_missing(errors: Mapping[str, JkrollError], lead: str = "") -> list[Note]:
     """Return a note for each reason why there are no values, behind a lead, with the names of all that it concerns."""
-    return [Note("missing", f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
+    return [Note("caveat", f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
 
 
 def about_uncertainties(bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:
@@ -264,7 +254,7 @@ def about_left_out(sources: "Iterable[Source]") -> list[Note]:
     """Return the note on sources that enter no error bar, as others are of another kind, if there are some."""
     symbols = dict.fromkeys(symbol_of(source.names[0]) for source in sources)
     text = f"error bars: ± and ranges do not go together; {', '.join(symbols)} left out"
-    return [Note("missing", text)] if symbols else []
+    return [Note("caveat", text)] if symbols else []
 
 
 def about_lost_contacts(scene: Scene, bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:
@@ -278,7 +268,7 @@ def about_lost_contacts(scene: Scene, bars: "Mapping[str, Propagated | JkrollErr
     spread = hypot(*(measure.minus for measure in measures if isinstance(measure, Measured)))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
     text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
-    return [Note("missing", f"error bars are of contacts that hold: {text}")] if part >= _LOST else []
+    return [Note("caveat", f"error bars are of contacts that hold: {text}")] if part >= _LOST else []
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
@@ -294,7 +284,7 @@ def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
         with suppress(JkrollError):  # each row says which kinds do not go together
             yield from about_left_out(sources_of_results(scene, possible).left_out)
     if rolling(possible, scene.law.name) and assumes_displacement(scene):
-        yield Note("displacement", about_displacement(scene, solid_of_kind(scene)))
+        yield Note("caveat", about_displacement(scene, solid_of_kind(scene)))
     inputs, _ = entering(scene, names)
     yield from about_given(scene, possible, inputs)
     yield from about_limits(doubts(scene, possible))
@@ -321,7 +311,7 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
     """
     kinds: tuple[tuple[Kind, str, int, int], ...] = (
         ("warning", "numbers have no meaning", bits & ENDING_MEANING, _MAX_MEANINGS),
-        ("rows", "doubts", bits & ~ENDING_MEANING, _MAX_CODES),
+        ("remark", "doubts", bits & ~ENDING_MEANING, _MAX_CODES),
     )
     for kind, lead, told, most in kinds:
         if rows := tally.with_doubts(told):
@@ -329,7 +319,7 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
             yield Note(kind, f"{lead} in {rows} of {tally.rows} rows ({where}): {first_of(texts, most)}")
     for rows, first, words in tally.gaps.values():
         others = f", likewise {rows - 1} more" if rows > 1 else ""
-        yield Note("missing", f"{words}: row {first}{others}")
+        yield Note("caveat", f"{words}: row {first}{others}")
 
 
 def _with_meaning(code: str, rows: int) -> str:
@@ -356,9 +346,8 @@ class OfRows:
     def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:
         """Return the lines to print; `has_table`: whether they are below a table, whose head has what was assumed."""
         notes = [*about_rows(self.tally, self._told, "jkroll guide models")]
-        if not quiet:
-            notes += dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
-            notes += [*about_idle(self._idle), *about_assumed(self.assumed)]
+        notes += dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
+        notes += [*about_idle(self._idle), *about_assumed(self.assumed)]
         return _lines(notes, has_head=has_table, quiet=quiet)
 
 
@@ -375,20 +364,22 @@ def lines_of(answer: "Answer", *, has_head: bool = False, quiet: bool = False) -
 
 def every_line(answer: "Answer") -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    return [note.line for note in by_importance([*answer.notes, *answer.doubts()])]
+    notes = [*answer.notes, *answer.doubts()]
+    return [note.line for note in sorted(notes, key=lambda note: _KINDS.index(note.kind))]
 
 
 def _lines(notes: Iterable[Note], *, has_head: bool, quiet: bool) -> list[str]:
     """Return a line of what was assumed, one of warnings, and the first notes; the last says whether there are more."""
-    every = [note for note in by_importance(notes) if note.kind == "warning" or not quiet]
-    lines = [note.text for note in every if note.kind == "assumed" and not has_head]
-    if warnings := "; ".join(note.text for note in every if note.kind == "warning"):
-        lines.append(f"warning: {warnings}")
-    others = [note for note in every if note.kind not in _APART]
-    shown = [note for note in others if note.kind not in _BEHIND][: _MAX_NOTES - bool(warnings)]
-    texts = [_first_clauses(note.line) for note in shown]
-    has_more = texts != [note.line for note in others]
-    return [*lines, *texts, *(["more: --explain"] if has_more else [])]
+    texts: dict[Kind, list[str]] = {kind: [] for kind in _KINDS}
+    for kind, text in notes:
+        texts[kind].append(text)
+    lines = [f"warning: {'; '.join(texts['warning'])}"] if texts["warning"] else []
+    if quiet:
+        return lines
+    others = [f"note: {text}" for text in (*texts["caveat"], *texts["remark"])]
+    shown = [_first_clauses(line) for line in others[: _MAX_NOTES - len(lines)]]
+    has_more = shown != others or texts["more"]
+    return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
 
 
 def _first_clauses(text: str) -> str:

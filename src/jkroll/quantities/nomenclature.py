@@ -339,7 +339,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
     "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
     "n_roll": Quantity("n_roll", "1", "turns with a sliding contact", "48"),
-    "n_roll_energy_balance": Quantity("n_bal", "1", "turns without slip", "48",
+    "n_roll_energy_balance": Quantity("n_bal", "1", "turns, rolling from the start", "48",
         note="7/2 of Eq (48), for rolling without slip from the start"),
     "n_roll_after_impact": Quantity("n_imp", "1", "turns on a held body, no spin", "48",
         note="5/2 of Eq (48), for an arrival without spin that then rolls without slip", shown_with=["speed"]),
