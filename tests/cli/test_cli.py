@@ -71,6 +71,17 @@ MESSAGES = {
             "(-15.003749 nN by Maugis' law: --model maugis)"
         ),
     ),
+    "pull-off quartz 100nm --model maugus": (
+        2,
+        "--model: 'maugus' is not one of jkr, maugis, dmt; did you mean maugis?",
+    ),
+    "export ligghts quartz 100nm": (
+        2,
+        (
+            "export: which program, lammps, liggghts, dust-collider, dust-simulation? "
+            "Write jkroll export liggghts quartz 100nm"
+        ),
+    ),
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
     "r-min 1e-170m": (2, "radius: 1e-170 must lie between 1e-30 and 1e30 in SI units"),

@@ -54,6 +54,17 @@ def test_every_quantity_that_is_shown_is_compared(run: Run) -> None:
     assert well.alternatives["maugis"]["well_energy"] == approx(2.85 * solve("well_energy", **QUARTZ), rel=2e-3)
 
 
+@pytest.mark.parametrize("name", ["sticking_energy", "sticking_speed"])
+def test_what_the_atomic_spacing_decides_has_a_value_where_it_is_given(name: str) -> None:
+    """Beside JKR as under Maugis' law itself."""
+    assert answer("energies", **QUARTZ).alternatives["maugis"][name] is None
+    assert answer("energies", model="maugis", **QUARTZ)[name].value is None
+    given = {**QUARTZ, "atomic_spacing": 3e-10}
+    value = answer("energies", model="maugis", **given)[name].value
+    assert value
+    assert answer("energies", **given).alternatives["maugis"][name] == value
+
+
 def test_where_columns_do_not_fit_they_are_a_second_table(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "70")
     lines = run("yield-force quartz 100nm", terminal=True).out.splitlines()
@@ -61,6 +72,7 @@ def test_where_columns_do_not_fit_they_are_a_second_table(run: Run, monkeypatch:
     assert len(heads) == 2
     assert "JKR" in heads[0]
     assert "rolling data" not in heads[0]
+    assert "JKR" in heads[1]
     assert "rolling data" in heads[1]
     assert sum("force that starts rolling" in line for line in lines) == 2  # what a row is stands in both
 

@@ -57,9 +57,7 @@ def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pyt
         ((11.781e-9, 1413.72e-9), "nN"),
         ((1e-12, 1e-9, 2e-9), "nN"),
         ((1e-12, 1e-9, 1e-6, 5e-4), "nN"),
-        ((1e-13, 1e-9, 1e-3), "N"),  # 0.0001 nN
         ((1e-9, 1e-8, 5e-4), "nN"),
-        ((1e-9, 1e-9, 1e-3), "N"),  # a million
         ((0.0, 5e-9), "nN"),
     ],
 )
@@ -131,6 +129,25 @@ def test_a_warning_names_all_that_has_no_meaning_and_stands_under_quiet(run: Run
 def test_doubts_stand_by_size_unless_error_bars_are_wider(run: Run, words: str, kinds: list[str]) -> None:
     said = run(words).err
     assert [*map(said.index, kinds)] == sorted(map(said.index, kinds))
+
+
+@pytest.mark.parametrize("command", ["yield-force", "n-grav", "report"])
+def test_a_solid_that_was_never_rolled_is_said_to_have_an_assumed_displacement(run: Run, command: str) -> None:
+    assert "note: ξ is assumed (--xi): no ξ of silica-dry was measured" in run(f"{command} silica-dry 100nm").err
+
+
+def test_two_codes_of_doubt_are_both_named_where_they_fit(run: Run) -> None:
+    lines = run("pull-off quartz 1nm,10nm --quiet", terminal=True).out.splitlines()
+    assert [line.split()[-2:] for line in lines[-2:]] == [["few-atoms", "may-yield"]] * 2
+    assert " (6 more)" in run("yield-force quartz 0.5nm 2nm", terminal=True).out
+
+
+def test_powers_of_ten_have_one_form(run: Run) -> None:
+    """The same in tables and in sentences; in a column whose values are far apart each has its own unit."""
+    assert re.search(r" U +1\.501 .* 1e-18 J$", run("energies quartz 100nm", terminal=True).out, re.MULTILINE)
+    assert "U = 1.50102e-18 J\n" in run("energies quartz 100nm --explain").out
+    row = next(line for line in run("energies quartz 100nm 1mm", terminal=True).out.splitlines() if line[:2] == "U ")
+    assert row.split() == ["U", "1.501e-18", "J", "323.4e-15", "J"]
 
 
 def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:

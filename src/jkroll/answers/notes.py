@@ -166,10 +166,10 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values: on the assumed ξ, collisions, what a contact is, what gives way first in it."""
     if rolling(names, scene.law.name):
+        values = scene.numbers(XI, "hysteresis_ratio", "displacement_ratio")
         if assumes_displacement(scene) and not rolled_solid(scene):
-            kind: Kind = "remark" if solid_of_kind(scene) else "caveat"  # of this solid, other sizes were rolled
-            yield Note(kind, about_displacement(scene, ""))
-        values = scene.numbers(XI, "hysteresis_ratio")
+            is_possible = values.get("displacement_ratio", 0.0) < 1  # else a warning says more
+            yield Note("caveat" if is_possible else "remark", about_displacement(scene, ""))
         if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
             lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
             text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"

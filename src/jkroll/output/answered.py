@@ -117,12 +117,9 @@ def bar_object(name: str, bar: Uncertain, form: Format = AS_USUAL) -> dict[str, 
 
 def _law_object(name: str, numbers: Mapping[str, Any], form: Format) -> dict[str, Any]:
     """Return what stands in place of a quantity under another law, with its error bar, in its unit."""
-    shown = {**numbers}
-    if numbers["value"] is not None:
-        shown["value"] = form.number(name, numbers["value"])
-    if "uncertainty" in numbers:
-        shown["uncertainty"] = bar_object(name, numbers["uncertainty"], form)
-    return shown
+    value, bar = numbers["value"], numbers.get("uncertainty")
+    shown = {"value": None if value is None else form.number(name, value)}
+    return {**numbers, **shown, **({"uncertainty": bar_object(name, bar, form)} if bar else {})}
 
 
 def _displacement_object(worth: Mapping[str, Any], form: Format) -> dict[str, Any]:

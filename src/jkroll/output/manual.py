@@ -29,7 +29,7 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
 
 MAX_NAMED = 6  # quantities and materials in a list of what was found
 MAX_TEXT = 100  # columns of running text
-HISTORY = "changes"  # the page of what was, which is found where no other is
+HISTORY = "changes"  # the page of what was, which is sought by its name alone
 
 
 class Section(NamedTuple):
@@ -116,10 +116,10 @@ def hits_of(words: Sequence[str], materials: Iterable[Material]) -> Hits:
     begun = words_of(words)
     if not begun:
         return Hits([], [], [])
-    titled = [section for section in sections() if has_words(section.title, begun)]
-    holding = [section for section in sections() if has_words(f"{section.title} {section.prose}", begun)]
+    every = [section for section in sections() if section.page != HISTORY or HISTORY in begun]
+    titled = [section for section in every if has_words(section.title, begun)]
     return Hits(
-        titled or [section for section in holding if section.page != HISTORY] or holding,
+        titled or [section for section in every if has_words(f"{section.title} {section.prose}", begun)],
         _quantities_with(words),
         [material.name for material in materials_with(words, materials)],
     )
@@ -186,7 +186,7 @@ def write_hits(words: Sequence[str], hits: Hits, out: TextIO) -> None:
         guess = closest(text, topics())
         meant = f"did you mean {guess}? " if guess else ""
         raise BadRequest(f"guide: nothing has the words {quoted(text, 40)}; {meant}jkroll guide lists the pages")
-    if len(hits.sections) == 1 and (hits.sections[0].page != HISTORY or HISTORY in words):
+    if len(hits.sections) == 1:
         [section] = hits.sections
         write_text(section.text, out)
         say(f"from the page {section.page}: jkroll guide {section.page}", out)

@@ -6,11 +6,11 @@ from math import isnan
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
-from ..quantities.formatting import PREFIXABLE, Format, amount, from_to, in_words, significant, symbol_beside, with_unit
+from ..quantities.formatting import Format, amount, from_to, in_words, significant, symbol_beside, with_unit
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
-from ..quantities.values import Interval, middle, of_sides
+from ..quantities.values import Interval, of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA
 from ..scene.limits import OF_LAW, codes_of
@@ -31,7 +31,6 @@ def head_of(kind: str) -> str:
 
 _DIGITS = 4  # of a result on a terminal
 _OF_A_RANGE = 2  # of its ends
-_FAR = 2e3  # ratio of values in a column from which on each has a unit of its own
 _NONE = "–"
 _SILENT = {"", _NONE, *(f"as {head_of(law)}" for law in LAWS)}  # cells that say no more than others
 _GAP = 2  # blanks between columns
@@ -76,11 +75,7 @@ def _cells(
     `models`: the values to which the unit is suited, if not to these; `is_input`: whether all digits are shown.
     """
     known = [value for value in models or values if value is not None and not isinstance(value, str)]
-    sizes = [abs(middle(value)) for value in known if middle(value)]
-    is_far = bool(sizes) and max(sizes) > _FAR * min(sizes)
-    common = form.common_unit(name, known)
-    own_units = is_far and NOMENCLATURE[name].unit in PREFIXABLE and name not in form.units
-    cells = []
+    common, own_units, cells = form.common_unit(name, known), form.are_far(name, known), []
     for value in values:
         if value is None or isinstance(value, str):
             cells.append(_NONE if value is None else value)

@@ -12,7 +12,7 @@ DIGITS = 6  # significant, of a rounded value
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
 MAX_NAMES = 3  # of quantities in a sentence
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
-_SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
+_FAR = 2e3  # ratio of values from which on each has a unit of its own
 _ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
@@ -59,20 +59,23 @@ class Format:
         return self.in_unit(value, unit), unit[0]
 
     def common_unit(self, name: str, values: Sequence[float | Uncertain]) -> tuple[str, Unit]:
-        """Return the unit that suits the middle one of values; that of SI if others are long numbers in it."""
+        """Return the unit that suits the middle one of values."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
-        middles = (value.value if isinstance(value, Uncertain) else value for value in values)
-        sizes = sorted(abs(value) for value in middles if value and not isinf(value))
+        sizes = _sizes(values)
         plain = pretty(si.removeprefix("1")), (1, 1, ())
         if not plain[0] or not sizes:
             return plain
         _, power = _scaled(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
-        scale = (*power_of_ten(power), ())
-        is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
         unit = _PREFIXES[power] + si if power in _KNOWN else f"1e{power} {si}"
-        return (pretty(unit), scale) if is_short else plain
+        return pretty(unit), (*power_of_ten(power), ())
+
+    def are_far(self, name: str, values: Sequence[float | Uncertain]) -> bool:
+        """Return whether values are so far apart that each is to have a unit of its own."""
+        sizes = _sizes(values)
+        has_prefixes = name not in self.units and NOMENCLATURE[name].unit in PREFIXABLE
+        return has_prefixes and bool(sizes) and sizes[-1] > _FAR * sizes[0]
 
     def in_unit(self, value: float | str | Uncertain, unit: tuple[str, Unit]) -> str:
         """Return a rounded value in a unit, with its uncertainty if it has one, without the unit; a word as it is."""
@@ -82,6 +85,12 @@ class Format:
             return _plus_minus(*(convert(number, unit[1]) for number in (value.value, value.minus, value.plus)))
         ends = (significant(convert(end, unit[1]), self.digits or DIGITS) for end in ends_of(value))
         return " to ".join(dict.fromkeys(ends))
+
+
+def _sizes(values: Sequence[float | Uncertain]) -> list[float]:
+    """Return the sizes of values in order, without those of 0 and infinity."""
+    middles = (value.value if isinstance(value, Uncertain) else value for value in values)
+    return sorted(abs(value) for value in middles if value and not isinf(value))
 
 
 def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
