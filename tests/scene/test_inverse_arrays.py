@@ -12,11 +12,10 @@ import pytest
 from jkroll import infer, known_materials
 from jkroll.errors import NoResult
 from jkroll.quantities.laws import LAWS
-from jkroll.scene import unknowns
 from jkroll.scene.failures import MissingInput, NotInLaw
-from jkroll.scene.inverse import SIZES, NoSolution, Problem, SeveralSolutions
+from jkroll.scene.inverse import SIZES, NoSolution, SeveralSolutions
 from jkroll.scene.scene import Scene
-from jkroll.scene.unknowns import Solution
+from jkroll.scene.unknowns import Problem, Solution
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 
@@ -47,7 +46,9 @@ COUNT = 6
 
 def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
     """Return the solution for one unknown."""
-    return unknowns.solution(Problem((name,), {quantity: measured}, scene))
+    problem = Problem((name,), {quantity: measured}, scene)
+    assert problem.solved is not None  # raises why there is no value
+    return problem.solution
 
 
 def by_itself(name: str, quantity: str, measured: float, scene: Scene) -> Solution | NoResult:
@@ -64,9 +65,7 @@ def assert_as_each_by_itself(
     """Compare values, to rounding errors times their condition, and reasons; return what each has by itself."""
     ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as is promised
     rows = [scene.replace(**{each: float(one[row]) for each, one in arrays.items()}) for row in range(len(measured))]
-    found = unknowns.solutions(
-        Problem((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays)), len(measured)
-    )
+    found = Problem((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays)).solution
     expected = [by_itself(name, quantity, level, row) for level, row in zip(measured, rows, strict=True)]
     for place, other in enumerate(expected):
         if isinstance(other, Solution):
@@ -88,7 +87,7 @@ def test_every_input_is_here() -> None:
 def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
     scene = Scene({**QUARTZ, "radius": 1e-7}, model="dmt")
     with pytest.raises(NotInLaw, match="which DMT does not have"):
-        unknowns.solutions(Problem(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene), 1)
+        Problem(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene).solution  # noqa: B018
 
 
 FAST = {("surface_energy", "jkr"), ("surface_energy", "maugis"), ("load", "jkr"), ("shear_strength", "jkr")}

@@ -9,9 +9,9 @@ import pytest
 
 from jkroll.errors import JkrollError
 from jkroll.quantities.laws import LAWS
-from jkroll.scene.inverse import SIZES, NoSolution, Problem, SeveralSolutions, Unseparated
+from jkroll.scene.inverse import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
 from jkroll.scene.scene import Scene
-from jkroll.scene.unknowns import solution
+from jkroll.scene.unknowns import Problem
 from scenes import log_uniform
 
 PER_DECADE = 10  # of the dense scan, whose cells end at other values than those of the program
@@ -77,12 +77,13 @@ def is_near(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
 def solved(names: tuple[str, ...], measured: dict[str, float], scene: Scene) -> list[tuple[float, ...]] | None:
     """Return the pairs that the program names; None where it refuses the problem as not separated."""
     try:
-        return [tuple(solution(Problem(names, measured, scene)).values.values())]
+        solved = Problem(names, measured, scene).solved
+        return [tuple(solved[name] for name in names)]
     except SeveralSolutions as error:
         return [tuple(pair.values()) for pair in error.values]
     except NoSolution:
         return []
-    except Unseparated:
+    except (NoDependence, Unseparated):
         return None
 
 

@@ -14,11 +14,11 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import middle
 from ..scene.alternatives import factor_of_law
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import PER_DECADE, SIZES, Problem, sizes_in_words
+from ..scene.inverse import SIZES, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..scene.uncertainty import measures_of, uncertainties
-from ..scene.unknowns import Solution, solution
+from ..scene.unknowns import Problem
 from ..text import listed
 from .answer import Answer, Result
 from .notes import Note, about_uncertainties
@@ -38,25 +38,19 @@ class Inferred(Answer):
     `forward` is the answer about what was measured.
     """
 
-    solution: Solution  # unless `failure` says why there is none
-    failure: MissingInput | NoResult | None = None
-
     def __init__(self, problem: Problem) -> None:
         """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
-        self.problem = problem
-        self.question = Question(problem.unknowns, problem.unknowns)
-        try:
-            self.solution = solution(problem)
-            self.scene, measured = self.solution.scene, (*problem.measured,)
-            self.condition = self.solution.condition if len(problem.unknowns) > 1 else None
-        except (NoResult, MissingInput) as error:
-            self.failure = error
-            self.scene, measured = problem.filled(), ()
+        self.problem, self.question = problem, Question(problem.unknowns, problem.unknowns)
+        errors = (value for value in problem.evaluate(problem.unknowns).values() if isinstance(value, JkrollError))
+        self.failure = next(errors, None)
+        is_solved = self.failure is None
+        self.scene, measured = (problem.solved, (*problem.measured,)) if is_solved else (problem.filled, ())
+        self.condition = problem.solution.condition if is_solved and len(problem.unknowns) > 1 else None
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
-        self.inputs = {name: in_words(name, value) for name, value in problem.echo().items()}
+        self.inputs = {name: in_words(name, value) for name, value in problem.echo(problem.inputs_used(())).items()}
         self.bars, self.sources = {}, None
-        if self.failure is None:
-            self.bars, self.sources = uncertainties(self.solution, problem.unknowns)
+        if is_solved:
+            self.bars, self.sources = uncertainties(problem, problem.unknowns)
         self.laws = {}  # what is found under each law stands beside the results
         self.displacement, self.validity = self.forward.displacement, self.forward.validity
         self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
@@ -66,18 +60,17 @@ class Inferred(Answer):
         """The values of the unknowns, with their uncertainties."""
         if self.failure is not None:
             return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
-        growths = {name: growth if isfinite(growth) else None for name, growth in self.solution.growths.items()}
-        is_one = len(growths) == 1  # the growth of errors is then the condition
+        solution, which = self.problem.solution, "growth" if self.condition else "condition"
+        growths = {name: {which: growth} if isfinite(growth) else {} for name, growth in solution.growths.items()}
         return tuple(
             Result(
                 name,
                 value,
-                condition=growths[name] if is_one else None,
-                growth=None if is_one else growths[name],
                 by_law={law: middle(values[name]) for law, values in self.alternatives.items()},
                 propagated=self.propagated(name),
+                **growths[name],
             )
-            for name, value in self.solution.values.items()
+            for name, value in solution.values.items()
         )
 
     @cached_property
@@ -88,11 +81,10 @@ class Inferred(Answer):
         for law in LAWS:
             other = self.problem.replace(model=law)
             with suppress(MissingInput, NoResult):
-                if other.filled().formulas_to(*self.problem.measured) != formulas:
-                    solved = solution(other)
-                    bars = measures_of(uncertainties(solved, other.unknowns)[0])
+                if other.filled.formulas_to(*self.problem.measured) != formulas and (values := other.numbers()):
+                    bars = measures_of(uncertainties(other, other.unknowns)[0])
                     known = {name: bar for name, bar in bars.items() if not isinstance(bar, JkrollError)}
-                    by_law[law] = {**solved.values, **known}
+                    by_law[law] = {**values, **known}
         return by_law
 
     def about(self, doubt: Doubt) -> str:
@@ -111,18 +103,14 @@ class Inferred(Answer):
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The proof of what is found, and what the measured quantities rest on."""
-        if self.failure is not None:
+        if self.sources is None:
             return ()
-        notes = (
-            *self._proofs(),
-            *self.forward.notes,
-            *(about_uncertainties(self.bars, self.sources) if self.sources is not None else ()),
-        )
+        notes = (*self._proofs(), *self.forward.notes, *about_uncertainties(self.bars, self.sources))
         return tuple(dict.fromkeys(notes))  # both ways leave out the same
 
     def _proofs(self) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""
-        values, forward, condition = self.solution.values, self.solution.forward, self.solution.condition
+        values, forward = self.problem.solution.values, self.scene.numbers(*self.problem.measured)
         for name, value in values.items():
             if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
                 yield Note("warning", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
@@ -130,13 +118,12 @@ class Inferred(Answer):
                 symbol = symbol_beside(name, self.scene.given)
                 yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
             yield from _unused(name, [*forward], self.scene)
-        if len(values) > 1:
-            yield Note("more", f"{_equal(values)} give {_equal(forward)}; κ = {condition:.3g}")
-            yield Note("more", f"scanned: {sizes_in_words(values)}, {PER_DECADE} values a decade")
-            return
-        slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*values, *forward))
-        proof = f"{_equal(values)} gives {_equal(forward)}{_of_both(values, self.scene)}"
-        yield Note("more", f"{proof}; κ = |{slope}| = {condition:.3g}")
+        verb, kappa = "give", "κ"
+        if len(values) == 1:
+            slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*values, *forward))
+            verb, kappa = "gives", f"κ = |{slope}|"
+        proof = f"{_equal(values)} {verb} {_equal(forward)}{_of_both(values, self.scene)}"
+        yield Note("more", f"{proof}; {kappa} = {self.problem.solution.condition:.3g}")
 
     @cached_property
     def explained(self) -> Answer:
@@ -155,13 +142,12 @@ def _of_both(values: Mapping[str, float], scene: Scene) -> str:
 
 def _unused(name: str, quantities: Sequence[str], scene: Scene) -> list[Note]:
     """Return a note on each property of a material in whose place an inferred value stands in a scene."""
-    used = {(material.name, each) for material, each in scene.data_used(scene.inputs_of(*quantities))}
-    materials = {material.name: material for material, _ in scene.materials}
+    used = scene.data_used(scene.inputs_of(*quantities))
     return [
         Note("more", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
-        for material in materials.values()
+        for material, _ in scene.materials
         for each in _REPLACED.get(name, (name,))
-        if each in material.properties and (material.name, each) not in used
+        if each in material.properties and (material, each) not in used
     ]
 
 

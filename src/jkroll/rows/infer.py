@@ -3,43 +3,32 @@
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
-from math import prod
 from typing import Any, overload
-
-import numpy
 
 from ..errors import BadRequest, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
 from ..scene.failures import MissingInput
-from ..scene.inverse import SIZES, Problem, inputs_named
+from ..scene.inverse import inputs_named
 from ..scene.limits import Doubt, Evaluation, bits_of, doubts
-from ..scene.scene import Scene, broadcast, check_range
+from ..scene.scene import Scene, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
-from ..scene.uncertainty import sources_of_results, uncertainties
-from ..scene.unknowns import solution, solutions
+from ..scene.unknowns import Problem
 from ..scene.wiring import in_order
 from .columns import Columns, Wanted
 from .sweep import Sweep
 
 _WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
-_ONE = "is not one quantity and its value", '"pull_off_force": "300 nN"'
-_TWO = "is not two quantities and their values", '"pull_off_force": "300 nN", "stiffness": "1 kN/m"'
 
 
 class Solved(Evaluation):
-    """The values of the unknowns of a problem, with the doubts of what was measured. Its scene is the solution."""
-
-    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:  # noqa: ARG002
-        """Return the inputs of the problem and the measured values, with their error bars."""
-        problem: Problem = getattr(self.scene, "problem", self.scene)
-        return problem.echo() | (self.sources.given if self.sources is not None else {})
+    """The values of the unknowns of a problem, with the doubts of what was measured."""
 
     @cached_property
     def validity(self) -> Sequence[Doubt]:
         """The limits of the model, judged for the measured quantities."""
-        return doubts(self.scene.scene, [*self.scene.problem.measured]) if self.values else ()
+        return doubts(self.scene.solved, [*self.scene.measured]) if self.values else ()
 
 
 class Unknowns(Wanted):
@@ -54,12 +43,8 @@ class Unknowns(Wanted):
         return _WORK
 
     def evaluation(self, scene: Problem) -> Evaluation:
-        """Return the solution of a problem of numbers, or the reason why there is none."""
-        try:
-            solved = solution(scene)
-        except (MissingInput, NoResult) as error:
-            return Solved(scene, dict.fromkeys(self.names, error))
-        return Solved(solved, solved.values)
+        """Return the values of the unknowns, or why a problem of numbers has none."""
+        return Solved(scene, scene.evaluate(self.names))
 
     def columns(self, scene: Problem, rows: Sequence[int], scene_of: Any) -> tuple[Columns, Any]:  # noqa: ARG002
         """Return the columns of arrays of measured values, and the rows that floats are to compute."""
@@ -67,17 +52,15 @@ class Unknowns(Wanted):
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
             # Solids of many rows have no name: each row by itself says.
             raise BadRequest("of which spheres an unknown is")
-        size = len(rows)
-        solved, columns = solutions(scene, size), Columns.empty(self, size)
-        columns.repeat(scene.echo())
-        columns.reasons = {row: dict.fromkeys(self.names, error) for row, error in solved.failures.items()}
-        for name, values in solved.values.items():
+        failures, evaluation, columns = scene.solution.failures, self.evaluation(scene), Columns.empty(self, len(rows))
+        columns.repeat(evaluation.inputs_of(self.names))
+        columns.reasons = {row: dict.fromkeys(self.names, error) for row, error in failures.items()}
+        for name, values in evaluation.values.items():
             columns.column(name)[...] = values
-        if self.doubts and len(solved.failures) < size:
-            values = {name: numpy.nan_to_num(values, nan=SIZES[name][1]) for name, values in solved.values.items()}
-            columns.doubts[...] = bits_of(doubts(scene.with_values(values), [*scene.measured]))
-            columns.doubts[[*solved.failures]] = 0
-        return columns, columns.put_bars(Solved(solved, solved.values), {})
+        if self.doubts:
+            columns.doubts[...] = bits_of(evaluation.validity)
+            columns.doubts[[*failures]] = 0
+        return columns, columns.put_bars(evaluation, {})
 
 
 class Problems(Sweep):
@@ -103,8 +86,8 @@ class Problems(Sweep):
             with suppress(MissingInput, NoResult):  # each row says why it has no value
                 problem.check()
         uncertain = [problem for problem in self.kinds if problem.is_uncertain]
-        sides = {side for problem in uncertain for side in sources_of_results(problem, self.names).sides}
-        inputs = {name for problem in self.kinds for name in problem.echo()}
+        sides = {side for problem in uncertain for side in problem.sources().sides}
+        inputs = {name for problem in self.kinds for name in problem.echo(problem.inputs_used(self.names))}
         return Unknowns(self.names, named=self.names, inputs=in_order(inputs), sides=dict.fromkeys(self.names, sides))
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:  # noqa: ARG002
@@ -113,7 +96,7 @@ class Problems(Sweep):
 
     def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
         """Return a scene of each kind of rows, with the measured quantities."""
-        return [(problem.filled(), self.quantities) for problem in self.kinds]
+        return [(problem.filled, self.quantities) for problem in self.kinds]
 
 
 # --- From Python ------------------------------------------------------------------------------------------------------
@@ -179,25 +162,18 @@ def infer(
     is_list = isinstance(wanted, list | tuple)
     names = inputs_named([*map(str, wanted)] if is_list else [str(wanted)])
     if not isinstance(measured, Mapping) or len(measured) != len(names):
-        lack, example = _ONE if len(names) == 1 else _TWO
-        raise QuantityError("measured", str(measured), lack, f"write {{{example}}}")
+        lack, example = "is not a quantity and its value for each input", 'write {"pull_off_force": "300 nN"}'
+        raise QuantityError("measured", str(measured), lack, example)
     known, _ = in_si({str(word): value for word, value in measured.items()}, named)
     described, _ = in_si(given)
     for name, value in known.items():
         check_range(name, middle(value))
     scene = Scene(described, *materials_of(material, material2, materials), model=model)
-    problem, inputs = Problem(tuple(names), known, scene), {**described, **known}
-    if has_bars := any(map(is_uncertain, inputs.values())):
+    problem, inputs = Problem(names, known, scene), {**described, **known}
+    if any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
-    arrays = {name: value for name, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
-    if not arrays:
-        solved = solution(problem)
-        bars = uncertainties(solved, names)[0] if has_bars else {}
-        values, condition = with_uncertainties(solved.values, bars), solved.condition
-    else:
-        shape = broadcast(arrays)
-        flat = {name: numpy.broadcast_to(value, shape).ravel() for name, value in arrays.items()}
-        solved = solutions(problem.replace(**flat), prod(shape))
-        values = {name: column.reshape(shape) for name, column in solved.values.items()}
-        condition = solved.condition.reshape(shape)
-    return InferredValues(values, condition) if is_list else values[names[0]]
+    solution = problem.solution
+    for failure in () if problem.shape else solution.failures.values():
+        raise failure
+    values = with_uncertainties(solution.values, Solved(problem, solution.values).bars)
+    return InferredValues(values, solution.condition) if is_list else values[names[0]]

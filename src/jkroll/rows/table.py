@@ -84,7 +84,7 @@ class Table:
             self.given |= {XI}
         # A scene of each kind of rows, with the quantities that it shows, or that were measured.
         self.kinds = [
-            (scene.filled(), [asked.measured]) if asked.infer else (scene, self.wanted.names) for scene in scenes
+            (scene.filled, [asked.measured]) if asked.infer else (scene, self.wanted.names) for scene in scenes
         ]
         for text in columns.texts:
             if text.strip() in self.added:
@@ -108,7 +108,7 @@ class Table:
             return Scene(given, *spheres, model=self.model)
         if measured not in given:
             raise BadRequest(f"{measured}: the row has no measured value", "no measured value")
-        from ..scene.inverse import Problem  # for which a table without an unknown does not pay
+        from ..scene.unknowns import Problem  # for which a table without an unknown does not pay
 
         value = given.pop(measured)
         return Problem((self.asked.infer,), {measured: value}, Scene(given, *spheres, model=self.model))

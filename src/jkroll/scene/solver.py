@@ -14,7 +14,7 @@ from .failures import NO_END, reason_of, without_value
 from .scene import Scene
 
 if TYPE_CHECKING:
-    from .uncertainty import Bars
+    from .uncertainty import Propagated
 
 ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
 _PLAIN = float, int, str  # types of values that hold no others
@@ -148,7 +148,9 @@ def refuse_arrays(described: Mapping[str, Any]) -> None:
             raise QuantityError(name, "an array", "stands beside an uncertain value, which takes single values")
 
 
-def with_uncertainties(values: Mapping[str, float], bars: "Bars") -> dict[str, float | Uncertain]:
+def with_uncertainties(
+    values: Mapping[str, float], bars: "Mapping[str, Propagated | JkrollError]"
+) -> dict[str, float | Uncertain]:
     """Return values with their error bars, if they have some; raise a Failure with the reason why one has none."""
     measures: dict[str, float | Uncertain] = dict(values)
     for name, bar in bars.items():

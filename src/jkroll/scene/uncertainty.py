@@ -9,18 +9,14 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from functools import reduce
 from itertools import product
 from math import fsum, isfinite
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
-from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
+from ..quantities.values import Interval, Measured, Uncertain
 from .scene import Scene
 from .wiring import in_order
-
-if TYPE_CHECKING:
-    from .inverse import Problem
-    from .unknowns import Solution
 
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
@@ -100,16 +96,12 @@ def _of_materials(scene: Scene) -> Iterable[Source]:
     return sources.values()
 
 
-def sources_of_results(scene: "Scene | Problem | Solution", names: Sequence[str]) -> Sources:
-    """Return the sources that enter quantities of a scene, as far as it allows them.
-
-    The scene may be a problem or its solution, whose quantities are the unknowns.
-    """
-    if isinstance(scene, Scene):
-        return sources_of(scene, scene.inputs_of(*scene.possible(names)))
-    problem: Any = getattr(scene, "problem", scene)
-    measured = [Source((name,), given) for name, given in problem.measured.items() if is_uncertain(given)]
-    return sources_of(problem.scene, problem.used(), measured)
+def sources_of_results(scene: Any, names: Sequence[str]) -> Sources:
+    """Return the sources that enter quantities of a scene, as far as it allows them, or the unknowns of a problem."""
+    if not isinstance(scene, Scene):
+        sources: Sources = scene.sources()
+        return sources
+    return sources_of(scene, scene.inputs_of(*scene.possible(names)))
 
 
 # --- Error bars -------------------------------------------------------------------------------------------------------
@@ -136,21 +128,20 @@ def uncertainties(
 ) -> tuple[Bars, Sources]:
     """Return the uncertainties of quantities of a scene, or of one that is made of it, and their sources.
 
-    The scene may be a solution, whose quantities are the unknowns. A quantity without a finite value, or one on which
+    The scene may be a problem, whose quantities are the unknowns. A quantity without a finite value, or one on which
     no source has an influence, is left out. An error is the reason why a quantity has no value at one place of the
     sources. `sources`: by default all that enter the quantities.
     """
-    middle = scene if alternative is None else alternative(scene)
-    numbers = middle.numbers(*names)
+    made_of: Callable[[Any], Any] = alternative or (lambda same: same)
+    middle, bars = made_of(scene), Bars()
+    numbers, sources = middle.numbers(*names), sources or sources_of_results(middle, names)
     values = {name: value for name, value in numbers.items() if not isinstance(value, float) or isfinite(value)}
-    bars, sources = Bars(), sources or sources_of_results(middle, names)
     if not (sources.entering and values):
         return bars, sources
 
-    def outcomes(place: Mapping[str, Any]) -> Mapping[str, Any]:
+    def outcomes(place: Mapping[str, Any]) -> Any:
         """Return the quantities at a place, which are values of some inputs; the others have their middles."""
-        moved = scene.replace(**place)
-        return (moved if alternative is None else alternative(moved)).evaluate([*values])
+        return made_of(scene.replace(**place)).evaluate([*values])
 
     givens = [source.given for source in sources.entering]
     is_range = isinstance(givens[0], Interval)
@@ -159,7 +150,11 @@ def uncertainties(
         for ends in (_on_edges if is_range else _at_ends)(givens)
     ]
     few = FEW if isinstance(scene, Scene) else 0  # to solve a problem takes arrays
-    columns = (_one_by_one if scene.shape or len(places) <= few else _as_arrays)(outcomes, places)
+    if scene.shape or len(places) <= few:
+        rows = [*map(outcomes, places)]
+        columns = {name: [row[name] for row in rows] for name in values}
+    else:
+        columns = _as_arrays(outcomes, places)
     for name, value in values.items():
         if errors := [outcome for outcome in columns[name] if isinstance(outcome, JkrollError)]:
             bars[name] = errors[0]
@@ -179,12 +174,6 @@ def uncertainties(
 def measures_of(bars: Mapping[str, Propagated | JkrollError]) -> dict[str, Uncertain | JkrollError]:
     """Return the values that have error bars, with these, or the errors that say why there is none."""
     return {name: bar.uncertainty if isinstance(bar, Propagated) else bar for name, bar in bars.items()}
-
-
-def _one_by_one(outcomes: Callable[[Any], Any], places: Sequence[Any]) -> dict[str, list[Any]]:
-    """Return quantities at places that are computed one by one."""
-    rows = [*map(outcomes, places)]
-    return {name: [row[name] for row in rows] for name in rows[0]}
 
 
 def _as_arrays(outcomes: Callable[[Any], Any], places: Sequence[Any]) -> dict[str, list[Any]]:

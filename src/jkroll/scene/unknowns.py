@@ -1,147 +1,227 @@
-"""The solver of the inverse problem, in one row or many: one unknown by a scan, two by a grid and Newton's method."""
+"""The inverse problem: values of one input or two, the unknowns, at which quantities have their measured values.
 
-from collections.abc import Sequence
+One unknown is found by a scan and by halving, two by a grid and Newton's method, in one row or in many.
+"""
+
+from collections.abc import Collection, Mapping, Sequence
+from functools import cached_property
 from math import hypot, inf, nan, prod, sqrt
 from typing import Any, NamedTuple
 
 import numpy
 
-from ..errors import JkrollError, NoResult
-from ..quantities.formatting import amount
-from ..quantities.nomenclature import NOMENCLATURE
+from ..errors import BadRequest, JkrollError, NoResult
+from ..physics.elementary import NUMBER
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
+from ..quantities.values import is_uncertain, middle
+from .failures import MissingInput
 from .inverse import (
-    AS_SHOWN,
-    PER_DECADE,
     SIZES,
     NoDependence,
     NoSolution,
-    Problem,
     SeveralSolutions,
     Undetermined,
     Unseparated,
-    Values,
-    equal,
-    sizes_in_words,
+    already_given,
+    inputs_named,
 )
-from .scene import LEAST, MOST, Scene
+from .scene import LEAST, MOST, Scene, broadcast, check_exclusive
+from .uncertainty import Source, Sources, sources_of
+from .wiring import formula_of
 
 Rows = Any  # an array of the numbers of rows
+Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
 Failures = dict[int, JkrollError]  # by row
 
+PER_DECADE = 8  # values of a scan
+_AS_SHOWN = 1e-3  # relative difference of a quantity at a solution, or at the digits of one, from its measured value
 _STEP = 1e-6  # of a logarithm, in the differences that give a derivative
 _ROUNDING = 1e-12  # of a quantity: a change as small as this comes from rounding
 
 # Of scans.
-_TOGETHER = 1 << 17  # values that are computed at once
+_TOGETHER = 1000  # rows that are scanned at once
 _WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among the usual ones
 _HALVINGS = 120  # more than lead from a value of a scan to neighbouring doubles, or to 0
 _AHEAD = 1e-8  # relative, the step that tells whether a function rises or falls
 _STILL = 1e-13  # of a function, a change over this step that is none
 _MANY = 64  # intervals of a row: more of them come from rounding
 
-# Of pairs.
+# Of pairs, in the coordinates in which they are sought.
 MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
-_LOADS = numpy.linspace(-14.0, 46.0, 209)  # coordinates that are scanned: from 1e-6 P_c beyond pull-off to 1e20 P_c
+_LOADS = numpy.linspace(-14.0, 46.0, 209)  # that are scanned: from 1e-6 P_c beyond pull-off to 1e20 P_c
 _ROUNDS = 150  # of Newton's method
-_LAST_STEP = 1e-14  # of the coordinates: a step as small as this ends the search
+_LAST_STEP = 1e-14  # a step as small as this ends the search
 _NEAR = 1e-9  # in logarithms of the measured values: a pair that is as near as this is a solution
-_SAME = 1e-9  # difference of the coordinates of a pair that was found twice
-_ERROR = 1e-13  # of the quantities, where rounding ends
+_SAME = 1e-5  # pairs that differ by less are one
 _LINEAR = 1e-6  # part of a measured value below which a quantity counts as it is, above by its logarithm
-_MARGIN = 0.5  # of what a quantity changes in a cell, beyond its corners
 _SAMPLED = 7  # cells of the grid from one to the next at which it is asked whether the quantities separate the unknowns
 _LEFT_OPEN = 1e-4  # an exponent as small as this is none
 
 
 class Solution(NamedTuple):
-    """The values of the unknowns of a problem: numbers, or arrays with nan in the rows that have none for a reason.
+    """The values of the unknowns of a problem: numbers, or arrays with nan in the rows that have none for a reason."""
 
-    Error bars take it for a scene whose quantities are the unknowns.
-    """
-
-    problem: Problem
     values: Values  # by unknown
     growths: Values  # by unknown, the largest factor by which relative errors of measured values enter it
     condition: Any  # of the logarithms of the measured values as functions of those of the unknowns
     failures: Failures
     places: Any  # of two unknowns, in the coordinates in which they were sought
 
-    @property
-    def scene(self) -> Scene:
-        """The scene with these values in it."""
-        return self.problem.with_values(self.values)
 
-    @property
-    def forward(self) -> Values:
-        """The measured quantities in this scene."""
-        return self.scene.numbers(*self.problem.measured)
+class Problem:
+    """A scene that lacks the unknowns, and the measured values of as many of its quantities.
+
+    Both may have uncertainties, and may be arrays. A value that a material has of an unknown is replaced. Rows and
+    error bars take a problem for a scene whose quantities are the unknowns.
+    """
+
+    def __init__(
+        self, unknowns: Sequence[str], measured: Values, scene: Scene, origin: "Problem | None" = None
+    ) -> None:
+        """`origin`: a problem from whose solution Newton's method leads to two unknowns in arrays."""
+        self.unknowns, self.measured, self.scene, self._origin = tuple(unknowns), measured, scene, origin
+        self.levels = {name: middle(value) for name, value in measured.items()}
+        levels = {name: level for name, level in self.levels.items() if not isinstance(level, NUMBER)}
+        self.shape = broadcast({**scene.arrays, **levels})
+
+    # --- Scenes with values of the unknowns ---
+
+    def names_of(self, unknown: str) -> tuple[str, ...]:
+        """Return the names of an unknown in the scene: those of both spheres if one material was named for both."""
+        first, second = self.scene.material, self.scene.material2
+        is_shared = first is not None and second is not None and first.key == second.key and unknown in PROPERTIES
+        twin = of_sphere(2, unknown)
+        return (unknown, twin) if is_shared and twin not in self.scene.stated else (unknown,)
+
+    def with_values(self, values: Values) -> Scene:
+        """Return the scene with values of unknowns, or arrays of them."""
+        return self.scene.replace(**{each: value for name, value in values.items() for each in self.names_of(name)})
+
+    @cached_property
+    def filled(self) -> Scene:
+        """The scene with placeholders for the unknowns, the largest values."""
+        return self.with_values({name: SIZES[name][1] for name in self.unknowns})
+
+    @cached_property
+    def solved(self) -> Scene:
+        """The scene with the unknowns in it, or placeholders in rows of arrays. Of numbers, raises the failure."""
+        solution = self.solution
+        if self.shape:
+            filled = {name: numpy.nan_to_num(x, nan=SIZES[name][1]) for name, x in solution.values.items()}
+            return self.with_values(filled)
+        for failure in solution.failures.values():
+            raise failure
+        return self.with_values(solution.values)
+
+    def is_met(self, values: Mapping[str, float], digits: int) -> bool:
+        """Return whether values of the unknowns, of which some digits are typed, give the measured ones as shown."""
+        typed = {name: float(f"{value:.{digits}g}") for name, value in values.items()}
+        forward = self.with_values(typed).numbers(*self.levels)
+        return all(abs(forward.get(name, inf) - level) <= _AS_SHOWN * abs(level) for name, level in self.levels.items())
+
+    def outcomes(self, values: Values) -> Any:
+        """Return the measured quantities, a row for each, at arrays of the unknowns; nan where there is no result."""
+        scene = self.with_values({name: taken(name, x) for name, x in values.items()})
+        quantities = numpy.full((len(self.measured), len(next(iter(values.values())))), nan)
+        for quantity, outcome in zip(quantities, scene.evaluate([*self.measured]).values(), strict=True):
+            if not isinstance(outcome, JkrollError):
+                quantity[:] = outcome
+            elif not isinstance(outcome, NoResult):
+                raise outcome
+        return quantities
+
+    # --- Other problems ---
+
+    def replace(self, **values: Any) -> "Problem":
+        """Return the problem with other values of some inputs and measured quantities."""
+        measured = {name: values.pop(name, value) for name, value in self.measured.items()}
+        return Problem(self.unknowns, measured, self.scene.replace(**values), self)
+
+    def rows(self, rows: Rows) -> "Problem":
+        """Return the problem of some elements of the arrays, without uncertainties."""
+        middles = {name: value.value for name, value in self.scene.uncertain.items()}
+        values = {
+            name: value if isinstance(value, NUMBER) else numpy.broadcast_to(value, self.shape).ravel()[rows]
+            for name, value in {**middles, **self.scene.arrays, **self.levels}.items()
+        }
+        levels = {name: values.pop(name) for name in self.levels}
+        return Problem(self.unknowns, levels, self.scene.replace(**values) if values else self.scene)
+
+    # --- What it rests on ---
 
     @property
     def is_uncertain(self) -> bool:
-        """True if the problem has a value with an uncertainty."""
-        return self.problem.is_uncertain
+        """True if a measured value, or something in the scene, has an uncertainty."""
+        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
 
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The shape of the values."""
-        return numpy.shape(self.condition)
+    def sources(self) -> Sources:
+        """Return the sources of uncertainty that enter the unknowns."""
+        measured = [Source((name,), given) for name, given in self.measured.items() if is_uncertain(given)]
+        return sources_of(self.scene, self.inputs_used(()), measured)
 
-    def replace(self, **values: Any) -> "Solution":
-        """Return the solution with other values of inputs and measured quantities.
+    def missing(self, _: Sequence[str]) -> list[str]:
+        """Return the measured quantities to which the inputs do not lead."""
+        return self.filled.missing([*self.measured])
 
-        Two unknowns in arrays are those to which Newton's method leads from these.
-        """
-        problem = self.problem.replace(**values)
-        size = len(self.condition) if self.shape else problem.size
-        return solutions(problem, size, None if size is None else self.places)
+    def inputs_used(self, _: Sequence[str]) -> list[str]:
+        """Return the other inputs on which the measured quantities depend."""
+        unknowns = {each for name in self.unknowns for each in self.names_of(name)}
+        return [name for name in self.filled.inputs_used([*self.measured]) if name not in unknowns]
 
-    def numbers(self, *_: str) -> Values:
-        """Return the unknowns."""
-        return self.values
+    def echo(self, used: Collection[str]) -> dict[str, Any]:
+        """Return inputs as they were understood, and the measured values."""
+        return {**self.filled.echo(used), **self.levels}
+
+    # --- Its solution ---
+
+    def check(self) -> None:
+        """Raise the error of a problem that has no solution whatever the measured values are."""
+        inputs_named(self.unknowns)
+        for name in (*self.unknowns, *self.measured):
+            if name in self.scene.stated or (name in self.unknowns and name in self.measured):
+                raise already_given(name)
+        check_exclusive({*self.unknowns, *self.scene.stated})
+        for quantity in self.measured:
+            if formula_of(quantity) is None and self.filled.missing([quantity]):
+                option = NOMENCLATURE[quantity].option or quantity
+                remedy = f"give it as {option}, and ask for {self.unknowns[0]} without infer"
+                raise BadRequest(f"{quantity} is an input, and no formula gives it; {remedy}")
+            if {*self.unknowns}.isdisjoint(self.filled.inputs_of(quantity)):
+                raise NoDependence(self, quantity)
+
+    def failure(self) -> JkrollError:
+        """Return the reason why a measured quantity has no value for any values of the unknowns."""
+        outcomes = self.filled.evaluate([*self.measured]).values()
+        return next(outcome for outcome in outcomes if isinstance(outcome, JkrollError))
+
+    @cached_property
+    def solution(self) -> Solution:
+        """The solution of each row. Raises the error of a problem that has none in any row."""
+        self.check()
+        count, rows = len(self.unknowns), prod(self.shape)
+        table, places = numpy.full((2 * count + 1, rows), nan), numpy.full((count, rows), nan)
+        if count == 1:
+            failures = _find_roots(self, table)
+        else:
+            failures = _find_pairs(self, table, places, self._origin if self.shape else None)
+        table[count:] = [[float(f"{number:.6g}") for number in row] for row in table[count:]]  # the rest is rounding
+        *columns, condition = table.reshape(2 * count + 1, *self.shape) if self.shape else table[:, 0].tolist()
+        values, growths = (dict(zip(self.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
+        return Solution(values, growths, condition, failures, places)
 
     def evaluate(self, _: Sequence[str]) -> Values:
-        """Return the unknowns; of numbers, the error that says why there are none."""
-        return self.values if self.shape or not self.failures else dict.fromkeys(self.values, self.failures[0])
+        """Return the unknowns; of numbers, the error that says why there are none. Raises an error of the request."""
+        try:
+            if self.shape or not self.solution.failures:
+                return self.solution.values
+            error: JkrollError = self.solution.failures[0]
+        except (MissingInput, NoResult) as reason:
+            error = reason
+        return dict.fromkeys(self.unknowns, error)
 
-
-def solution(problem: Problem) -> Solution:
-    """Return the one solution of a problem of numbers. Raises why there is none, or the error of the inputs."""
-    solved = solutions(problem)
-    for error in solved.failures.values():
-        raise error
-    return solved
-
-
-def solutions(problem: Problem, size: int | None = None, start: Any = None) -> Solution:
-    """Return the solutions of some rows, by default of numbers. Raises the error of a problem that has none in any row.
-
-    `start`: the places from which Newton's method leads to two unknowns, in place of a search.
-    """
-    problem.check()
-    count, rows, failures = len(problem.unknowns), 1 if size is None else size, Failures()
-    table, places = numpy.full((2 * count + 1, rows), nan), numpy.full((count, rows), nan)
-    if count == 1:
-        failures = _find_roots(problem, table)
-    elif start is None:
-        failures = _find_pairs(problem, table, places)
-    else:
-        _follow_pairs(problem, table, start)
-    table[count:] = [[float(f"{number:.6g}") for number in row] for row in table[count:]]  # the rest is rounding
-    *columns, condition = table[:, 0].tolist() if size is None else table
-    values, growths = (dict(zip(problem.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
-    return Solution(problem, values, growths, condition, failures, places)
-
-
-def outcomes(problem: Problem, values: Values) -> Any:
-    """Return the measured quantities, a row for each, at values of the unknowns; nan where there is no result."""
-    scene = problem.with_values({name: taken(name, x) for name, x in values.items()})
-    quantities = numpy.full((len(problem.measured), len(next(iter(values.values())))), nan)
-    for quantity, outcome in zip(quantities, scene.evaluate([*problem.measured]).values(), strict=True):
-        if not isinstance(outcome, JkrollError):
-            quantity[:] = outcome
-        elif not isinstance(outcome, NoResult):
-            raise outcome
-    return quantities
+    def numbers(self, *names: str) -> Values:
+        """Return the unknowns if they have values."""
+        return {name: value for name, value in self.evaluate(names).items() if not isinstance(value, JkrollError)}
 
 
 def taken(name: str, values: Any) -> Any:
@@ -173,33 +253,25 @@ def _find_roots(problem: Problem, table: Any) -> Failures:
     Where there is none among the usual sizes, all that a scene takes are scanned.
     """
     (unknown,), failures = problem.unknowns, Failures()
-    step = _TOGETHER // len(grid(unknown, SIZES[unknown]))
-    for start in range(0, table.shape[1], step):
-        rows = numpy.arange(start, min(start + step, table.shape[1]))
-        table[0, rows], usual = _scanned(problem, rows, SIZES[unknown])
-        lacking = [row for row, error in usual.items() if isinstance(error, NoSolution)]
-        table[0, lacking], wider = _scanned(problem, lacking, _WIDEST)
-        told = {row: error for row, error in wider.items() if isinstance(error, SeveralSolutions | Undetermined)}
-        failures |= {row: error for row, error in {**usual, **told}.items() if numpy.isnan(table[0, row])}
+    lacking = numpy.arange(table.shape[1])
+    for sizes in (SIZES[unknown], _WIDEST):
+        for start in range(0, len(lacking), _TOGETHER):
+            rows = lacking[start : start + _TOGETHER]
+            scan = Scan(problem.rows(rows), sizes)
+            table[0, rows] = scan.root
+            for row in numpy.flatnonzero(numpy.isnan(scan.root)).tolist():
+                error = scan.failure(row)
+                if sizes is not _WIDEST or not isinstance(error, NoSolution):
+                    failures[int(rows[row])] = error
+        lacking = numpy.array([row for row, error in failures.items() if isinstance(error, NoSolution)], dtype=int)
     solved = numpy.flatnonzero(~numpy.isnan(table[0]))
     roots = taken(unknown, table[0, solved])
     steps = numpy.exp(_STEP * numpy.array([[-1], [0], [1]]))
-    y = outcomes(problem.rows(numpy.tile(solved, 3)), {unknown: (steps * roots).ravel()}).reshape(3, -1)
+    y = problem.rows(numpy.tile(solved, 3)).outcomes({unknown: (steps * roots).ravel()}).reshape(3, -1)
     with numpy.errstate(divide="ignore", invalid="ignore"):
         condition = abs(y[1] / slopes(y))
     table[:, solved] = roots, condition, condition
-    return failures
-
-
-def _scanned(problem: Problem, rows: Rows, sizes: tuple[float, float]) -> tuple[Any, Failures]:
-    """Return the values of one unknown between two sizes in some rows, nan where there is none, and the reasons."""
-    values, failures = numpy.full(len(rows), nan), Failures()
-    if len(rows):
-        scan = Scan(problem.rows(rows), len(rows), sizes)
-        has_one = (numpy.bincount(scan.rows, minlength=len(rows)) == 1) & scan.varies & ~scan.is_still
-        values[scan.rows] = numpy.where(has_one[scan.rows], scan.roots, nan)
-        failures = {int(rows[row]): scan.failure(row) for row in numpy.flatnonzero(~has_one).tolist()}
-    return values, failures
+    return {row: error for row, error in failures.items() if numpy.isnan(table[0, row])}
 
 
 class Scan:
@@ -209,23 +281,22 @@ class Scan:
     alone, is on other sides of its level, rises at one and falls at the other, or stays at its level at one alone. So
     the ends of gaps and the extremes are found on the way, and what lies between these and the grid.
 
-    `rows` and `roots` are arrays of what was found, in order. Of each row, `varies` says whether the quantity does on
-    the grid, `span` has its least and largest value, and `stretch` the first and the last value of the unknown at which
-    it stays at its level, nan if there is none.
+    `rows` and `roots` are arrays of what was found, in order. Of each row, `root` is the value if it is the only one,
+    `varies` says whether the quantity does on the grid, `span` has its least and largest value, and `stretch` the first
+    and the last value of the unknown at which it stays at its level, nan if there is none.
     """
 
-    def __init__(self, problem: Problem, size: int, sizes: tuple[float, float]) -> None:
-        """`size`: the number of rows."""
+    def __init__(self, problem: Problem, sizes: tuple[float, float]) -> None:
         (self.unknown,), (level,) = problem.unknowns, problem.levels.values()
+        size = prod(problem.shape)
         self.problem, self.levels = problem, numpy.full(size, level, dtype=float)
         self.span: Any = numpy.full((2, size), nan)
         self.stretch: Any = numpy.full((2, size), nan)
         x = grid(self.unknown, sizes)
         rows = numpy.repeat(numpy.arange(size), len(x))
         points = self._points(rows, numpy.tile(x, size))
-        is_hit = points[1] == self.levels[rows]
-        points[3, is_hit] = 0
-        hits = [numpy.array([rows, points[0]])[:, is_hit]]
+        points[3, points[1] == self.levels[rows]] = 0  # of a stretch, too
+        hits = [numpy.array([rows, points[0]])[:, points[3] == 0]]
         self.varies = self.span[1] - self.span[0] > _ROUNDING * abs(self.span).max(axis=0)
         rows, points = rows.reshape(size, -1)[:, :-1], points.reshape(len(points), size, -1)
         left, right = points[..., :-1], points[..., 1:]
@@ -242,19 +313,18 @@ class Scan:
             rows = numpy.tile(rows, 2)
             left, right = numpy.concatenate([left, points], axis=1), numpy.concatenate([points, right], axis=1)
         every = numpy.concatenate([*hits, self._crossings(rows, left, right)], axis=1)
-        rows, self.roots = numpy.unique(every, axis=1)
-        self.rows = rows.astype(int)
-
-    @property
-    def is_still(self) -> Any:
-        """True for the rows whose quantity stays at its level over a decade."""
-        first, last = self.stretch
-        return (first > 0) & (last >= 10 * first)
+        numbers, self.roots = numpy.unique(every, axis=1)
+        self.rows = numbers.astype(int)
+        self.is_still = (self.stretch[0] > 0) & (self.stretch[1] >= 10 * self.stretch[0])
+        is_one = (numpy.bincount(self.rows, minlength=size) == 1) & self.varies & ~self.is_still
+        self.root = numpy.full(size, nan)
+        self.root[self.rows] = self.roots
+        self.root[~is_one] = nan
 
     def _points(self, rows: Rows, x: Any) -> Any:
         """Return points: x, y, whether y is a number, its side of the level, whether it stays there, and its slope."""
         every = {self.unknown: numpy.concatenate([x, x + _AHEAD * abs(x)])}
-        y, ahead = outcomes(self.problem.rows(numpy.tile(rows, 2)), every).reshape(2, -1)
+        y, ahead = self.problem.rows(numpy.tile(rows, 2)).outcomes(every).reshape(2, -1)
         level, change = self.levels[rows], numpy.nan_to_num(ahead - y)
         slope = numpy.where(abs(change) > _STILL * abs(y), numpy.sign(change), 0.0)
         stays = (slope == 0) & (abs(y - level) <= _ROUNDING * abs(level))
@@ -273,49 +343,43 @@ class Scan:
         level = self.levels[rows]
         off = abs(numpy.array([left[1], right[1]]) - level)
         scale = numpy.where(level == 0, numpy.maximum(abs(left[1]), abs(right[1])), abs(level))
-        is_crossing = (left[3] * right[3] < 0) & (off.min(axis=0) <= AS_SHOWN * scale)
+        is_crossing = (left[3] * right[3] < 0) & (off.min(axis=0) <= _AS_SHOWN * scale)
         return numpy.array([rows, numpy.where(off[0] < off[1], left[0], right[0])])[:, is_crossing]
 
     def failure(self, row: int) -> JkrollError:
         """Return why a row has no one root."""
-        problem, (quantity,) = self.problem.rows(row), self.problem.measured
-        (low, high), (first, last) = self.span[:, row].tolist(), self.stretch[:, row].tolist()
-        if numpy.isnan(low):
+        problem, span, stretch = self.problem.rows(row), self.span[:, row].tolist(), self.stretch[:, row].tolist()
+        if numpy.isnan(span[0]):
             return problem.failure()
         if not self.varies[row]:
-            return NoDependence(problem)
+            return NoDependence(problem, *problem.measured)
         if self.is_still[row]:
-            stretch = f"every value from {amount(self.unknown, first)} to {amount(self.unknown, last)}"
-            return Undetermined(problem, f"{stretch} gives {equal(problem.levels)}", (first, last))
-        if len(roots := self.roots[self.rows == row].tolist()):
-            return SeveralSolutions(problem, [{self.unknown: root} for root in roots])
-        lies = f"it lies between {amount(quantity, low)} and {amount(quantity, high)}"
-        text = f"no value gives {equal(problem.levels)}; {lies} for {sizes_in_words([self.unknown])}"
-        return NoSolution(problem, text, (low, high))
+            return Undetermined(problem, stretch)
+        roots = [{self.unknown: root} for root in self.roots[self.rows == row].tolist()]
+        return SeveralSolutions(problem, roots) if roots else NoSolution(problem, [span])
 
 
 # --- Two unknowns -----------------------------------------------------------------------------------------------------
 
 
-def _find_pairs(problem: Problem, table: Any, places: Any) -> Failures:
-    """Put the values of two unknowns into a table, with their growths of errors and conditions; return the failures."""
-    failures = Failures()
-    for row in range(table.shape[1]):
-        pairs = Pairs(problem.rows(row))
+def _find_pairs(problem: Problem, table: Any, places: Any, origin: Problem | None) -> Failures:
+    """Put the values of two unknowns into a table, with their growths of errors and conditions; return the failures.
+
+    `origin`: a problem from whose solution Newton's method leads to these; there are no failures then.
+    """
+    failures, rows = Failures(), numpy.arange(table.shape[1])
+    if origin is not None:
+        pairs, start = Pairs(problem.rows(rows)), numpy.nan_to_num(origin.solution.places)
+        places[:], distance = pairs.improved(numpy.broadcast_to(start, places.shape))
+        table[:] = pairs.measures(places)
+        table[:, (distance == inf) | (table[-1] > MAX_CONDITION)] = nan
+        return failures
+    for row in rows.tolist():
         try:
-            places[:, [row]] = place = pairs.pair()
-            table[:, [row]] = pairs.measures(place)
+            places[:, [row]], table[:, [row]] = Pairs(problem.rows(row)).pair()
         except NoResult as error:
             failures[row] = error
     return failures
-
-
-def _follow_pairs(problem: Problem, table: Any, start: Any) -> None:
-    """Put the values of two unknowns to which Newton's method leads into a table, as far as they are separated."""
-    pairs = Pairs(problem, table.shape[1])
-    places, distance = pairs.improved(numpy.nan_to_num(numpy.broadcast_to(start, (2, pairs.size))))
-    table[:] = pairs.measures(places)
-    table[:, (distance == inf) | (table[-1] > MAX_CONDITION)] = nan
 
 
 class Pairs:
@@ -326,18 +390,21 @@ class Pairs:
     for each row of the problem, or any number of them for a single one.
     """
 
-    def __init__(self, problem: Problem, size: int = 1) -> None:
-        self.problem, self.size = problem, size
+    def __init__(self, problem: Problem) -> None:
+        self.problem, self.size = problem, prod(problem.shape)
         self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
-        self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
-        self.linear = _LINEAR * abs(self.levels)  # the sizes below which quantities count as they are
+        self.axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in problem.unknowns]
+        levels = numpy.array([numpy.broadcast_to(level, self.size) for level in problem.levels.values()], dtype=float)
+        self.levels, self.linear = levels, _LINEAR * abs(levels)  # below which quantities count as they are
         if not self.linear.all():
-            usual = {name: numpy.full(size, sqrt(prod(SIZES[name]))) for name in problem.unknowns}
-            self.linear = numpy.where(self.levels == 0, abs(outcomes(problem, usual)), self.linear)
+            usual = problem.outcomes(
+                {name: numpy.full(self.size, sqrt(prod(SIZES[name]))) for name in problem.unknowns}
+            )
+            self.linear = numpy.where(levels == 0, abs(problem.outcomes(usual)), self.linear)
 
-    def rows(self, rows: Any) -> "Pairs":
+    def rows(self, rows: Rows) -> "Pairs":
         """Return the same in some rows."""
-        return self if self.size == 1 else Pairs(self.problem.rows(rows), len(rows))
+        return Pairs(self.problem.rows(rows)) if self.problem.shape else self
 
     def values(self, places: Any) -> dict[str, Any]:
         """Return the values of the unknowns at places."""
@@ -353,24 +420,24 @@ class Pairs:
         """Return by how much quantities are above their measured values."""
         return numpy.arcsinh(quantities / self.linear) - numpy.arcsinh(self.levels / self.linear)
 
-    def slopes(self, places: Any) -> tuple[Any, Any, Any, Any]:
-        """Return values and residuals at places, and the derivatives of both, in matrices with a column by unknown."""
+    def slopes(self, places: Any) -> tuple[Any, Any]:
+        """Return values and residuals at places, in four rows, and their derivatives in matrices of a place each."""
         count = places.shape[1]
         steps = _STEP * numpy.array([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]])
         every = self.rows(numpy.tile(numpy.arange(count), 5))
         values = every.values(numpy.tile(places, 5) + steps.repeat(count, axis=1))
-        residuals = every.residuals(outcomes(every.problem, values))
+        residuals = every.residuals(every.problem.outcomes(values))
         points = numpy.array([*values.values(), *residuals]).reshape(4, 5, count).swapaxes(0, 1)
-        derivatives = numpy.array([slopes(points[[low, 0, low + 1]]) for low in (1, 3)]).T
-        return points[0, :2], points[0, 2:], derivatives[:, :2], derivatives[:, 2:]
+        return points[0], numpy.array([slopes(points[[low, 0, low + 1]]) for low in (1, 3)]).T
 
     def measures(self, places: Any) -> Any:
         """Return the values of the unknowns at places, the growths of errors there, and the condition numbers."""
-        values, _, changes, matrices = self.slopes(places)
-        inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.1 / MAX_CONDITION)
+        here, matrices = self.slopes(places)
+        values, changes, matrices = here[:2], matrices[:, :2], numpy.nan_to_num(matrices[:, 2:])
+        inverse = numpy.linalg.pinv(matrices, rcond=0.1 / MAX_CONDITION)
         with numpy.errstate(divide="ignore", invalid="ignore"):
             growths = numpy.linalg.norm(changes @ inverse, axis=2).T / abs(values)
-        return numpy.array([*values, *growths, _conditions(matrices)])
+        return numpy.array([*values, *growths, numpy.linalg.cond(matrices)])
 
     def improved(self, start: Any) -> tuple[Any, Any]:
         """Return the places to which Newton's method leads from others, and how far they are from solutions.
@@ -378,87 +445,55 @@ class Pairs:
         The distance is infinite where there is none, or not among the sizes that are looked for, but for rounding.
         """
         best, steps = numpy.array(start), numpy.zeros_like(start)
-        distance = numpy.full(start.shape[1], inf)
-        active = numpy.arange(start.shape[1])
+        distance, active = numpy.full(start.shape[1], inf), numpy.arange(start.shape[1])
         for _ in range(_ROUNDS):
             places = best[:, active] + steps[:, active]
-            _, residuals, _, matrices = self.rows(active).slopes(places)
-            size = numpy.hypot(*residuals)
+            here, matrices = self.rows(active).slopes(places)
+            size = numpy.hypot(*here[2:])
             is_nearer = size < distance[active]
             nearer = active[is_nearer]
             best[:, nearer], distance[nearer] = places[:, is_nearer], size[is_nearer]
             # Where both quantities change alike, the pseudo-inverse gives the shortest step.
-            inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices), rcond=0.01 / MAX_CONDITION)
-            newton = -numpy.einsum("kij,jk->ik", inverse, numpy.nan_to_num(residuals))
+            inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices[:, 2:]), rcond=0.01 / MAX_CONDITION)
+            newton = -numpy.einsum("kij,jk->ik", inverse, numpy.nan_to_num(here[2:]))
             limited = newton / numpy.maximum(1.0, numpy.hypot(*newton))
             steps[:, active] = numpy.where(is_nearer, limited, steps[:, active] / 2)
             active = active[abs(steps[:, active]).max(axis=0) > _LAST_STEP]
             if not active.size:
                 break
         if self.load is not None:
-            best[self.load, abs(best[self.load]) <= _SAME] = 0.0  # no load
-        is_pair = distance <= _NEAR
-        for name, values in self.values(best).items():
-            least, most = SIZES[name]
-            is_pair &= ((values >= least * (1 - _SAME)) | (name == "load")) & (values <= most * (1 + _SAME))
-        return best, numpy.where(is_pair, distance, inf)
+            best[self.load, abs(best[self.load]) <= _NEAR] = 0.0  # no load
+        is_inside = [(x >= axis[0] - _NEAR) & (x <= axis[-1] + _NEAR) for x, axis in zip(best, self.axes, strict=True)]
+        return best, numpy.where((distance <= _NEAR) & numpy.all(is_inside, axis=0), distance, inf)
 
-    def pair(self) -> Any:
-        """Return the place of the one pair. Raises the reason why there is none."""
-        axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in self.problem.unknowns]
-        mesh = numpy.array(numpy.meshgrid(*axes, indexing="ij"))
-        *_, matrices = self.slopes(mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))
+    def pair(self) -> tuple[Any, Any]:
+        """Return the place of the one pair, and its measures. Raises the reason why there is none."""
+        problem, mesh = self.problem, numpy.array(numpy.meshgrid(*self.axes, indexing="ij"))
+        matrices = self.slopes(mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))[1][:, 2:]
         known = matrices[numpy.isfinite(matrices).all(axis=(1, 2))]
-        if len(known) and not (_conditions(known) <= MAX_CONDITION / 10).any():
-            raise Unseparated(self.problem, self._left_open(known[len(known) // 2]))
-        quantities = outcomes(self.problem, self.values(mesh.reshape(2, -1)))
+        if len(known) and numpy.linalg.cond(known).min() > MAX_CONDITION / 10:
+            raise Unseparated(problem, self._left_open(known[len(known) // 2]))
+        quantities = problem.outcomes(self.values(mesh.reshape(2, -1)))
         places, distance = self.improved(_in_cells(mesh, self.residuals(quantities).reshape(mesh.shape)))
-        order = numpy.argsort(distance)[: numpy.isfinite(distance).sum()]
-        if not order.size:
-            raise self._failure(quantities)
-        places, distance = places[:, order], distance[order]
-        *_, matrices = self.slopes(places)
-        conditions = _conditions(matrices)
-        worst = int(conditions.argmax())
-        if conditions[worst] > MAX_CONDITION:
-            raise Unseparated(self.problem, self._left_open(matrices[worst]), float(conditions[worst]))
-        distinct = _distinct(places, conditions * (_ERROR + 2 * distance))
+        places = places[:, numpy.argsort(distance)[: numpy.isfinite(distance).sum()]]
+        if not places.size:
+            if not numpy.isfinite(quantities.sum(axis=0)).any():
+                raise problem.failure()
+            spans = numpy.transpose([numpy.nanmin(quantities, axis=1), numpy.nanmax(quantities, axis=1)])
+            raise NoSolution(problem, spans.tolist())
+        table = self.measures(places)
+        worst = int(table[-1].argmax())
+        if table[-1, worst] > MAX_CONDITION:
+            matrices = self.slopes(places[:, [worst]])[1][:, 2:]
+            raise Unseparated(problem, self._left_open(matrices[0]), float(table[-1, worst]))
+        distinct: list[int] = []
+        for number, place in enumerate(places.T):
+            if all(abs(place - places[:, other]).max() > _SAME for other in distinct):
+                distinct.append(number)
         if len(distinct) > 1:
-            rows = sorted(numpy.transpose([*self.values(places[:, distinct]).values()]).tolist())
-            raise SeveralSolutions(self.problem, [dict(zip(self.problem.unknowns, row, strict=True)) for row in rows])
-        return places[:, :1]
-
-    # --- Why there is none ---
-
-    def _failure(self, quantities: Any) -> JkrollError:
-        """Return the reason why no pair gives both measured values, of which `quantities` are those on the grid."""
-        problem, levels = self.problem, self.problem.levels
-        if not numpy.isfinite(quantities.sum(axis=0)).any():
-            return problem.failure()
-        scene = problem.filled()
-        first, second = sorted(levels, key=lambda name: len({*problem.unknowns}.intersection(scene.inputs_of(name))))
-        every = zip(levels, quantities, strict=True)
-        ranges: list[Any] = [({name: levels[name]}, "it", name, values) for name, values in every]
-        where = f"where {equal({first: levels[first]})}, {second}"
-        ranges.append((levels, where, second, self._along(first, second)))
-        sizes = f"for {sizes_in_words(problem.unknowns)}"
-        for given, subject, name, values in ranges:
-            low, high = float(numpy.nanmin(values, initial=inf)), float(numpy.nanmax(values, initial=-inf))
-            if low <= high and not low <= levels[name] <= high:
-                lies = f"{subject} lies between {amount(name, low)} and {amount(name, high)}"
-                return NoSolution(problem, f"no pair of values gives {equal(given)}; {lies} {sizes}", (low, high))
-        return NoSolution(problem, f"no pair of values gives {equal(levels)} {sizes}")
-
-    def _along(self, first: str, second: str) -> Any:
-        """Return a quantity at values of the unknowns at which the other one has its measured value."""
-        depends = self.problem.filled().inputs_of(first)
-        sought, other = sorted(self.problem.unknowns, key=lambda name: name not in depends)
-        values = grid(other, SIZES[other])
-        problem = Problem((sought,), {first: self.problem.levels[first]}, self.problem.with_values({other: values}))
-        scan = Scan(problem, len(values), SIZES[sought])
-        return outcomes(self.problem, {sought: scan.roots, other: values[scan.rows]})[
-            [*self.problem.measured].index(second)
-        ]
+            rows = sorted(table[:2, distinct].T.tolist())
+            raise SeveralSolutions(problem, [dict(zip(problem.unknowns, row, strict=True)) for row in rows])
+        return places[:, :1], table[:, :1]
 
     def _left_open(self, matrix: Any) -> str:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
@@ -473,27 +508,9 @@ class Pairs:
 
 
 def _in_cells(mesh: Any, residuals: Any) -> Any:
-    """Return places in the cells of a grid that both measured values may cross: the centre, and one by each corner."""
+    """Return the centres of the cells of a grid in which both measured values lie between corners, or beside a gap."""
     corners = numpy.lib.stride_tricks.sliding_window_view(residuals, (2, 2), axis=(1, 2))
     low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
-    margin = _MARGIN * (high - low)
     is_at_gap = numpy.isnan(corners).any(axis=(3, 4)) & numpy.isfinite(low)
-    cells = ((low - margin <= 0) & (high + margin >= 0) | is_at_gap).all(axis=0)
-    first, last = mesh[:, :-1, :-1][:, cells], mesh[:, 1:, 1:][:, cells]
-    shares = [(0.5, 0.5), *((i, j) for i in (0.2, 0.8) for j in (0.2, 0.8))]
-    return numpy.concatenate([first + numpy.reshape(share, (2, 1)) * (last - first) for share in shares], axis=1)
-
-
-def _conditions(matrices: Any) -> Any:
-    """Return the condition numbers of matrices of derivatives, infinite where a derivative has no value."""
-    return numpy.linalg.cond(numpy.nan_to_num(matrices))
-
-
-def _distinct(places: Any, errors: Any) -> list[int]:
-    """Return the numbers of places that differ by more than their errors."""
-    distinct: list[int] = []
-    for number in range(places.shape[1]):
-        off = abs(places[:, distinct] - places[:, [number]])
-        if (off > _SAME + errors[number] + errors[distinct]).any(axis=0).all():
-            distinct.append(number)
-    return distinct
+    cells = ((low <= 0) & (high >= 0) | is_at_gap).all(axis=0)
+    return (mesh[:, :-1, :-1][:, cells] + mesh[:, 1:, 1:][:, cells]) / 2
