@@ -3,6 +3,7 @@
 import csv
 import io
 import math
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -488,6 +489,19 @@ def test_the_input_is_not_overwritten(run: Run) -> None:
         assert run("batch", name, "-o", target).err == f"jkroll: -o: '{target}' is the input; it is not overwritten\n"
     assert run("batch", name, "-o", ".").code == 2
     assert Path(name).read_text() == GRAINS
+
+
+@pytest.mark.parametrize("jobs", ["1", pytest.param("2", marks=pytest.mark.slow)])
+def test_a_full_disk_is_an_error(jobs: str) -> None:
+    name = table(random_table(200, 5))
+    command = [sys.executable, "-m", "jkroll", "batch", name, "--quiet", "--no-doubt", "--jobs", jobs, "-o"]
+    full = subprocess.run([*command, "/dev/full"], capture_output=True, text=True)
+    assert (full.returncode, full.stderr) == (1, "jkroll: cannot write '/dev/full': No space left on device\n")
+    limited = subprocess.run(
+        ["sh", "-c", f"ulimit -f 30; exec {' '.join(command)} out.csv"], capture_output=True, text=True
+    )
+    assert (limited.returncode, limited.stderr) == (1, "jkroll: cannot write 'out.csv': File too large\n")
+    assert os.listdir() == [name]
 
 
 def test_a_closed_pipe_ends_it() -> None:

@@ -195,6 +195,26 @@ def _state_of(process: str) -> str:
         return "Z"
 
 
+@pytest.mark.slow
+def test_two_runs_of_one_file_write_it_one_after_the_other(run: Run) -> None:
+    """Each has its own file until it is done."""
+    Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
+    command = [*BATCH, "-", "-o", "out.csv"]
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdin is not None
+    process.stdin.write(b"radius [nm],material\n" + b"50,iron\n" * 100_000)
+    process.stdin.flush()
+    wait_until(lambda: begun("out.csv"), process)
+    assert run("batch", "grains.csv", "-o", "out.csv").code == 0
+    assert len(Path("out.csv").read_bytes().splitlines()) == 2
+    process.stdin.close()
+    assert process.wait() == 0
+    assert process.stderr is not None
+    process.stderr.close()
+    assert len(Path("out.csv").read_bytes().splitlines()) == 100_001
+    assert not begun("out.csv")
+
+
 def test_a_run_that_fails_leaves_what_was_there(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n0,quartz\n", encoding="utf-8")
     Path("out.csv").write_text("mine", encoding="utf-8")

@@ -12,6 +12,7 @@ import pytest
 import jkroll
 from harness import Run
 from relative import approx
+from tables import random_table
 
 pyarrow = pytest.importorskip("pyarrow")
 parquet = pytest.importorskip("pyarrow.parquet")
@@ -21,6 +22,24 @@ def write(columns: dict[str, list[object]], name: str = "grains.parquet") -> str
     """A Parquet file."""
     parquet.write_table(pyarrow.table(columns), name, row_group_size=100)
     return name
+
+
+def test_the_same_as_in_csv(run: Run) -> None:
+    text = random_table(60, 8)
+    Path("grains.csv").write_text(text, encoding="utf-8")
+    assert run("batch grains.csv -o out.csv --jobs 1").code == 1
+    given = list(csv.DictReader(text.splitlines()))
+    columns: dict[str, list[object]] = {name: [row[name] or None for row in given] for name in given[0]}
+    for name in ("load [nN]", "surface_energy [mJ/m2]"):
+        columns[name] = [float(row[name]) if row[name] else None for row in given]
+    assert run("batch", write(columns), "-o", "out.parquet").code == 1
+    found = parquet.read_table("out.parquet").to_pylist()
+    for row, line in zip(found, csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines()), strict=True):
+        for name in list(line)[len(columns) : -2]:
+            assert row[name] == (approx(float(line[name]), rel=1e-12) if line[name] else None), name
+        assert (row["doubt"] or "") == line["doubt"]
+        assert bool(row["status"]) == bool(line["status"])
+    assert [row["material"] for row in found] == columns["material"]
 
 
 def test_a_plane_that_a_list_wrote_is_read_as_one(run: Run) -> None:
@@ -165,6 +184,16 @@ def test_an_interrupted_run_leaves_no_file(run: Run, monkeypatch: pytest.MonkeyP
         with pytest.raises(KeyboardInterrupt):
             run("batch", name, "-o", "out.parquet", "--quiet")
     assert [path.name for path in Path().iterdir()] == [name]
+
+
+def test_strict_writes_nothing(run: Run) -> None:
+    name = write({"radius [nm]": [100.0, 0.0]})
+    ran = run("batch", name, "-o", "y.parquet", "--strict", "--quiet")
+    assert (ran.code, ran.err) == (
+        1,
+        "jkroll: line 2: radius: '0.0 nm' must be positive; expected a length such as 100nm\n",
+    )
+    assert not Path("y.parquet").exists()
 
 
 @pytest.mark.parametrize("rows", [0, 1000])

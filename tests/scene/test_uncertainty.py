@@ -164,6 +164,21 @@ def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(
     assert known - 0.02 * (known - one.low) <= one.high <= known * (1 + 1e-12)
 
 
+@pytest.mark.parametrize("name", ["twisting_energy", "sliding_displacement", "peeling_over_sliding", "sliding_force"])
+@pytest.mark.parametrize("count", [2, pytest.param(3, marks=pytest.mark.slow)])
+def test_the_ends_are_those_of_a_grid(name: str, count: int) -> None:
+    """Which body is the weaker depends on E/(1 + ν) of both, and changes within these ranges."""
+    given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "surface_energy2": 0.08, "poisson_ratio2": 0.2}
+    given |= {"youngs_modulus2": 4e9}
+    spans = {"youngs_modulus": (1.9e9, 4.8e9), "poisson_ratio": (0.03, 0.46), "youngs_modulus2": (2.2e9, 5e9)}
+    ranges = {each: Interval(sum(span) / 2, *span) for each, span in [*spans.items()][:count]}
+    one = solve(name, **{**given, **ranges})
+    axes = [numpy.linspace(span.low, span.high, 201 if count == 2 else 41) for span in ranges.values()]
+    grid = dict(zip(ranges, numpy.meshgrid(*axes), strict=True))
+    values = solve(name, **{**given, **grid})
+    assert_spans(one, values.ravel(), outer=0.03)
+
+
 def test_what_is_copied_moves_together() -> None:
     surface = {"surface_energy": relative(0.025, 0.1)}
     assert found("pull_off_force", QUARTZ, surface).uncertainty.high == approx(1.1 * 1.1780972450961723e-8)
