@@ -14,22 +14,22 @@ class Question:
         headline: tuple[str, ...],  # those that the command is named after; --bare writes them alone
         quantities: tuple[str, ...],  # all that are shown, in this order
         named: tuple[str, ...] = (),  # asked for by name: shown for any scene
-        # Without a row: limits of the headline, with the heads of their columns; one without a head has none.
-        beside: Mapping[str, str] = MappingProxyType({}),
+        # Those without a row, with the heads of their columns if they are limits of the headline, or an empty text.
+        without_row: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        self.headline, self.quantities, self.named, self.beside = headline, quantities, named, beside
+        self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
 
 
-def _question(headline: str, quantities: str = "", beside: Mapping[str, str] = MappingProxyType({})) -> Question:
+def _question(headline: str, quantities: str = "", without_row: Mapping[str, str] = MappingProxyType({})) -> Question:
     """Return the question of a command from the names of quantities, with blanks between them."""
-    return Question((*headline.split(),), (*(quantities or headline).split(),), beside=beside)
+    return Question((*headline.split(),), (*(quantities or headline).split(),), without_row=without_row)
 
 
 _QUESTIONS = {
     "pull-off": _question(
         "pull_off_force",
         "pull_off_force pull_off_force_dmt pull_off_force_lennard_jones pull_off_force_rough",
-        beside={"pull_off_force_dmt": "DMT"},
+        without_row={"pull_off_force_dmt": "DMT"},
     ),
     "yield-force": _question(
         "yield_force",
@@ -41,7 +41,7 @@ _QUESTIONS = {
         "vertical_frequency rolling_frequency",
         "vertical_frequency rolling_frequency rolling_frequency_as_printed rolling_frequency_no_slip "
         "sliding_frequency twisting_frequency rayleigh_time",
-        beside={"rolling_frequency_as_printed": ""},
+        without_row={"rolling_frequency_as_printed": ""},
     ),
     "n-roll": _question("n_roll", "n_roll_after_impact n_roll n_roll_energy_balance"),
     "contact": _question(
@@ -56,11 +56,11 @@ _QUESTIONS = {
         "mean_rolling_moment mean_rolling_force",
     ),
 }
-# What stands beside a headline and contradicts it; Eq (41) as printed does so in `frequencies` alone.
-_BESIDE = ("n_roll_energy_balance", "n_roll_after_impact")
+# What contradicts a headline, in the report, too; Eq (41) as printed does so in `frequencies` alone.
+_CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
-    tuple(name for each in _QUESTIONS.values() for name in each.quantities if name in (*each.headline, *_BESIDE)),
+    tuple(name for each in _QUESTIONS.values() for name in each.quantities if name in (*each.headline, *_CONTRARY)),
 )
 QUESTIONS: Mapping[str, Question] = MappingProxyType(
     {

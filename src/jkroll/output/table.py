@@ -116,7 +116,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
 
 def _results(answer: "Answer") -> "list[Result]":
     """Return the results that have a row: not those with a note of their own and the value of a result without one."""
-    results = [result for result in answer.results if result.name not in answer.question.beside]
+    results = [result for result in answer.results if result.name not in answer.question.without_row]
     values = {result.value for result in results if not NOMENCLATURE[result.name].note} - {None}
     return [result for result in results if not NOMENCLATURE[result.name].note or result.value not in values]
 
@@ -125,7 +125,7 @@ def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
     """Return what has columns beside the results, by head: what may stand in their place, and limits of theirs."""
     others = {head_of(kind): values for kind, values in answer.alternatives.items()}
     for result in answer.results:
-        head = answer.question.beside.get(result.name)
+        head = answer.question.without_row.get(result.name)
         if head and result.value is not None and head != head_of(answer.scene.law.name):
             others[head] = {answer.question.headline[0]: result.measure}
     return others

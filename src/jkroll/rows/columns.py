@@ -198,14 +198,13 @@ def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> dict[str, set[str]]:
     return sides
 
 
-class Row:
-    """A row of columns: its inputs, its numbers as `Wanted.keys` has them, its doubts as bits, why cells are empty.
+class Row(NamedTuple):
+    """A row of columns."""
 
-    The inputs are SI values, with their uncertainties, names of materials and the law; a number that is nan is a gap.
-    """
-
-    def __init__(self, inputs: Mapping[str, Any], numbers: Sequence[float], doubts: int, reasons: Reasons) -> None:
-        self.inputs, self.numbers, self.doubts, self.reasons = inputs, numbers, doubts, reasons
+    inputs: Mapping[str, Any]  # SI values, with their uncertainties, names of materials and the law
+    numbers: Sequence[float]  # as `Wanted.keys` has them; one that is nan is a gap
+    doubts: int  # as bits
+    reasons: Reasons  # why cells are empty
 
 
 def reasons_of(outcomes: Mapping[str, Any]) -> dict[str, JkrollError]:
@@ -313,11 +312,10 @@ class Columns:
     @cached_property
     def failed(self) -> list[int]:
         """The rows without a contact, or without any value but alternatives."""
-        lacks = {id(reasons): lack(reasons) is not None for reasons in self.reasons.values()}
         return [
             row
             for row, reasons in self.reasons.items()
-            if lacks[id(reasons)] or all(isnan(self.column(name)[row]) for name in self.wanted.names)
+            if lack(reasons) is not None or all(isnan(self.column(name)[row]) for name in self.wanted.names)
         ]
 
     def failure(self, row: int) -> JkrollError:

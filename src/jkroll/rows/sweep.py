@@ -98,7 +98,7 @@ class Sweep:
             raise Failure(OF_IDENTICAL_SPHERES)
         names = [name for name in quantities if name in shown]
         kinds = [(scene, self.shown(scene, names, named)) for scene in self.kinds]
-        inputs = {name for scene, own in kinds for name in scene.echo(scene.inputs_used(own))}
+        inputs = {name for scene, of_kind in kinds for name in scene.echo(scene.inputs_used(of_kind))}
         return Wanted(names, named=named, inputs=in_order(inputs - shown), sides=sides_in(kinds))
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> "Wanted":
@@ -114,13 +114,8 @@ class Sweep:
 
     def shown(self, scene: Scene, quantities: Sequence[str], named: Collection[str]) -> list[str]:
         """Return those of some quantities that were asked for by name, or that concern some row of a kind."""
-        return [name for name in quantities if name in named or self._shows(name, scene)]
-
-    def _shows(self, name: str, scene: Scene) -> bool:
-        """Return whether a quantity concerns some row of a kind."""
-        if NOMENCLATURE[name].of_identical and any(map(self._may_be_alike, self.spreads)):
-            return bool(scene.shows_to_identical(name))
-        return bool(scene.shows(name))
+        shows = scene.shows_to_identical if any(map(self._may_be_alike, self.spreads)) else scene.shows
+        return [name for name in quantities if name in named or shows(name)]
 
     def _may_be_alike(self, name: str) -> bool:
         """Return whether an input of sphere 2 may have a value of sphere 1, and one of them has several."""
