@@ -94,14 +94,11 @@ class Doubt:
 
     @property
     def text(self) -> str:
-        """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)".
-
-        Where another number is within the limit, this one, which may be beyond it, does not stand beside.
-        """
-        if not self.is_exceeded and self.limit.factor is not None:
+        """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
+        if not self.is_exceeded:
             return "within the limit"
-        number = f"{NOMENCLATURE[self.limit.name].symbol} = {amount(self.limit.name, self.value, _SHORT)}"
-        return f"{self.limit.consequence if self.is_exceeded else 'within the limit'} ({number})"
+        number = amount(self.limit.name, self.value, _SHORT)
+        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number})"
 
     @property
     def bits(self) -> Any:
@@ -309,13 +306,12 @@ def bits_of(found: Iterable[Doubt]) -> Any:
     return reduce(operator.or_, (doubt.bits for doubt in found), 0)
 
 
-@cache  # many rows have the same doubts
 def codes_of(bits: int) -> tuple[str, ...]:
     """Return the codes that bits stand for, the last of which is UNCHECKED."""
     return tuple(code for code, bit in BITS.items() if bits & bit)
 
 
-@cache
+@cache  # many rows have the same doubts
 def codes(bits: int) -> str:
     """Return the codes that bits stand for as a text."""
     return " ".join(codes_of(bits))
