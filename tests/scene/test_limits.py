@@ -59,11 +59,12 @@ def test_an_excess_is_the_logarithm_of_a_factor() -> None:
     assert law.factor == approx(max(of_laws[1], fit) / of_laws[0] / 1.05)
 
 
-def test_a_limit_that_holds_has_its_number_too() -> None:
+def test_a_limit_that_holds_has_its_number() -> None:
     (few,) = [
         one for one in doubts(Scene(QUARTZ), ["pull_off_force"]) if one.limit.name == "contact_radius_in_spacings"
     ]
-    assert few.text == "within the limit"
+    assert (few.text, few.factor) == ("within the limit", approx(3 / few.value))
+    assert few.value == approx(9.98, rel=1e-3)
 
 
 def test_every_limit_touches_what_a_command_shows() -> None:
