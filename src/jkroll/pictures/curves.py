@@ -1,6 +1,6 @@
 """Curves of one contact: force, pressure and moment, in JKR or by several laws of attraction."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import groupby
 from math import inf
 from typing import Any
@@ -35,58 +35,54 @@ _BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force
 
 
 def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
-    """Return force against approach up to one load, with the loads that were given as the ends of its axis."""
+    """Return force against approach up to one load, with the loads that were given as the ends of its axis.
+
+    The branches of one law have a colour each, as have several laws.
+    """
     most = max(0.0, loads.high) if loads else MAX_LOAD * max(scene["pull_off_force"] for scene in scenes)
-    paths = [_path(scene, most) for scene in scenes]
+    is_one = len(scenes) == 1
+    curves: list[Curve] = []
     points: list[Mark] = []
-    if len(scenes) == 1:
-        curves, points = _branches(*paths[0])
-    else:
-        curves = [
-            Curve(scene.law.title, x, y, number)
-            for number, (scene, (_, x, y)) in enumerate(zip(scenes, paths, strict=True))
-        ]
+    for number, scene in enumerate(scenes):
+        for name, x, y in _branches(scene, most):
+            if name not in NAMED:
+                look = (name, x, y, _BRANCHES.index(name)) if is_one else (scene.law.title, x, y, number)
+                curves.append(Curve(*look))
+            elif is_one:
+                points.append(Mark(_NO_LOAD if name == EQUILIBRIUM else name, x, y))
     if loads is not None:
         least = min(float(curve.y.min()) for curve in curves)
-        curves = [cut for cut in (clipped(curve, *loads) for curve in curves) if numpy.isfinite(cut.y).any()]
+        curves = [part for part in (clipped(curve, *loads) for curve in curves) if part.y.size]
         points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
         if not curves:
             raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
     x = axis_around("approach_at_load", [curve.x for curve in curves])
     y = axis_around("load", [curve.y for curve in curves], margin=0.08)
     ends = Axis("load", *loads, is_log=False) if loads is not None else y
-    is_jkr = len(scenes) == 1 and scenes[0].law.is_default
-    title = "force, Eqs (5) and (6)" if is_jkr else f"force{_of_law(scenes)}"
+    title = "force, Eqs (5) and (6)" if is_one and scenes[0].law.is_default else f"force{_of_law(scenes)}"
     return Panel(x, ends, tuple(curves), tuple(points), title)
 
 
-def _path(scene: Scene, most: float) -> tuple[list[str], Any, Any]:
-    """Return the names of the states of a force curve up to a load, their approaches, and their loads."""
+def _branches(scene: Scene, most: float) -> Iterator[tuple[str, Any, Any]]:
+    """Iterate over the branches of a force curve up to a load and its named states: name, approaches, loads.
+
+    A branch begins at the state before it.
+    """
     path = states(scene, Loads(-inf, most), POINTS)
     groups = [
         values_of(scene.replace(**{given: numpy.array([state.value for state in group])}), _FORCE)
         for given, group in groupby(path, key=lambda state: state.given)
     ]
-    approaches, forces = (numpy.concatenate([group[name] for group in groups]) for name in _FORCE)
-    return [state.name for state in path], approaches, forces
-
-
-def _branches(names: Sequence[str], x: Any, y: Any) -> tuple[list[Curve], list[Mark]]:
-    """Return the branches of a force curve, the stable one first, and its named states."""
-    starts: dict[str, int] = {}  # of the branches, at a state that is the end of the one before
-    points: list[Mark] = []
-    for place, name in enumerate(names):
+    x, y = (numpy.concatenate([group[name] for group in groups]) for name in _FORCE)
+    starts: dict[str, int] = {}
+    for place, name in enumerate(state.name for state in path):
         if name in NAMED:
-            text = _NO_LOAD if name == EQUILIBRIUM else name
-            points.append(Mark(text, float(x[place]), float(y[place])))
+            yield name, float(x[place]), float(y[place])
         else:
-            starts.setdefault(name, place - 1 if starts else 0)
-    ends = [*[*starts.values()][1:], len(names) - 1]
-    curves = [
-        Curve(name, x[start : end + 1], y[start : end + 1], _BRANCHES.index(name))
-        for (name, start), end in zip(starts.items(), ends, strict=True)
-    ]
-    return curves[::-1], points
+            starts.setdefault(name, max(place - 1, 0))
+    ends = [*[*starts.values()][1:], len(path) - 1]
+    for (name, start), end in reversed([*zip(starts.items(), ends, strict=True)]):
+        yield name, x[start : end + 1], y[start : end + 1]
 
 
 def _pressure(scenes: Sequence[Scene], _: Loads | None) -> Panel:

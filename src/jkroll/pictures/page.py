@@ -18,12 +18,10 @@ from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ign
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
-from matplotlib.patheffects import withTickedStroke  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
-from .. import __version__
 from ..quantities.formatting import PREFIXABLE, engineering, pretty
-from ..quantities.markup import lines, plain, typeset
+from ..quantities.markup import lines, typeset
 from .picture import (
     DASHES,
     LETTER,
@@ -51,6 +49,7 @@ _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
 _HIGHEST = 5  # height of the sheet that a page is cut from, over the width of the page, for each row
+_UNDATED: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 _GAP = 0.04  # around the parts of a page, in inches
 
 
@@ -61,7 +60,7 @@ def draw(drawn: Picture, kind: str, inches: float | None, style: str, *, has_cap
         buffer = BytesIO()
         box = figure.get_tightbbox().padded(_GAP)
         page = Bbox.from_extents(0, box.y0, figure.get_figwidth(), box.y1)
-        figure.savefig(buffer, format=kind, dpi=300, metadata=_metadata(drawn, kind), bbox_inches=page)
+        figure.savefig(buffer, format=kind, dpi=300, metadata=_UNDATED[kind], bbox_inches=page)
     return buffer.getvalue()
 
 
@@ -140,18 +139,6 @@ def settings(style: Style) -> Iterator[None]:
         yield
 
 
-def _metadata(drawn: Picture, kind: str) -> dict[str, Any]:
-    """Return what the file says of itself, without the time at which it was made."""
-    about = plain(" ".join((*drawn.caption, *drawn.remarks)))
-    program = f"jkroll {__version__}, matplotlib {mpl.__version__}"
-    named: dict[str, dict[str, Any]] = {
-        "svg": {"Description": about, "Creator": program, "Date": None},
-        "pdf": {"Subject": about, "Creator": program, "CreationDate": None},
-        "png": {"Description": about, "Software": program},
-    }
-    return {"Title": plain(drawn.title), **named[kind]}
-
-
 # --- Axes -------------------------------------------------------------------------------------------------------------
 
 
@@ -220,18 +207,11 @@ def _draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: in
     keys: list[Any] = []
     for region in field.regions:
         excess = numpy.ma.masked_invalid(numpy.where(mask, numpy.nan, region.excess(here)))
-        if region.hatch:
-            axes.contour(across, up, excess, levels=[0], colors=style.ink, linewidths=0.5, linestyles="dotted")
-            axes.contourf(
-                across, up, excess, levels=[0, max(1.0, float(excess.max()) + 1)], colors="none", hatches=[region.hatch]
-            )
-            label = "\n".join(lines(region.text, letters))
-            keys.append(Patch(label=label, facecolor="none", hatch=region.hatch, edgecolor=style.hatch, linewidth=0.4))
-        else:
-            ticks = [withTickedStroke(spacing=8, angle=90, length=0.6)]
-            axes.contour(across, up, excess, levels=[0], colors=style.ink, linewidths=0.8, path_effects=ticks)
-            label = "\n".join(lines(f"{region.text}, on the side of the ticks", letters))
-            keys.append(Line2D([], [], color=style.ink, linewidth=0.8, path_effects=ticks, label=label))
+        axes.contour(across, up, excess, levels=[0], colors=style.ink, linewidths=0.5, linestyles="dotted")
+        end = max(1.0, float(excess.max()) + 1)
+        axes.contourf(across, up, excess, levels=[0, end], colors="none", hatches=[region.hatch])
+        label = "\n".join(lines(region.text, letters))
+        keys.append(Patch(label=label, facecolor="none", hatch=region.hatch, edgecolor=style.hatch, linewidth=0.4))
     contours = None
     if heights:
         look = {"levels": heights, "colors": style.ink}
@@ -263,20 +243,20 @@ def bands_of(style: Style) -> Any:
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> list[Any]:
     """Draw curves, which differ in colour and in their dashes; return the keys of a legend."""
-    handles = [
-        axes.plot(curve.x, curve.y, label="\n".join(lines(curve.text, letters)), **line_of(curve, number, style))[0]
-        for number, curve in enumerate(panel.curves)
-    ]
-    return handles if len(handles) > 1 else []
+    handles = {}
+    for curve in panel.curves:
+        label = "\n".join(lines(curve.text, letters))
+        (handles[label],) = axes.plot(curve.x, curve.y, label=label, **line_of(curve, style))
+    return [*handles.values()] if len(handles) > 1 else []
 
 
-def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
-    """Return the look of the curve of a number, as matplotlib takes it. A curve of one point is a sign."""
+def line_of(curve: Curve, style: Style) -> dict[str, Any]:
+    """Return the look of a curve, as matplotlib takes it. A curve of one point is a sign."""
     colour = style.lines[curve.colour % len(style.lines)]
     if len(curve.x) == 1:
-        return {"color": colour, "linestyle": "", "marker": POINTS[number % len(POINTS)], "markersize": 4}
-    turn = number // len(DASHES)  # after which the colours come again, with other dashes
-    dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
+        return {"color": colour, "linestyle": "", "marker": POINTS[curve.colour % len(POINTS)], "markersize": 4}
+    turn = curve.colour // len(DASHES)  # after which the colours come again, with other dashes
+    dashes = "--" if curve.is_dashed else DASHES[(curve.colour + turn) % len(DASHES)]
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}
 
 

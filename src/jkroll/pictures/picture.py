@@ -77,7 +77,7 @@ class Curve(NamedTuple):
 class Region(NamedTuple):
     """The points of a field at which an excess is positive: there the model is not exact, or has no meaning.
 
-    In a terminal its numbers have the sign, on a page it has the hatch; without one, its border has ticks on its side.
+    In a terminal its numbers have the sign, on a page it has the hatch.
     """
 
     text: str
@@ -203,16 +203,11 @@ def is_wide(values: Any) -> bool:
 
 
 def clipped(curve: Curve, low: float, high: float) -> Curve:
-    """Return the parts of a curve between two values of y, up to where it crosses them, each with a nan behind it."""
-    x, y = curve.x, curve.y
-    for end in (low, high):
-        before = numpy.flatnonzero((y[:-1] < end) != (y[1:] < end))
-        share = (end - y[before]) / (y[before + 1] - y[before])
-        x = numpy.insert(x, before + 1, x[before] + share * (x[before + 1] - x[before]))
-        y = numpy.insert(y, before + 1, end)
-    is_inside = (y >= low) & (y <= high)
-    kept = is_inside | numpy.concatenate([[False], is_inside[:-1]])
-    return curve._replace(x=numpy.where(is_inside, x, numpy.nan)[kept], y=numpy.where(is_inside, y, numpy.nan)[kept])
+    """Return the part of a curve that rises or falls all along between two values of y, up to where it crosses them."""
+    x, y = (curve.x, curve.y) if curve.y[0] <= curve.y[-1] else (curve.x[::-1], curve.y[::-1])
+    ends = [end for end in (low, high) if y[0] <= end <= y[-1]]
+    inside = numpy.union1d(y[(low <= y) & (y <= high)], ends)
+    return curve._replace(x=numpy.interp(inside, y, x), y=inside)
 
 
 # --- Looks of a page --------------------------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 """A user's request for a plot as a field or curves: with caption, notes, and limits of the model that are exceeded."""
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from math import isclose, log, nan
 from typing import Any, NamedTuple
@@ -46,7 +46,7 @@ SIGNS = {
     "energy_over_yield": ("^", "----"),
     "tabor_parameter": ("|", "||||"),
 }
-BORDER = ("'", "")  # of what a law is off by, whose border has ticks
+SLIGHT = ("'", "|")  # where a law is off by little
 DRAWN_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
 _FARTHEST = log(1e3)  # excess of a limit that has a place on a map
 _TWO, _THREE, _FOUR = (Format(digits=digits) for digits in (2, 3, 4))
@@ -75,12 +75,15 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     quantity, ((_, scene),) = request.quantity, request.scenes
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
     layer = Layer(request, "", scene, [axis._replace(size=SIDE) for axis in (x, y)])
-    regions, sentences = layer.regions()
+    passed = [*layer.passed()]
+    drawn = [each for each in passed if each.where and each.limit in DRAWN_LIMITS]
+    regions = (Region(each.text, *each.look, partial(_excess_over, each, quantity)) for each in drawn)
     field = Field(quantity, scene, layer.values, tuple(regions), request.printed)
     marks = [mark_at(text, request.materials, scene, x, y) for text in request.marks]
     of_materials, left_out = _material_marks(request.materials, x, y) if scene.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
-    caption = (*_opening(quantity, [layer]), *left_out, *sentences)
+    told = {"": [each for each in passed if each not in drawn]}
+    caption = (*_opening(quantity, [layer]), *left_out, *_sentences(told))
     remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
     return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, remarks), layer.notes
 
@@ -101,7 +104,8 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     y = axis_around(quantity, [curve.y for curve in curves], may_be_log=True)
     marks = tuple(mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
-    caption = (*_opening(quantity, layers), *_doubts_along(x, layers), *farthest)
+    told = {layer.text: [*layer.passed()] for layer in layers}
+    caption = (*_opening(quantity, layers), *_sentences(told), *farthest)
     notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
     notes += dict.fromkeys(note for layer in layers for note in layer.notes)
     return Picture("", (Panel(x, y, curves, marks),), caption), tuple(notes)
@@ -113,14 +117,9 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
 def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
     """Return the mark of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` between two axes."""
     numbers = _scene_at(text, materials, scene).numbers(x.name, y.name)
-    mark = Mark(text, numbers.get(x.name), numbers.get(y.name))
-    if mark.x is None and mark.y is None:
+    if not numbers or not all(axis.has(numbers.get(axis.name, axis.low)) for axis in (x, y)):
         raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
-    for axis, value in ((x, mark.x), (y, mark.y)):
-        if value is not None and not axis.has(value):
-            low, high = (amount(axis.name, float(f"{end:.3g}")) for end in (axis.low, axis.high))
-            raise BadRequest(f"--mark {quoted(text)} is nowhere on {axis.name}, which is drawn from {low} to {high}")
-    return mark
+    return Mark(text, numbers.get(x.name), numbers.get(y.name))
 
 
 def _scene_at(text: str, materials: Materials, scene: Scene) -> Scene:
@@ -149,18 +148,17 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 
 
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
-    """Iterate over the places of marks on an axis and the values at points, with the map's if it has other inputs."""
+    """Iterate over the places of marks on an axis, and the values of grains at points, by their own inputs."""
     quantity, ((_, scene),) = request.quantity, request.scenes
     for mark in panel.marks:
-        places = {axis.name: value for axis, value in ((panel.x, mark.x), (panel.y, mark.y)) if value is not None}
-        other = ""
-        if len(places) == 2:
-            of_map = scene.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
-            places = _scene_at(mark.text, request.materials, scene).numbers(quantity) or of_map
-            if not isclose(places.get(quantity, nan), of_map.get(quantity, nan), rel_tol=SAME) and places and of_map:
-                other = f" by its own inputs, {amount(quantity, of_map[quantity], _FOUR)} by those that are fixed"
-        for name, value in places.items():
-            yield f"{mark.text}: {symbol(name)} = {amount(name, value, _FOUR)}{other}"
+        numbers = {axis.name: value for axis, value in ((panel.x, mark.x), (panel.y, mark.y)) if value is not None}
+        if len(numbers) == 2:
+            drawn = scene.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
+            numbers = _scene_at(mark.text, request.materials, scene).numbers(quantity) or drawn
+            if drawn and not isclose(numbers[quantity], drawn[quantity], rel_tol=SAME):
+                yield f"{mark.text} has other inputs than are fixed here"
+        for name, value in numbers.items():
+            yield f"{mark.text}: {symbol(name)} = {amount(name, value, _FOUR)}"
 
 
 # --- The quantity of one scene --------------------------------------------------------------------------------------
@@ -174,7 +172,7 @@ class Layer:
 
     def __init__(self, request: PlotRequest, text: str, scene: Scene, axes: Sequence[Axis]) -> None:
         """Evaluate the quantity of a request in a scene; `text`: the label of a curve."""
-        self.text, self.given, self.quantity = text, scene, (quantity := request.quantity)
+        self.text, self.given, self.quantity, self.axes = text, scene, (quantity := request.quantity), axes
         at_an_end = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
         self.scene = scene.replace(**at_an_end)  # what a quantity needs is the same all along an axis
         limits = touched(self.scene, [quantity], request.limits)
@@ -200,11 +198,8 @@ class Layer:
             reason = f": {reason_of(quantity, outcome)}" if isinstance(outcome, JkrollError) else ""
             raise without_value(quantity, f"no value anywhere on these axes{reason}")
 
-    def exceeded(self) -> Iterator[tuple[Limit, float, str, Any]]:
-        """Iterate over the thresholds that values pass: the limit, its excess there, what holds, and the points beyond.
-
-        Of a law it is the last threshold, then the first, unless all values are beyond the last.
-        """
+    def passed(self) -> "Iterator[Passed]":
+        """Iterate over the thresholds that values pass: of a law the last, then the first unless all pass the last."""
         for doubt in self.doubts:
             limit = doubt.limit
             first, *_, last = (limit.threshold, *limit.codes)
@@ -212,9 +207,10 @@ class Layer:
                 step = limit.excess(threshold)
                 is_beyond = self.known & (doubt.excess > step)
                 if is_beyond.any():
-                    yield limit, step, self._beyond(limit, threshold), is_beyond
-                if (is_beyond == self.known).all():
-                    break
+                    where = self._where(is_beyond)
+                    yield Passed(limit, step, self._beyond(limit, threshold), where)
+                    if not where:
+                        break
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
         """Return what holds beyond a threshold, with the number that a limit names unless another is judged."""
@@ -226,27 +222,37 @@ class Layer:
         number, unit = AS_USUAL.rounded(limit.name, threshold)
         return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {number}⟧{unit and f' {unit}'}: {meaning}"
 
-    def regions(self) -> tuple[list[Region], list[str]]:
-        """Return the regions in which limits are exceeded, and sentences on limits that are not drawn.
-
-        A region that would hold all values is a sentence.
-        """
-        regions, sentences = [], []
-        for limit, step, text, is_beyond in self.exceeded():
-            if (is_beyond == self.known).all():
-                sentences.append(f"Everywhere {text}.")
-            elif limit not in DRAWN_LIMITS:
-                sentences.append(f"In part of the map {text}.")
-            else:
-                look = BORDER if limit.factor is not None and step == 0 else SIGNS[limit.name]
-                regions.append(Region(text, *look, partial(_excess_over, limit, step, self.quantity)))
-        return regions, sentences
+    def _where(self, is_beyond: Any) -> str:
+        """Return where something holds: stretches of a curve, or a part of a map; empty for all points with a value."""
+        if (is_beyond == self.known).all():
+            return ""
+        x, *others = self.axes
+        if others:
+            return "In part of the map"
+        values, beyond = x.values()[self.known], is_beyond[self.known]
+        edges = numpy.flatnonzero(numpy.diff(beyond, prepend=False, append=False)).reshape(-1, 2)
+        ends = ([amount(x.name, values[end], _TWO) for end in (first, last - 1)] for first, last in edges)
+        return f"{symbol(x.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
 
 
-def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
+class Passed(NamedTuple):
+    """A threshold that values pass."""
+
+    limit: Limit
+    step: float  # the excess of the limit there
+    text: str
+    where: str  # empty: everywhere
+
+    @property
+    def look(self) -> tuple[str, str]:
+        """The sign and the hatch of the points beyond."""
+        return SLIGHT if self.limit.factor is not None and self.step == 0 else SIGNS[self.limit.name]
+
+
+def _excess_over(passed: Passed, quantity: str, here: Scene) -> Any:
     """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
-    (doubt,) = judged([limit], here, [quantity])
-    return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
+    (doubt,) = judged([passed.limit], here, [quantity])
+    return numpy.clip(doubt.excess - passed.step, -_FARTHEST, _FARTHEST)
 
 
 # --- Sentences of a caption -------------------------------------------------------------------------------------------
@@ -296,28 +302,18 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
     yield from dict.fromkeys(sentence for layer in layers for sentence in layer.unjudged)
 
 
-def _doubts_along(x: Axis, layers: Sequence[Layer]) -> Iterator[str]:
-    """Iterate over sentences on the stretches of curves where the model has no meaning or is not exact."""
-    places: dict[str, dict[str, str]] = {}  # by what holds there: the stretches of each curve
-    for layer in layers:
-        for _, _, text, is_beyond in layer.exceeded():
-            places.setdefault(text, {})[layer.text] = _stretches(x, is_beyond[layer.known], layer.known)
-    for text, stretches in places.items():
-        if len(stretches) == len(layers) and not any(stretches.values()):
+def _sentences(told: Mapping[str, Iterable[Passed]]) -> Iterator[str]:
+    """Iterate over sentences on where the model has no meaning or is not exact, of layers by their labels."""
+    places: dict[str, dict[str, str]] = {}  # by what holds there: the places of each layer
+    for label, passed in told.items():
+        for each in passed:
+            places.setdefault(each.text, {})[label] = each.where
+    for text, where in places.items():
+        if len(where) == len(told) and not any(where.values()):
             yield f"Everywhere {text}."
         else:
-            each = (", ".join(filter(None, (label, where or "everywhere"))) for label, where in stretches.items())
-            yield f"{'; '.join(each)}: {text}."
-
-
-def _stretches(x: Axis, is_beyond: Any, known: Any) -> str:
-    """Return the stretches of a curve on which something holds, of the points with a value; empty for all of them."""
-    if is_beyond.all():
-        return ""
-    values = x.values()[known]
-    edges = numpy.flatnonzero(numpy.diff(is_beyond, prepend=False, append=False)).reshape(-1, 2)
-    ends = ([amount(x.name, values[end], _TWO) for end in (first, last - 1)] for first, last in edges)
-    return f"{symbol(x.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
+            each_place = (", ".join(filter(None, (label, place or "everywhere"))) for label, place in where.items())
+            yield f"{'; '.join(each_place)}: {text}."
 
 
 def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
