@@ -38,7 +38,7 @@ from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError, NoResult
 from jkroll.output.answered import Answered
 from jkroll.pictures.picture import Axis, over
-from jkroll.pictures.request import Layer, PlotRequest
+from jkroll.pictures.request import PlotRequest, picture_of
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, middle, value_of
 from jkroll.rows.columns import DOUBT, STATUS
@@ -381,12 +381,13 @@ def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
     given = {name: value_of(text, name) for name, (text,) in ask_of(f"report {PLAIN}").inputs.items()}
     scene, x, y = Scene(given), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
     request = PlotRequest(quantity, x, y, (("", scene),), (), known_materials())
-    regions, _ = Layer(request, "", scene, [x, y]).regions()
+    (panel,) = picture_of(request)[0].panels
+    assert panel.field is not None
     marks = {"a/z0": "few-atoms", "more than 5 %": "law-off", "more than a factor of 2": "law-off-2x"}
     drawn = [
         (region.excess(over(scene, x, y)) > 0, code)
         for mark, code in marks.items()
-        for region in regions
+        for region in panel.field.regions
         if mark in region.text
     ]
     assert len(drawn) > 1

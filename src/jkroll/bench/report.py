@@ -16,6 +16,7 @@ from ..physics.contact import pull_off_force, reduced_radius
 from ..physics.jkr import FOLD_APPROACH
 from ..pictures.picture import Axis, Curve, Panel, Picture
 from ..quantities.formatting import significant
+from ..quantities.nomenclature import NOMENCLATURE
 from ..text import say
 from .ways import DECIMALS, OTHER_WAYS, QUANTITIES, Way, exact, inputs_of, our_way
 
@@ -65,11 +66,11 @@ _PULL_OFF_APPROACH = -(2 ** (-4 / 3))  # δ/δ0 at the pull-off force
 # Decades of ordinary inputs, and of any.
 _ORDINARY = {
     "radius": (-8, -4), "radius2": (-8, -4), "work_of_adhesion": (-2, 0.3), "contact_modulus": (9, 11.5),
-    "density": (3, 4), "yield_displacement": (-10, -9.3), "gravity": (-3, 1), "atomic_spacing": (-10, -9),
+    "yield_displacement": (-10, -9.3), "atomic_spacing": (-10, -9),
 }  # fmt: skip
 _ANY = {
     "radius": (-12, 3), "radius2": (-12, 3), "work_of_adhesion": (-6, 2), "contact_modulus": (4, 13),
-    "density": (1, 5), "yield_displacement": (-12, -6), "gravity": (-3, 3),
+    "yield_displacement": (-12, -6),
 }  # fmt: skip
 
 
@@ -223,20 +224,12 @@ def _in_short(row: Row) -> list[Cell]:
 
 # --- The page ---------------------------------------------------------------------------------------------------------
 
-PLOTTED = {
-    "pull_off_force": "pull-off force",
-    "contact_radius_at_load": "radius at ⟦P⟧",
-    "stiffness": "stiffness at ⟦P⟧",
-    "load_factor_at_approach": "state at ⟦δ⟧",
-    "contact_radius_maugis": "radius, Maugis",
-    "yield_moment": "rolling moment",
-}  # what users ask for
 _NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # ulp: least error that is drawn, and an error as large as the value
 
 
 def picture_of(rows: Sequence[Row]) -> Picture:
-    """Return error against cost, a panel for each of six quantities."""
-    panels = tuple(_panel(title, [row for row in rows if row.quantity == name]) for name, title in PLOTTED.items())
+    """Return error against cost, a panel for each quantity."""
+    panels = tuple(_panel(name, [*ways]) for name, ways in groupby(rows, lambda row: row.quantity))
     caption = (
         "Each point is a way, with its largest error in all regions, in ulp/(1 + κ).",
         "Dashed: the promise of the guide. Points at 10¹⁶: no number, or no digit.",
@@ -245,13 +238,13 @@ def picture_of(rows: Sequence[Row]) -> Picture:
     return Picture("Error against cost of the ways to six quantities", panels, caption)
 
 
-def _panel(title: str, rows: Sequence[Row]) -> Panel:
+def _panel(quantity: str, rows: Sequence[Row]) -> Panel:
     """Return the panel of one quantity, with the error that the guide promises."""
-    promise = PROMISE_OF_MAUGIS if "maugis" in rows[0].quantity else PROMISE
+    promise, law = (PROMISE_OF_MAUGIS, ", Maugis") if "maugis" in quantity else (PROMISE, "")
     x, y = Axis("time_of_a_point", 1e-10, 1e-2), Axis("error", 0.01, 1e18)
     ways = [
         Curve(row.way, numpy.array([row.cost * 1e-9]), numpy.clip([row.worst], _NEAREST, _ALL_DIGITS), number)
         for number, row in enumerate(rows)
     ]
     line = Curve("promise", numpy.array([x.low, x.high]), numpy.full(2, promise), colour=-1, is_dashed=True)
-    return Panel(x, y, (*ways, line), title=title)
+    return Panel(x, y, (*ways, line), title=NOMENCLATURE[quantity].sentence + law)

@@ -1,4 +1,4 @@
-"""Ways to each headline quantity: the package's, the paper's equations, textbook inversions, tables and quadratures.
+"""Ways to six headline quantities: the package's, the paper's equations, textbook inversions, tables and quadratures.
 
 The paper's equations stand in their plainest form, for doubles and for decimals of 60 digits, which give exact values.
 The state is that of a load and a pull-off force, or of an approach in units of the unloaded one.
@@ -21,8 +21,8 @@ from ..scene.scene import Scene
 from ..scene.wiring import plan_for, steps_to
 
 SYMBOLS = {
-    "R1": "radius", "R2": "radius2", "w": "work_of_adhesion", "E": "contact_modulus", "rho": "density",
-    "xi": "yield_displacement", "g": "gravity", "P": "load", "P_c": "pull_off_force",
+    "R1": "radius", "R2": "radius2", "w": "work_of_adhesion", "E": "contact_modulus",
+    "xi": "yield_displacement", "P": "load", "P_c": "pull_off_force",
     "delta": "approach_at_load", "delta0": "approach", "z0": "atomic_spacing",
 }  # fmt: skip
 DIGITS = 60
@@ -62,9 +62,6 @@ class Equations:
     def approach(self, R1: Any, R2: Any, w: Any, E: Any) -> Any:
         return self.radius(R1, R2, w, E) ** 2 / (3 * self.reduced(R1, R2))
 
-    def mass(self, R: Any, rho: Any) -> Any:
-        return 4 * self.pi / 3 * R**3 * rho
-
     def pull_off_force(self, R1: Any, R2: Any, w: Any) -> Any:
         return 3 * self.pi * (w / 2) * self.reduced(R1, R2)
 
@@ -94,24 +91,6 @@ class Equations:
 
     def yield_moment(self, R1: Any, R2: Any, w: Any, xi: Any, P: Any, P_c: Any) -> Any:
         return 4 * self.pull_off_force(R1, R2, w) * self.factor(P, P_c) * xi
-
-    def r_min(self, R1: Any, R2: Any, xi: Any) -> Any:
-        return R1 * R2 / xi
-
-    def n_grav(self, R1: Any, R2: Any, w: Any, rho: Any, xi: Any, g: Any, P: Any, P_c: Any) -> Any:
-        return self.sqrt(self.yield_moment(R1, R2, w, xi, P, P_c) / (self.mass(R1, rho) * g * R1))
-
-    def vertical_frequency(self, R1: Any, R2: Any, w: Any, E: Any, rho: Any, P: Any, P_c: Any) -> Any:
-        mass = self.reduced(self.mass(R1, rho), self.mass(R2, rho))
-        return self.sqrt(self.stiffness(R1, R2, w, E, P, P_c) / mass) / (2 * self.pi)
-
-    def rolling_frequency(self, R1: Any, R2: Any, w: Any, rho: Any, P: Any, P_c: Any) -> Any:
-        inertia = self.reduced(*(2 * self.mass(R, rho) * R**2 / 5 for R in (R1, R2)))
-        moment = 4 * self.pull_off_force(R1, R2, w) * self.factor(P, P_c) * self.reduced(R1, R2)
-        return self.sqrt(moment / inertia) / (2 * self.pi)
-
-    def n_roll(self, R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -> Any:
-        return self.approach(R1, R2, w, E) / (14 * self.pi * self.factor(P, P_c) * xi)
 
     def contact_radius_maugis(self, R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
         """Return a by Maugis' two equations for a and m = c/a at a load, solved in v = 1/√(m² − 1).
@@ -171,24 +150,19 @@ class Exact(NamedTuple):
     condition: float  # κ: how many times a relative error of the state that is given appears in the value
 
 
-def digits(quantity: str, point: Mapping[str, float], moved: str = "") -> Decimal:
-    """Return the value of a quantity at a point of doubles, in 60 digits.
-
-    An input is moved by a small step towards zero.
-    """
+def exact(quantity: str, point: Mapping[str, float]) -> Exact:
+    """Return a quantity at a point of doubles, from 60 digits, and its condition in the state and, by Maugis, in λ."""
     equation = getattr(DECIMALS, quantity)
-    with localcontext(prec=DIGITS):
-        given = {name: Decimal(point[name]) * (1 - _STEP * (name == moved)) for name in inputs_of(equation)}
-        value: Decimal = equation(*given.values())
+    names = inputs_of(equation)
+
+    def value_of(moved: str = "") -> Decimal:
+        value: Decimal = equation(*(Decimal(point[name]) * (1 - _STEP * (name == moved)) for name in names))
         return value
 
-
-def exact(quantity: str, point: Mapping[str, float]) -> Exact:
-    """Return the exact value of a quantity at a point, and its condition in the state and, by Maugis, in λ."""
-    value = digits(quantity, point)
-    states = {"load", "approach_at_load", "atomic_spacing"}.intersection(inputs_of(getattr(DECIMALS, quantity)))
     with localcontext(prec=DIGITS):
-        slopes = [abs(digits(quantity, point, name) / value - 1) / _STEP for name in states] if value else []
+        value = value_of()
+        states = {"load", "approach_at_load", "atomic_spacing"}.intersection(names)
+        slopes = [abs(value_of(name) / value - 1) / _STEP for name in states] if value else []
         return Exact(float(value), float(value - Decimal(float(value))), float(sum(slopes)))
 
 
@@ -287,7 +261,6 @@ PRINTED = "as printed"
 OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
     "pull_off_force": {PRINTED: DOUBLES.pull_off_force},
     "contact_radius_at_load": {PRINTED: DOUBLES.contact_radius_at_load},
-    "approach_at_load": {PRINTED: DOUBLES.approach_at_load},
     "stiffness": {PRINTED: DOUBLES.stiffness},
     "load_factor_at_approach": {
         "Newton on the quartic": DOUBLES.load_factor_at_approach,
@@ -301,10 +274,5 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
         "half-circles, Eq 19": _half_circles,
         "quadrature, Eq 17": _quadrature,
     },
-    "r_min": {PRINTED: DOUBLES.r_min},
-    "n_grav": {PRINTED: DOUBLES.n_grav},
-    "vertical_frequency": {PRINTED: DOUBLES.vertical_frequency},
-    "rolling_frequency": {PRINTED: DOUBLES.rolling_frequency},
-    "n_roll": {PRINTED: DOUBLES.n_roll},
 }
 QUANTITIES = tuple(OTHER_WAYS)

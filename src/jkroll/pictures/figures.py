@@ -3,9 +3,9 @@
 The paper's other figures carry no data.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 
@@ -120,12 +120,12 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
     scene = Scene(SIZE, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
-    names = (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment")
-    state = values_of(scene, names)
-    shift = float(scene["yield_displacement"])
-    a = state["contact_radius_at_load"]
+    state = values_of(scene, (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment"))
+    of_pair = {name: state[name] for name in moduli}
+    of_circle = {name: state[name] for name in AREA_AND_PRESSURES}
+    a, shift = state["contact_radius_at_load"], float(scene["yield_displacement"])
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
-    half = numpy.linspace(numpy.pi / 2, 3 * numpy.pi / 2, POINTS)
+    half = angle / 2 + numpy.pi
     outlines = (
         Curve("contact, shifted by ⟦ξ⟧", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0),
         Curve("half-circle ⟦a + ξ⟧", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1, is_dashed=True),
@@ -135,18 +135,16 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     x, y = (Axis(name, -reach, reach, is_log=False) for name in ("position_across", "position_beside"))
     point = Mark("contact point", 0.0, 0.0)
     view = Panel(x, y, outlines, (point,), "from above, rolling to the right", is_true_to_scale=True)
-    of_pair = {name: state[name] for name in moduli}
-    of_circle = {name: state[name] for name in AREA_AND_PRESSURES}
-    of_half = {"approach_at_load": state["approach_at_load"], **of_pair}
+
+    def of_half(position: Any, radius: float) -> Any:
+        given = {"distance": abs(position), "approach_at_load": state["approach_at_load"]}
+        return half_circle_pressure(half_circle_radius=radius, **given, **of_pair)
+
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
-    left, right = across(-a - shift, 0.0), across(0.0, a - shift)
     exact = exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **of_circle, **of_pair)
-    behind = half_circle_pressure(distance=-left, half_circle_radius=a + shift, **of_half)
-    ahead = half_circle_pressure(distance=right, half_circle_radius=a - shift, **of_half)
     curves = [
-        Curve("exact", shifted, exact, 0),
-        Curve("half-circle ⟦a + ξ⟧", left, behind, 1, is_dashed=True),
-        Curve("half-circle ⟦a − ξ⟧", right, ahead, 2, is_dashed=True),
+        Curve("exact", shifted, exact),
+        *_halves("half-circle", a, shift, of_half),
         Curve("not shifted", centred, pressure(distance=abs(centred), **of_circle), 3),
     ]
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
@@ -156,39 +154,37 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
         f"Moment: exact {moments[0]}, Eq (25); half-circles {moments[1]}, Eq (19).",
     )
     remarks = (
-        "The circle stays behind the contact point.",
+        "The circle stays behind the contact point. Ahead the pull at the rim is weaker, behind it is stronger.",
         "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load.",
         "Half-circles: Eq (16) at a fixed approach, not continuous at ⟦x = 0⟧.",
-        "Ahead the pull at the rim is weaker, behind it is stronger.",
     )
     return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks)
+
+
+def _halves(word: str, a: float, shift: float, of_half: Callable[[Any, float], Any]) -> Iterator[Curve]:
+    """Iterate over the pressures of two halves that meet at the contact point, of the contact behind it and ahead."""
+    for sign, size, x in (("+", a + shift, across(-a - shift, 0.0)), ("−", a - shift, across(0.0, a - shift))):
+        yield Curve(f"{word} ⟦a {sign} ξ⟧", x, of_half(x, size), 1 if sign == "+" else 2, is_dashed=True)
 
 
 def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     """Return Fig. 9: the pressure of a cylinder on a rigid plane, symmetric and shifted, exact and simplified."""
     quartz = materials["quartz"].properties
     modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
-    radius = SIZE["radius"]
+    radius, shift = SIZE["radius"], float(Scene(SIZE).values["yield_displacement"])
     size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
     a = float(unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size))
-    shift = float(Scene(SIZE).values["yield_displacement"])
     size["load_constant"] = 0.0
+
+    def strip(position: Any, width: float, shift: float = 0.0) -> Any:
+        given = {"position_in_strip": position, "contact_half_width": width, "yield_displacement": shift}
+        return asymmetric_pressure(**given, **size)
+
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
-    left, right = across(-a - shift, 0.0), across(0.0, a - shift)
+    symmetric = Curve("exact, Eq (56)", centred, strip(centred, a))
+    exact = Curve("exact, Eq (64)", shifted, strip(shifted + shift, a, shift))
+    curves = [exact, *_halves("half-strip", a, shift, strip)]
     of_shifted = {"contact_half_width": a, "yield_displacement": shift, **size}
-    exact = asymmetric_pressure(position_in_strip=shifted + shift, **of_shifted)
-    size["yield_displacement"] = 0.0  # of each half
-    behind = asymmetric_pressure(position_in_strip=left, contact_half_width=a + shift, **size)
-    ahead = asymmetric_pressure(position_in_strip=right, contact_half_width=a - shift, **size)
-    highest = modulus * a / (2 * radius)
-    symmetric = Curve(
-        "exact, Eq (56)", centred, asymmetric_pressure(position_in_strip=centred, contact_half_width=a, **size)
-    )
-    curves = [
-        Curve("exact, Eq (64)", shifted, exact),
-        Curve("half-strip ⟦a + ξ⟧", left, behind, 1, is_dashed=True),
-        Curve("half-strip ⟦a − ξ⟧", right, ahead, 2, is_dashed=True),
-    ]
     moments = contact_point_moment(**of_shifted), half_strips_moment(**of_shifted)
     shifted_by = amount("yield_displacement", shift)
     caption = (
@@ -201,6 +197,7 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
         f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected.",
         f"Half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, ⟦π/2⟧ where ⟦ξ⟧ ≪ ⟦a⟧.",
     )
+    highest = modulus * a / (2 * radius)
     panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ⟦ξ⟧"))
     return Picture("Fig. 9: the line contact", panels, caption, remarks)
 
@@ -227,11 +224,9 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
     )
     points = tuple(mark_at(text, materials, Scene({}, model="maugis"), _TABOR, _RATIO) for text in marks)
     spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
+    fit = "Lennard-Jones' by a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧"
     caption = (
-        (
-            "Pull-off force over ⟦πwR⟧ by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % "
-            "for ⟦0.01 ≤ μ ≤ 2⟧."
-        ),
+        f"Pull-off force over ⟦πwR⟧ by each law; {fit}.",
         *((f"Grains at Maugis–Dugdale with ⟦z0⟧ = {spacing}: ⟦μ⟧ falls as ⟦1/z0⟧.",) if points else ()),
     )
     return Picture("", (Panel(_TABOR, _RATIO, curves, points),), caption)

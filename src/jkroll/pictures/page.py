@@ -243,20 +243,22 @@ def bands_of(style: Style) -> Any:
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> list[Any]:
     """Draw curves, which differ in colour and in their dashes; return the keys of a legend."""
-    handles = {}
+    handles: dict[str, Any] = {}
+    numbers: dict[str, int] = {}  # curves of one label are drawn alike
     for curve in panel.curves:
         label = "\n".join(lines(curve.text, letters))
-        (handles[label],) = axes.plot(curve.x, curve.y, label=label, **line_of(curve, style))
+        look = line_of(curve, numbers.setdefault(label, len(numbers)), style)
+        (handles[label],) = axes.plot(curve.x, curve.y, label=label, **look)
     return [*handles.values()] if len(handles) > 1 else []
 
 
-def line_of(curve: Curve, style: Style) -> dict[str, Any]:
-    """Return the look of a curve, as matplotlib takes it. A curve of one point is a sign."""
+def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
+    """Return the look of the curve of a number, as matplotlib takes it. A curve of one point is a sign."""
     colour = style.lines[curve.colour % len(style.lines)]
     if len(curve.x) == 1:
-        return {"color": colour, "linestyle": "", "marker": POINTS[curve.colour % len(POINTS)], "markersize": 4}
-    turn = curve.colour // len(DASHES)  # after which the colours come again, with other dashes
-    dashes = "--" if curve.is_dashed else DASHES[(curve.colour + turn) % len(DASHES)]
+        return {"color": colour, "linestyle": "", "marker": POINTS[number % len(POINTS)], "markersize": 4}
+    turn = number // len(DASHES)  # after which the colours come again, with other dashes
+    dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}
 
 
