@@ -319,7 +319,7 @@ def test_plain_headers_need_no_unit_of_pint() -> None:
 
     To load pint takes as long as many rows.
     """
-    with patch("jkroll.quantities.units.registry", side_effect=AssertionError):
+    with patch("jkroll.quantities.units._registry", side_effect=AssertionError):
         reading_of.cache_clear()
         understood(["id", "radius [m]", "surface_energy [J/m^2]", "sample_id", "poisson_ratio"])
         assert not reading_of("[Pa],poisson_ratio,density").name

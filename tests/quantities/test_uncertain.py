@@ -69,6 +69,7 @@ REFUSED = {
     "25±20% mJ/m2": "has a % that can be read in two ways; write 25 mJ/m2 ± 20%, or (17±1) %",
     "25±5±1 mJ/m2": "has an uncertainty in an unknown form; write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2",
     "25 mJ/(m^2)": "has brackets in its unit; leave them out, as in mJ/m2",
+    "1.2.3(4) mJ/m2": "has an uncertainty in an unknown form; write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2",
     "25(5.0) mJ/m2": "has an uncertainty in an unknown form; write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2",
     "25 mJ/m2 ± 5": "has an uncertainty without a unit; expected a surface energy such as 25mJ/m2",
     "25±5": "has no unit; expected a surface energy such as 25mJ/m2",

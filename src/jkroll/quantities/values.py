@@ -386,81 +386,81 @@ def _in_si(number: _Decimal, unit: Unit) -> float:
 # --- Forms of an uncertainty ------------------------------------------------------------------------------------------
 
 _SIGNED = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)"
-_POWER_AND_UNIT = r"(?:[eE]([+-]?[0-9]{1,3}))? ?([^±()]*)"
-_IN_BRACKETS = rf"\( ?{_SIGNED} ?± ?{_SIGNED} ?\){_POWER_AND_UNIT}"  # (25±5)e-3 J/m2
-_LAST_DIGITS = rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER_AND_UNIT}"  # 25.0(50) mJ/m2
-_TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED} ?([^±()]*)"  # 25 +6/-4 mJ/m2
+_END = r"((?:[eE][+-]?[0-9]{1,3})? ?[^±()]*)"  # a power of ten and a unit
+_IN_BRACKETS = rf"\( ?{_SIGNED} ?± ?{_SIGNED} ?\){_END}"  # (25±5)e-3 J/m2
+_LAST_DIGITS = rf"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))\(([0-9]+)\){_END}"  # 25.0(50) mJ/m2
+_TWO_SIDES = rf"{_SIGNED} ?\+ ?{_SIGNED} ?/ ?- ?{_SIGNED}( ?[^±()]*)"  # 25 +6/-4 mJ/m2
 
 
 def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
     """Read a value alone or in a form above, or as 25±5 mJ/m2, 25 mJ/m2 ± 20% or 20 to 30 mJ/m2."""
     if not has_uncertainty(text):
-        decimal, unit = split_number(text)
-        return _in_si(decimal, unit_in(unit))
+        return _value(text, unit_in)
     if match := re.fullmatch(_IN_BRACKETS, text):
-        value, bar, power, unit = match.groups()
-        return _measured(_decimal(value, power), unit_in(unit), _decimal(bar, power))
+        value, bar, end = match.groups()
+        return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
     if match := re.fullmatch(_LAST_DIGITS, text):
-        value, digits, power, unit = match.groups()
+        value, digits, end = match.groups()
         places = len(value.partition(".")[2])
-        if not power and 2 * int(digits) > abs(float(value)):
-            plain = f"{value}±{int(digits) / 10**places:.{places}f}"
-            raise BadUnit(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
-        return _measured(_decimal(value, power), unit_in(unit), _decimal(f"{digits}e-{places}", power))
+        bar = f"{int(digits) / 10**places:.{places}f}"
+        if not re.match(r"[eE][+-]?[0-9]", end) and 2 * int(digits) > abs(float(value)):
+            raise BadUnit(f"can be read as {value}±{bar} or as {value}e{digits}", "write the one that is meant")
+        return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
     if match := re.fullmatch(_TWO_SIDES, text):
-        number, plus, minus, unit = match.groups()
-        return _measured(_decimal(number), unit_in(unit), _decimal(minus), _decimal(plus))
+        value, plus, minus, end = match.groups()
+        return _measured(*(_value(number + end, unit_in) for number in (value, minus, plus)))
     left, _, right = text.partition("±")
     if left and right and "±" not in right and not {"(", ")"}.intersection(text):
         return _plus_minus(left, right, unit_in)
-    if " to " in text:
-        return _interval(text, unit_in)
+    left, is_range, right = text.partition(" to ")
+    if is_range:
+        return _interval(_value(_with_unit_of(right, left), unit_in), _value(right, unit_in))
     if re.search(r"[^\d\s]\s*\(", text):
         raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
     raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
 
 
+def _value(text: str, unit_in: _UnitIn) -> float:
+    """Read a number with a unit."""
+    number, unit = split_number(text)
+    return _in_si(number, unit_in(unit))
+
+
+def _with_unit_of(other: str, text: str) -> str:
+    """Return a number with its unit, or, if it has none, with that of another."""
+    return text if split_number(text)[1] else f"{text} {split_number(other)[1]}"
+
+
 def _plus_minus(left: str, right: str, unit_in: _UnitIn) -> Measured:
     """Read a value, with or without a unit, and its uncertainty with a unit or in percent of the value."""
-    value, unit_text = split_number(left)
-    uncertainty, unit_of_error = split_number(right)
-    if unit_of_error.startswith("%"):
-        if unit_of_error != "%" or unit_in(unit_text) == parse_unit("%"):
+    unit, unit_of_bar = split_number(left)[1], split_number(right)[1]
+    if unit_of_bar.startswith("%"):
+        if unit_of_bar != "%" or unit_in(unit) == parse_unit("%"):
             raise BadUnit("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
-        share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
-        return _measured(value, unit_in(unit_text), share)
-    if unit_text and not unit_of_error:
+        value = _value(left, unit_in)
+        return _measured(value, _to_15_digits(abs(value) * _value(right, parse_unit)))
+    if unit and not unit_of_bar:
         raise BadUnit("has an uncertainty without a unit")
-    other = unit_in(unit_of_error)
-    return _measured(value, unit_in(unit_text) if unit_text else other, uncertainty, other=other)
+    return _measured(_value(_with_unit_of(right, left), unit_in), _value(right, unit_in))
 
 
-def _interval(text: str, unit_in: _UnitIn) -> Interval:
-    """Read a range of which the first end may leave its unit to the second."""
-    left, _, right = text.partition(" to ")
-    first, first_unit = split_number(left)
-    last, last_unit = split_number(right)
-    unit = unit_in(last_unit)
-    low, high = _in_si(first, unit_in(first_unit) if first_unit else unit), _in_si(last, unit)
+def _measured(value: float, *sides: float) -> Measured:
+    """Return a value with an uncertainty, or with one below it and one above it."""
+    if min(sides) < 0:
+        raise BadUnit("has a negative uncertainty")
+    return Measured(value, *sides)
+
+
+def _interval(low: float, high: float) -> Interval:
+    """Return a range, with the value in its middle."""
     if low >= high:
         raise BadUnit("does not rise from its first end to its second")
-    middle = float(f"{low / 2 + high / 2:.15g}")  # of 0.1 and 0.2 it is 0.15
-    return Interval(min(max(low, middle), high), low, high)
+    return Interval(min(max(low, _to_15_digits(low / 2 + high / 2)), high), low, high)
 
 
-def _decimal(text: str, power: str | None = None) -> _Decimal:
-    """Read a number without a unit, times a power of ten."""
-    (mantissa, exponent), rest = split_number(text)
-    if rest:
-        raise BadUnit("is not a number and a unit")
-    return mantissa, exponent + int(power or 0)
-
-
-def _measured(value: _Decimal, unit: Unit, *sides: _Decimal, other: Unit | None = None) -> Measured:
-    """Return a value with an uncertainty, or one below it and one above it; `other` is their unit, if it is another."""
-    if min(mantissa for mantissa, _ in sides) < 0:
-        raise BadUnit("has a negative uncertainty")
-    return Measured(_in_si(value, unit), *(_in_si(side, other or unit) for side in sides))
+def _to_15_digits(number: float) -> float:
+    """Return a number without its rounding error, if it is a round one: between 0.1 and 0.2 is 0.15."""
+    return float(f"{number:.15g}")
 
 
 # --- Lists and ranges -------------------------------------------------------------------------------------------------
