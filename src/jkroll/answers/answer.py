@@ -92,7 +92,8 @@ class Result:
         of_law: str = "",  # the equation of the paper by which it does, or its source
     ) -> None:
         self.name, self.value, self.reason, self.error, self.condition = name, value, reason, error, condition
-        self.growth, self.by_law, self.propagated, self.law, self.of_law = growth, by_law, propagated, law, of_law
+        self.growth, self.by_law, self.propagated, self.law = growth, by_law, propagated, law
+        self.equation = of_law if law else NOMENCLATURE[name].equation
 
     def __repr__(self) -> str:
         return f"<{self.name}: {self}>"
@@ -104,11 +105,6 @@ class Result:
     def unit(self) -> str:
         """The SI unit."""
         return NOMENCLATURE[self.name].unit
-
-    @property
-    def equation(self) -> str:
-        """The equation that gives the quantity, or the source of its law."""
-        return self.of_law if self.law else NOMENCLATURE[self.name].equation
 
     @property
     def source(self) -> str:
@@ -216,10 +212,9 @@ class Answer(Evaluation):
         law = "" if self.scene.law.is_default else self.scene.law.name
         if name in self.errors:
             return Result(name, None, reason_of(name, self.errors[name]), law=law)
-        result = Result(name, self.values[name], error=model_error(name, self.scene), propagated=self.propagated(name))
-        if law and uses_law(self.scene, name):
-            result.law, result.of_law = law, equation_of(self.scene, name)
-        return result
+        of_law = equation_of(self.scene, name) if law and uses_law(self.scene, name) else ""
+        error, bar = model_error(name, self.scene), self.propagated(name)
+        return Result(name, self.values[name], error=error, propagated=bar, law=law if of_law else "", of_law=of_law)
 
     def propagated(self, name: str) -> "Propagated | None":
         """Return the uncertainty of a result; None if it has none, or an error says why it has none."""

@@ -7,9 +7,10 @@ a gap that floats do not leave, or an uncertainty needs a search, the row is com
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import chain
 from math import isnan, nan
+from operator import or_
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from ..errors import BadRequest, JkrollError
@@ -357,10 +358,8 @@ def _explain(columns: Columns, scene: Scene, is_shown: Mapping[str, Any], scene_
 
     again = numpy.zeros(len(columns), dtype=bool)
     gaps = {name: numpy.isnan(columns.column(name)) & shown for name, shown in is_shown.items()}
-    is_lacking = numpy.any([again, *gaps.values()], axis=0)
-    if not any(shown is True for shown in is_shown.values()):  # some rows may show nothing
-        is_lacking |= ~numpy.any([again, *is_shown.values()], axis=0)
-    rows = numpy.flatnonzero(is_lacking)
+    gaps[ROW] = ~reduce(or_, is_shown.values(), again)  # rows that show nothing
+    rows = numpy.flatnonzero(numpy.any([*gaps.values()], axis=0))
     if not len(rows):
         return again
     steps = [value for value in scene.values.values() if isinstance(value, numpy.ndarray)]
@@ -369,7 +368,7 @@ def _explain(columns: Columns, scene: Scene, is_shown: Mapping[str, Any], scene_
         first = int(places[0])
         lacking = {name for name, is_gap in gaps.items() if is_gap[first]}
         reasons = reasons_of(scene_of(first).outcomes(columns.wanted.names, columns.wanted.named))
-        if reasons.keys() - {ROW} == lacking and reasons:
+        if reasons.keys() == lacking:
             columns.reasons.update(dict.fromkeys(places.tolist(), reasons))
         else:
             again[places] = True
