@@ -369,10 +369,11 @@ def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
     )  # which may be that of the measurement, or a code
 
 
-def test_a_chosen_column_whose_unit_is_not_known_says_nothing_of_others() -> None:
-    names = ["R1 [um]", "F [old]", "x (y)"]
-    assert stated_meanings(["F [old]=pull_off_force"], names, "pull_off_force").keys() == {"F [old]"}
-    assert not stated_meanings([], names, "sticking_speed_paszun_dominik")  # whose symbol is no word: v_stick(1.07)
+def test_the_word_of_what_was_measured_is_that_of_no_other_column() -> None:
+    header = understood(["R1 [um]", "F [old]", "x (y)"], [], {"F [old]": "pull_off_force [nN]"}, (), "pull_off_force")
+    assert {column.name: column.place for column in header.inputs} == {"radius": 0, "pull_off_force": 1}
+    no_word = "sticking_speed_paszun_dominik"  # its symbol, v_stick(1.07), is none
+    assert [column.name for column in understood(["R1 [um]", "x (y)"], [], {}, (), no_word).inputs] == ["radius"]
 
 
 @pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])
@@ -445,10 +446,10 @@ def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
     with pytest.raises(BadTable, match=r"'P \[nN\]', 'P_minus \[uN\]' and 'P_plus \[nN\]' must have the same unit"):
         understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])
     with pytest.raises(BadRequest, match="is not its unit"):
-        understood(["P [nN]", "P_err [nm]"], meanings=stated_meanings(["P_err [nm]=load_err [nm]"]))
+        understood(["P [nN]", "P_err [nm]"], stated=stated_meanings(["P_err [nm]=load_err [nm]"]))
     with pytest.raises(BadTable, match="is no uncertainty of surface_energy"):
-        understood(["dG", "R1 (nm)"], meanings=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
-    header = understood(["gamma [mJ/m2]", "dG"], meanings=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
+        understood(["dG", "R1 (nm)"], stated=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
+    header = understood(["gamma [mJ/m2]", "dG"], stated=stated_meanings(["dG=surface_energy_err [mJ/m2]"]))
     assert header.inputs[0].joined("25", "5") == "(25±5)"
 
 
@@ -737,13 +738,11 @@ def test_a_label_that_is_another_name_of_a_material_is_told(run: Run) -> None:
     assert "is graphite" not in run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").err
 
 
-def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
+def test_a_header_between_rows_is_a_failed_row(run: Run) -> None:
     """As it stands where two tables were joined."""
     Path("x.csv").write_text("n,R1 (nm),gamma (mJ/m2)\n1,100,25\nn,R1 (nm),gamma (mJ/m2)\n1,200,25\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").code == 1
-    assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].endswith(",,the row repeats the header")
-    Path("x.csv").write_text("material\nquartz\nmaterial\n", encoding="utf-8")
-    assert "not known" not in run("batch x.csv -o out.csv --quantities pull_off_force --radius 100nm").err
+    assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].endswith(",,bad radius; bad surface_energy")
 
 
 def test_an_option_beside_a_column_of_the_same_input_is_told(run: Run) -> None:

@@ -145,28 +145,18 @@ class Input:
         self.is_file = stat.S_ISREG(self.begun.st_mode)
 
     def pieces(self, compression: str) -> Iterator[bytes]:
-        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time at most, of a pipe what there is.
-
-        Raises BadTable at the end if the file was changed in the meantime.
-        """
+        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time at most, of a pipe what there is."""
         raw = iter(partial(self.file.read1, CHUNK), b"")
         try:
             yield from decompressed(self.file, compression, self.path) if compression else raw
         except OSError as error:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
-        self.check_unchanged()
 
     def share_read(self, rows: int) -> float:
         """Return which part is read when so many rows are converted; 0 if it is unknown, as of a pipe."""
         if self.rows:
             return rows / self.rows
         return self.file.tell() / max(self.begun.st_size, 1) if self.is_file else 0.0
-
-    def check_unchanged(self) -> None:
-        """Raise BadTable if a file was changed after it was opened."""
-        now = os.fstat(self.file.fileno())
-        if self.is_file and (now.st_size, now.st_mtime_ns) != (self.begun.st_size, self.begun.st_mtime_ns):
-            raise BadTable(f"{quoted(self.path)} was changed while it was read; begin anew")
 
     def check_output(self, target: str) -> None:
         """Refuse to write over the input."""

@@ -310,7 +310,7 @@ class Ndjson:
             raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
         self.names = tuple(first)
         objects = [*filter(None, map(_object, lines))]
-        self.sample = [[cell_of(row.get(name), name) for name in first] for row in objects]
+        self.sample = [[cell_of(row.get(name)) for name in first] for row in objects]
         return 0
 
     def read(self, text: bytes, table: Table) -> Records:
@@ -322,9 +322,7 @@ class Ndjson:
         problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
         odd = {row: problem for row, problem in enumerate(problems) if problem}
         rows = [members or {} for members in objects]
-        cells = {
-            name: cells_of([row.get(self.names[place]) for row in rows], name) for name, place in table.places.items()
-        }
+        cells = {name: cells_of([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
         return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
 
     def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
@@ -336,9 +334,10 @@ class Ndjson:
             return "is not a JSON object"
         if name := _twice(line, members):
             return f"has {quoted(name)} twice"
+        asked = table.asked
         for name in members.keys() - self.names:
-            cell = cell_of(members[name], name).strip()
-            if name in table.added or meaning_of(name, [cell], table.columns.meanings).name:
+            cells = [cell_of(members[name])]
+            if name in table.added or meaning_of(name, cells, asked.stated, asked.measured).name:
                 return f"has {quoted(name)}, which the first line does not have"
         return ""
 

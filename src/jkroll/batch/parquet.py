@@ -83,7 +83,6 @@ def batches_of(given: Input, target: str, is_read: Callable[[str], bool]) -> tup
     def batches() -> Iterator[Any]:
         with _readable(given.path):
             yield from file.iter_batches(BLOCK)
-        given.check_unchanged()
 
     return table, batches()
 
@@ -115,11 +114,11 @@ class Arrow:
                 raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")
         first = next(file.iter_batches(SAMPLE, columns=[field.name for field in inputs], use_threads=False), None)
         rows = first.to_pylist() if first is not None else []
-        self.sample = [[cell_of(row.get(name), name) for name in self.names] for row in rows]
+        self.sample = [[cell_of(row.get(name)) for name in self.names] for row in rows]
 
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""
-        cells = {name: cells_of(_values(batch.column(place)), name) for name, place in table.places.items()}
+        cells = {name: cells_of(_values(batch.column(place))) for name, place in table.places.items()}
         return Records(batch, cells, {}, range(batch.num_rows), batch.num_rows)
 
 

@@ -124,7 +124,7 @@ def _about(table: Table) -> Iterator[str]:
     every, idle = given_of_kinds(table.kinds, judges=table.wanted.doubts)
     if assumed := [text for name, text in every.items() if name not in table.given]:
         yield f"assumed: {', '.join(assumed)}"
-    notes = [message for message in table.labels.values() if message]
+    notes = [remark for lookup in table.lookups.values() for remark in lookup.remarks]
     if "radius" not in table.given and not table.asked.explicit:
         notes.append("no column and no option gives a radius; what needs one is left out")
     fills = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.columns.names & table.fixed.keys())
@@ -211,7 +211,7 @@ def convert_one(path: str, job: Job) -> Tally:
             form, blocks = batches_of(file, job.target, asked.is_read)
         else:
             form, blocks = lines_of(file, given, asked.is_read, excel_safe=job.excel_safe)
-        header = understood(form.names, form.sample, asked.meanings(form.names), asked.inputs)
+        header = understood(form.names, form.sample, asked.stated, asked.inputs, asked.measured)
         check_inputs(header, asked.measured)
         reading = header.reading(form.preamble)
         try:

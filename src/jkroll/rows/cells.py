@@ -17,11 +17,12 @@ import numpy
 import orjson
 
 from ..errors import JkrollError
-from ..materials.library import Material, Materials
+from ..materials.library import Material, Materials, UnclearMaterial
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import Unit, dimension_of, exponent_of
 from ..quantities.values import QuantityError, Uncertain, has_uncertainty, is_uncertain, middle, unit_of, value_of
 from ..scene.alternatives import measured_solid
+from ..text import quoted
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
@@ -190,19 +191,17 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
     return exponent_of(unit) if unit and unit[2] == dimension_of(NOMENCLATURE[name].unit) else None
 
 
-def cell_of(value: object, name: str) -> str:
-    """Return the value of an input in a format with types as a cell of text: no value is an empty cell."""
+def cell_of(value: object) -> str:
+    """Return a value in a format with types as a cell of text: no value is an empty cell."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     if isinstance(value, dict | list):
         return _NESTED
-    if value == INFINITY and name in NOMENCLATURE:
-        return NOMENCLATURE[name].infinity or str(value)
     return "" if value is None else str(value)
 
 
-def cells_of(values: Any, name: str) -> list[bytes]:
-    """Return values of an input in a format with types, a list or an array of numbers, as cells of texts."""
+def cells_of(values: Any) -> list[bytes]:
+    """Return values in a format with types, a list or an array of numbers, as cells of texts."""
     if not len(values):
         return []
     is_list = isinstance(values, list)
@@ -211,7 +210,7 @@ def cells_of(values: Any, name: str) -> list[bytes]:
         nulls = values.count(None) if is_list else 0
         if cells.count(b"null") == nulls:  # orjson has no nan and no infinity
             return [b"" if cell == b"null" else cell for cell in cells] if nulls else cells
-    return [cell_of(value, name).encode() for value in values]
+    return [cell_of(value).encode() for value in values]
 
 
 def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
@@ -285,6 +284,15 @@ class Lookup:
                 self.known.append(solid)
             self._indices[cell] = self.known.index(solid)
         return numpy.array([*map(self._indices.__getitem__, cells)], dtype=numpy.int64)
+
+    @property
+    def remarks(self) -> list[str]:
+        """The remarks on cells beside labels: names of several materials, and other names of one."""
+        unclear = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
+        cells = {cell.decode(errors="replace").strip(): self.known[index] for cell, index in self._indices.items()}
+        solids = {text: solid.name for text, solid in cells.items() if text and solid not in (None, LABEL)}
+        others = {text: name for text, name in solids.items() if self.errors and name.casefold() != text.casefold()}
+        return unclear + [f"material {quoted(text)} is {name}" for text, name in others.items()]
 
     def kinds(self, indices: Indices) -> Indices:
         """Return a number for each row, which is the same for materials that can be one scene's."""

@@ -34,6 +34,7 @@ class Reading(NamedTuple):
     is_symbol: bool = False  # without a unit: an input only if its cells have units
     problem: str = ""  # why the header is refused unless another column is this input
     meant: Sequence[str] = ()  # the headers that would be read, where that is certain
+    is_stated: bool = False  # by an option
     place: int = 0  # in a table
     text: str = ""  # the header, and the first cell below it that is not empty
     cell: str = ""
@@ -75,8 +76,8 @@ _PART = (
 
 
 @lru_cache(maxsize=1000)
-def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
-    """Return the meaning of a header; `more`: keys of further words, with the quantities that they mean.
+def reading_of(text: str, measured: str = "") -> Reading:
+    """Return the meaning of a header; `measured`: a quantity that columns have besides inputs.
 
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
@@ -85,10 +86,10 @@ def reading_of(text: str, more: tuple[tuple[str, str], ...] = ()) -> Reading:
     """
     if len(text) > _LONGEST:
         return Reading()
-    known = words.meanings() | {word: Meaning([name]) for word, name in more}
+    known = words.meanings(measured)
     splits = [*_splits(text)]
     exact = next(filter(None, (_exact(split, known) for split in splits)), None)
-    return exact or _of_part(splits[0].word, more) or _refused(splits, known) or Reading()
+    return exact or _of_part(splits[0].word, measured) or _refused(splits, known) or Reading()
 
 
 def _splits(text: str) -> Iterator[_Split]:
@@ -122,7 +123,7 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     return Reading(name, unit_text, "", is_symbol, meaning.problem, meant)
 
 
-def _of_part(text: str, more: tuple[tuple[str, str], ...]) -> Reading | None:
+def _of_part(text: str, measured: str) -> Reading | None:
     """Return the meaning of a header of a part of an uncertainty, without a name if it is ± alone, if it is one."""
     plain = re.sub(_SHARE, "", text)
     share = "%" if plain != text else ""
@@ -135,7 +136,7 @@ def _of_part(text: str, more: tuple[tuple[str, str], ...]) -> Reading | None:
         unit = share or rest[1:-1].strip()
         is_alone = part == "both" and word not in ("σ", "sigma", "se") and (unit or not word.startswith("err"))
         return Reading(unit_text=unit, part=part) if is_alone else None
-    reading = reading_of(rest, more)
+    reading = reading_of(rest, measured)
     is_value = reading.is_input and not reading.part and reading.name not in MATERIALS
     return Reading(reading.name, share or reading.unit_text, part) if is_value else None
 
@@ -203,7 +204,7 @@ _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": 
 _ENDS = ("low", "high")
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # of the columns of a value, by part
 _VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # kinds of cells
-_NO_MEANINGS: Mapping[str, Reading] = MappingProxyType({})
+_NONE_STATED: Mapping[str, str] = MappingProxyType({})
 
 
 class Header(NamedTuple):
@@ -212,7 +213,6 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[Column, ...]  # that name them
-    meanings: Mapping[str, Reading] = _NO_MEANINGS  # what `--column` says of headers
 
     @property
     def names(self) -> frozenset[str]:
@@ -249,50 +249,47 @@ def _easy(text: str) -> str:
     return shown(text) if " " not in text.strip().replace(" [", "[") and "(" not in text else f'"{shown(text)}"'
 
 
-def stated_meanings(texts: Iterable[str], names: Iterable[str] = (), measured: str = "") -> dict[str, Reading]:
-    """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input.
+def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
+    """Return what `--column` writes in place of headers: radius2 [nm] for R2 (nm), or nothing for what is no input.
 
-    `measured`: a quantity that columns have besides inputs, by its name or symbol; `names`: the headers among which
-    they are. Raises BadRequest.
+    `texts`: the values of the option, as in 'R2 (nm)=radius2 [nm]'; `measured`: as `reading_of` has it. Raises
+    BadRequest.
     """
-    symbol = NOMENCLATURE[measured].symbol if measured else ""
-    more = tuple((word, measured) for word in (key(measured), key(symbol)) if word)
-    meanings: dict[str, Reading] = {}
+    meanings: dict[str, str] = {}
     for text in texts:
         head, is_pair, meaning = map(str.strip, text.rpartition("="))
         if not is_pair or not head:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
-        stated = reading_of(meaning, more)
-        if meaning and (not stated.is_input or stated.is_symbol or stated.meant):
-            problem = f": {stated.problem}" if stated.problem else ""
+        reading = reading_of(meaning, measured)
+        if meaning and (not reading.is_input or reading.is_symbol or reading.meant):
+            problem = f": {reading.problem}" if reading.problem else ""
             raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; write one, as in radius [nm]")
         if head in meanings:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
-        for split in _splits(head) if stated.name and not stated.unit_text else ():
-            if reading := _exact(split, {key(split.word): Meaning([stated.name])}):
-                stated = stated._replace(unit_text=reading.unit_text)  # of several units, the longest is the last
-        meanings[head] = stated
-    readings = {head.strip(): reading_of(head.strip(), more) for head in names} if measured else {}
-    of_measured = {head: reading for head, reading in readings.items() if reading.is_input and reading.name == measured}
-    return of_measured | meanings
+        splits = [*_splits(head)] if reading.name and not reading.unit_text else []
+        known = dict.fromkeys((key(split.word) for split in splits), Meaning([reading.name]))
+        units = [each.unit_text for split in splits if (each := _exact(split, known)) and each.unit_text]
+        meanings[head] = f"{meaning} [{units[-1]}]" if units else meaning  # of several units, the longest is the last
+    return meanings
 
 
 def understood(
     texts: Sequence[str],
     rows: Sequence[Sequence[str]] = (),
-    meanings: Mapping[str, Reading] = _NO_MEANINGS,
+    stated: Mapping[str, str] = _NONE_STATED,
     given: Collection[str] = (),
+    measured: str = "",
 ) -> Header:
-    """Return the columns of a header, given the cells of its first rows and what some are said to mean.
+    """Return the columns of a header, given the cells of its first rows.
 
-    `given`: the inputs of options. Raises BadTable.
+    `stated`: what `--column` writes in place of headers; `given`: the inputs of options; `measured`: a quantity that
+    columns have besides inputs. Raises BadTable.
     """
-    for text in meanings.keys() - {text.strip() for text in texts}:
+    for text in stated.keys() - {text.strip() for text in texts}:
         known = first_of([*map(_easy, texts)], _MAX_SAID)
         raise BadTable(f"--column: the table has no column {quoted(text)}; it has {known}")
-    columns_of_cells = ([row[place] for row in rows] for place in range(len(texts)))
-    heads = [meaning_of(text, cells, meanings) for text, cells in zip(texts, columns_of_cells, strict=True)]
-    heads = [head._replace(place=place) for place, head in enumerate(_beside_others(heads, meanings.keys(), given))]
+    heads = [meaning_of(text, [row[place] for row in rows], stated, measured) for place, text in enumerate(texts)]
+    heads = [head._replace(place=place) for place, head in enumerate(_beside_others(heads, given))]
     inputs: dict[str, dict[str, Reading]] = {}  # by the part of the uncertainty, "" for the values
     for head in heads:
         name, part = (head.name, head.part) if head.is_input else ("", head.text)
@@ -300,7 +297,7 @@ def understood(
         if other is not head and head.text.strip():
             raise BadTable(f"header: of the columns {quoted(other.text)} and {quoted(head.text)} one must go")
     inputs.pop("", None)
-    used = {name: parts for name, group in inputs.items() if (parts := _used(name, group, meanings.keys()))}
+    used = {name: parts for name, group in inputs.items() if (parts := _used(name, group))}
     values = [head for parts in used.values() for part, head in parts.items() if part in ("", *_ENDS)]
     refused = [head for head in heads if head.problem and head.name not in used]
     refused += [head for head in map(_with_problem, values) if head.problem]
@@ -308,22 +305,23 @@ def understood(
         raise _refusal(sorted(refused, key=lambda head: head.place))
     columns = [_column(name, parts) for name, parts in used.items()]
     materials = tuple(column for column in columns if column.name in MATERIALS)
-    return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials, meanings)
+    return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials)
 
 
-def meaning_of(text: str, cells: Sequence[str], meanings: Mapping[str, Reading]) -> Reading:
-    """Return the meaning of a column: that of `--column`, else that of its header, if its cells can be of it."""
+def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measured: str) -> Reading:
+    """Return the meaning of a column: that of `--column`, else that of its header, if its cells can be of it.
+
+    `stated`, `measured`: as `understood` has them.
+    """
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = next(iter(cells), "")
-    reading, stated = reading_of(text), meanings.get(text.strip())
-    if stated is not None:
-        reading = stated
-    elif reading.is_symbol and not reading.part:
+    reading = reading_of(stated.get(text.strip(), text), measured)._replace(is_stated=text.strip() in stated)
+    if reading.is_symbol and not reading.part:
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
         reading = Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
-    elif key(text) in ("model", "law") and cell.casefold() in LAWS:
+    elif key(text) in ("model", "law") and cell.casefold() in LAWS and not reading.is_stated:
         reading = Reading(problem=f"the law is an option: --model {cell.casefold()}")
-    elif cell[:1].isalpha() and not reading.is_input:
+    elif cell[:1].isalpha() and not reading.is_input and not reading.is_stated:
         reading = Reading()
     return reading._replace(text=text, cell=cell)
 
@@ -347,11 +345,8 @@ def _with_problem(head: Reading) -> Reading:
     return head._replace(problem=kind, meant=[meant])
 
 
-def _beside_others(heads: Sequence[Reading], stated: Collection[str], given: Collection[str]) -> Iterator[Reading]:
-    """Iterate over heads as the others make them mean. ± alone is of the column at its left.
-
-    `stated`: the headers that options name, which mean what they say.
-    """
+def _beside_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator[Reading]:
+    """Iterate over heads as the others make them mean. ± alone is of the column at its left."""
     is_of_two = "radius2" in given or any(head.is_input and head.name == "radius2" for head in heads)
     moduli = [head for head in heads if head.name in ("youngs_modulus", "youngs_modulus2")]
     direction = next((head.text for head in heads if moduli and re.match(_OF_DIRECTIONS, head.text)), None)
@@ -360,7 +355,7 @@ def _beside_others(heads: Sequence[Reading], stated: Collection[str], given: Col
             is_value = left.is_input and not left.part and left.name not in MATERIALS
             is_of_left = is_value and (head.unit_text in ("", "%") or fits(head.unit_text, left.name))
             yield head._replace(name=left.name if is_of_left else "")
-        elif direction is not None and head in moduli and head.text.strip() not in stated:
+        elif direction is not None and head in moduli and not head.is_stated:
             yield head._replace(problem=f"{quoted(direction)} beside it says that it is along a direction", meant=())
         elif head.is_input and head.meant and not head.part and not is_of_two:
             yield head._replace(problem="R may be the radius of a sphere or the reduced radius")
@@ -368,18 +363,18 @@ def _beside_others(heads: Sequence[Reading], stated: Collection[str], given: Col
             yield head
 
 
-def _used(name: str, heads: Mapping[str, Reading], stated: Collection[str]) -> dict[str, Reading]:
+def _used(name: str, heads: Mapping[str, Reading]) -> dict[str, Reading]:
     """Return the heads of the columns that make the values of an input, of those by part; the others pass through.
 
-    `stated`: the headers that options name. Raises BadTable for one of them that is not used, and for half a range.
+    Raises BadTable for one that an option states and that is not used, and for half a range.
     """
     shape = next((shape for shape in _SHAPES if heads.keys() >= {*shape}), ())
-    others = [head.text for part, head in heads.items() if part not in shape]
+    others = [head for part, head in heads.items() if part not in shape]
     is_end = "" not in heads and not heads.keys().isdisjoint(_ENDS)
-    if others and (is_end or any(text.strip() in stated for text in others)):
+    if others and (is_end or any(head.is_stated for head in others)):
         raise BadTable(
-            f"header: {quoted(others[0])} alone is no uncertainty of {name}: values have a column of ± beside them, or "
-            "two, of minus and plus; a range has low and high alone"
+            f"header: {quoted(others[0].text)} alone is no uncertainty of {name}: values have a column of ± beside "
+            "them, or two, of minus and plus; a range has low and high alone"
         )
     return {part: heads[part] for part in shape}
 
@@ -437,7 +432,7 @@ def check_inputs(header: Header, measured: str = "") -> None:
     )
 
 
-def is_input(text: str, meanings: Mapping[str, Reading] = _NO_MEANINGS) -> bool:
+def is_input(text: str, measured: str = "") -> bool:
     """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
-    reading = meanings.get(text.strip()) or reading_of(text)
+    reading = reading_of(text, measured)
     return reading.is_input or bool(reading.part)

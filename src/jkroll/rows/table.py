@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 
 from ..errors import BadRequest, BadTable, JkrollError
-from ..materials.library import Material, Materials, UnclearMaterial, UnknownMaterial
+from ..materials.library import Material, Materials
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
@@ -21,7 +21,7 @@ from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup, Numbers
 from .columns import BAD, DOUBT, SIDES, Wanted, groups
-from .header import Header, Reading, is_input, stated_meanings
+from .header import Header, is_input, stated_meanings
 from .words import MATERIALS
 
 if TYPE_CHECKING:
@@ -46,13 +46,14 @@ class Asked(NamedTuple):
     alternatives: bool = False  # whether there are columns of the results under the other law
     uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
 
-    def meanings(self, names: Sequence[str]) -> Mapping[str, Reading]:
-        """Return the meanings that options give to headers."""
-        return stated_meanings(self.columns, names, self.measured)
+    @property
+    def stated(self) -> Mapping[str, str]:
+        """What `--column` writes in place of headers."""
+        return stated_meanings(self.columns, self.measured)
 
-    def is_read(self, name: str) -> bool:
-        """Return whether a header may be that of an input, or has a meaning by an option."""
-        return is_input(name, self.meanings([name]))
+    def is_read(self, text: str) -> bool:
+        """Return whether a header may be that of an input, or of what was measured."""
+        return is_input(self.stated.get(text.strip(), text), self.measured)
 
 
 class Table:
@@ -71,14 +72,13 @@ class Table:
         self.said = {"model": self.model} if self.model is not None else {}  # columns of text, the same in all rows
         self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
         self.given = columns.names | self.fixed.keys()
-        # Names in the first rows that are, or may be, no material's, with their messages.
-        self.labels, aliases = _names_of_materials(columns, rows, known)
-        scenes = self._kinds(rows)
+        cells = {name: [row[place].encode() for row in rows] for name, place in self.places.items()}
+        sample = TableBlock(self, Records(rows, cells))  # which looks up materials
+        scenes = self._kinds(cells)
         self.wanted = self._wanted(scenes)
         if asked.alternatives:
             self.wanted = self.wanted.with_alternatives(scenes, self.wanted.names)
-        self.labels = self.labels and {**self.labels, **aliases}
-        self.left_out = self._add_sides(rows)
+        self.left_out = self._add_sides(sample)
         solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
         if any(solid.displacement is not None for solid in solids):  # which nothing assumes
             self.given |= {XI}
@@ -115,7 +115,7 @@ class Table:
 
     # --- The columns that are added -----------------------------------------------------------------------------------
 
-    def _kinds(self, rows: Cells) -> list[Any]:
+    def _kinds(self, cells: Mapping[str, Sequence[bytes]]) -> list[Any]:
         """Return scenes of no rows that together have all inputs, and whether their materials are labels.
 
         Of columns that exclude each other, a scene has one. What an input is matters, and not its values.
@@ -131,8 +131,8 @@ class Table:
         if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
             solids = {name: solid and solid._replace(displacement=None) for name, solid in self.spheres.items()}
         for column in columns.materials:
-            texts = {row[column.place].strip() for row in rows} - {""}
-            of_labels |= {column.name: LABEL} if texts and texts <= self.labels.keys() else {}
+            texts = {text for text in cells[column.name] if text.strip()}
+            of_labels |= {column.name: LABEL} if texts and texts <= self.lookups[column.name].errors.keys() else {}
             solids[column.name] = some
 
         def kinds(solids: Mapping[str, Material | None]) -> list[Any]:
@@ -156,10 +156,8 @@ class Table:
                 raise BadRequest(f"--quantities: {name} is an input here")
             lacks = [*filter(None, (_lack_of(name, scene) for scene in scenes))]
             if len(lacks) == len(scenes):
-                texts = [message or f"no material {quoted(text)}" for text, message in self.labels.items()]
-                if texts:
-                    raise BadTable("; ".join([texts[0], str(lacks[0])]))
-                raise lacks[0]
+                unknown = [error for lookup in self.lookups.values() for error in lookup.errors.values()]
+                raise BadTable(f"{unknown[0]}; {lacks[0]}") if unknown else lacks[0]
         first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
         shown = {name for scene in scenes for name in scene.possible(offered) if scene.shows_to_identical(name)}
@@ -175,10 +173,8 @@ class Table:
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
         return Wanted(names, named=[*explicit, *of_cells], sides={}, doubts=doubt)
 
-    def _add_sides(self, rows: Cells) -> "list[Source]":
+    def _add_sides(self, block: "TableBlock") -> "list[Source]":
         """Add the columns of uncertainties that some rows have; return their sources that enter no error bar."""
-        cells = {name: [row[place].encode() for row in rows] for name, place in self.places.items()}
-        block = TableBlock(self, Records(rows, cells))
         sources = []
         for places, given in groups(block):
             with suppress(JkrollError):  # bad rows, which their status will explain
@@ -190,29 +186,6 @@ class Table:
             return []
         self.wanted = self.wanted.with_sides(dict.fromkeys(self.wanted.keys, sides))
         return [source for each in of_rows for source in each.left_out]
-
-
-def _names_of_materials(columns: Header, rows: Cells, known: Materials) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the names in some rows that are no material's, and those that are another name of one.
-
-    A name has a message where it stands for several materials, or for one with another name: it may be a label.
-    """
-    labels: dict[str, str] = {}
-    aliases: dict[str, str] = {}
-    cells = ((row[column.place].strip(), columns.texts[column.place]) for column in columns.materials for row in rows)
-    for text in dict.fromkeys(text for text, head in cells if text not in ("", head.strip())):
-        try:
-            name = known[text].name
-        except UnclearMaterial as error:
-            labels[text] = str(error)
-        except UnknownMaterial:
-            labels[text] = ""
-        except JkrollError:
-            continue
-        else:
-            if name.casefold() != text.casefold():
-                aliases[text] = f"material {quoted(text)} is {name}"
-    return labels, aliases
 
 
 def _lack_of(name: str, scene: Any) -> MissingInput | None:
@@ -276,8 +249,6 @@ class TableBlock:
         if row in self.odd:
             raise BadRequest(self.odd[row])
         table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
-        if all(cells[name].strip() == table.columns.texts[place].strip() for name, place in table.places.items()):
-            raise BadRequest("the row repeats the header")
         given, problems = dict[str, Any](), list[JkrollError]()
         solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
         labels = [*filter(None, (table.lookups[name].errors.get(self.cells[name][row]) for name in self.indices))]

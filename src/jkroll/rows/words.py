@@ -97,13 +97,18 @@ def symbol_of(word: str) -> str:
 
 
 @cache
-def meanings() -> dict[str, Meaning]:
-    """Return what words mean, by their keys, with 1 or 2 for the sphere or without."""
+def meanings(measured: str = "") -> dict[str, Meaning]:
+    """Return what words mean, by their keys, with 1 or 2 for the sphere or without.
+
+    `measured`: a quantity whose name and symbol are words, besides those of inputs.
+    """
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     names |= {word: name for name, others in SYNONYMS.items() for word in others}
     inputs = {word: Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
     known = dict.fromkeys(NOMENCLATURE, Meaning()) | _of_spheres(inputs | _DOUBTFUL_WORDS)
-    return {word.replace("_", ""): meaning for word, meaning in known.items()}
+    if measured:
+        known |= dict.fromkeys(map(key, (measured, NOMENCLATURE[measured].symbol)), Meaning([measured]))
+    return {word.replace("_", ""): meaning for word, meaning in known.items() if word}
 
 
 @cache
