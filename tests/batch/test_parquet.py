@@ -131,7 +131,7 @@ def test_what_cannot_be_read(run: Run) -> None:
     odd: list[list[object]] = [[["iron"]], [{"a": 1}], [datetime.date(2026, 1, 1)]]
     for values in odd:
         ran = run("batch", write({"radius [nm]": [1.0], "material": values}), "-o", "out.parquet")
-        assert (ran.code, ran.err.startswith("jkroll: header: column material holds ")) == (2, True)
+        assert (ran.code, "no material '" in ran.err) == (1, True)
     ran = run("batch", write({"radius [nm]": [1.0], "material": [b"iron"]}), "-o", "out.parquet", "--quiet")
     assert ran.code == 0
     Path("there.parquet").mkdir()
@@ -229,4 +229,5 @@ def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch
 
 def test_a_table_without_columns_is_refused(run: Run) -> None:
     pyarrow.parquet.write_table(pyarrow.table({}), "none.parquet")
-    assert run("batch none.parquet -o out.parquet").err == "jkroll: the table has no columns\n"
+    ran = run("batch none.parquet -o out.parquet")
+    assert (ran.code, "no column is an input" in ran.err) == (2, True)

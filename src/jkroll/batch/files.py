@@ -27,7 +27,6 @@ COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
 CHUNK = 1 << 20  # bytes read at a time
 FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
 BOM = b"\xef\xbb\xbf"
-NOT_UTF_8 = (b"\xff\xfe", b"\xfe\xff", b"\x1f\x8b", b"\x28\xb5\x2f\xfd")  # first bytes of UTF-16, gzip and zstd
 
 # --- Formats ----------------------------------------------------------------------------------------------------------
 
@@ -181,9 +180,6 @@ def lines_of(
     lines = Ndjson() if form.kind == "ndjson" else Delimited(separator, excel_safe=excel_safe)
     every = blocks(given.pieces(form.compression), lines.cut)
     first = next(every, b"")
-    if first.startswith(NOT_UTF_8) or b"\0" in first.partition(b"\n")[0]:
-        remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
-        raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
     mark = BOM if first.startswith(BOM) else b""
     every = chain([first.removeprefix(mark)], every)
     if is_of_blanks:

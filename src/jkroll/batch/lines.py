@@ -131,10 +131,10 @@ class Delimited:
             raise BadTable("the lines end in carriage returns alone; save the table with line feeds")
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
-        try:
-            text, *names = (cell.encode(_BYTES).decode() for cell in (line.strip(), *(cells or [line])))
-        except UnicodeDecodeError:
-            raise BadTable("header: is not UTF-8; save the table as UTF-8") from None
+        text, *names = map(_text, (line.strip(), *(cells or [line])))
+        if "\0" in text or "\ufffd" in text:  # which stands for what is not UTF-8
+            remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
+            raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
         if not any(map(is_input, names)):
             self._check_separator(text, len(names))
         if problem:

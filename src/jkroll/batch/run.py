@@ -199,8 +199,6 @@ def convert_one(path: str, job: Job) -> Tally:
         name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.kind}")
         problem = f"the output has the format of the input, {given.kind}"
         raise BadTable(f"-o: {problem}; write {name}, and convert it with another program")
-    for each in (given, wanted):
-        compressed(b"\n", each.compression)  # a missing library is named before anything is opened
     if given.kind == "parquet":
         with missing_extra("parquet"):
             from .parquet import batches_of

@@ -422,7 +422,7 @@ def check_inputs(header: Header, measured: str = "") -> None:
     """Raise BadTable for a table of which no column is an input, or none the measured quantity."""
     if measured in header.names or (header.names and not measured):
         return
-    if all(map(is_number, header.texts)):
+    if header.texts and all(map(is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
     if measured:
         raise BadTable(f"header: no column has the measured {measured}; write {_option('HEADER', with_unit(measured))}")

@@ -15,7 +15,7 @@ from ..materials.library import Material, Materials
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
-from ..scene.failures import MissingInput, NotInLaw
+from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, MissingInput, NotInLaw
 from ..scene.limits import Evaluation
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
@@ -166,9 +166,7 @@ class Table:
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
             scenes[0].plans(offered[0])
-            raise BadRequest(
-                "--quantities: these are known of identical spheres only, and the table describes sphere 2"
-            )
+            raise Failure(OF_IDENTICAL_SPHERES)
         # Where some cells are the reason why a quantity has a column, all rows have it.
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
         return Wanted(names, named=[*explicit, *of_cells], sides={}, doubts=doubt)
