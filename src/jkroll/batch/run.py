@@ -24,7 +24,6 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.columns import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
 from ..rows.header import check_inputs, understood
 from ..rows.table import Asked, Table, TableBlock
-from ..scene.failures import MissingInput
 from ..scene.limits import EVERY_DOUBT
 from ..text import listed, quoted, say, say_wrapped
 from .files import Input, compressed, format_of_name, input_format, lines_of, output_format
@@ -199,31 +198,27 @@ def convert_one(path: str, job: Job) -> Tally:
         name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.kind}")
         problem = f"the output has the format of the input, {given.kind}"
         raise BadTable(f"-o: {problem}; write {name}, and convert it with another program")
-    if given.kind == "parquet":
-        with missing_extra("parquet"):
-            from .parquet import batches_of
     with closing(Input(path)) as file:
         file.check_output(job.target)
         form: Any
         if given.kind == "parquet":
+            with missing_extra("parquet"):
+                from .parquet import batches_of
             form, blocks = batches_of(file, job.target, asked.is_read)
         else:
             form, blocks = lines_of(file, given, asked.is_read, excel_safe=job.excel_safe)
         header = understood(form.names, form.sample, asked.stated, asked.inputs, asked.measured)
         check_inputs(header, asked.measured)
         reading = header.reading(form.preamble)
-        try:
-            table = Table(header, form.sample, asked)
-        except MissingInput:
-            job.say([reading])  # a column may not be understood
-            raise
-        said = (reading, *_about(table))
-        job.say(said)
+        job.say([reading])  # at once: an input is missing where a column is not understood
+        table = Table(header, form.sample, asked)
+        about = [*_about(table)]
+        job.say(about)
         with whole_file(job.target) as output:
             is_file = isinstance(output.name, str) and os.path.isfile(output.name)
             place = output.name if is_file else ""
             convert = Converter(form, table, wanted.compression, strict=job.strict, path=place)
-            return _convert(file, blocks, convert, output, job)._replace(said=said)
+            return _convert(file, blocks, convert, output, job)._replace(said=(reading, *about))
 
 
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:

@@ -154,10 +154,14 @@ class Table:
         for name in explicit:
             if name in self.given:
                 raise BadRequest(f"--quantities: {name} is an input here")
-            lacks = [*filter(None, (_lack_of(name, scene) for scene in scenes))]
-            if len(lacks) == len(scenes):
-                unknown = [error for lookup in self.lookups.values() for error in lookup.errors.values()]
-                raise BadTable(f"{unknown[0]}; {lacks[0]}") if unknown else lacks[0]
+            if all(scene.missing([name]) for scene in scenes):
+                try:
+                    scenes[0].plans(name)
+                except NotInLaw:
+                    continue  # its column is empty
+                except MissingInput as error:
+                    unknown = [each for lookup in self.lookups.values() for each in lookup.errors.values()]
+                    raise BadTable(f"{unknown[0]}; {error}") from None if unknown else error
         first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
         shown = {name for scene in scenes for name in scene.possible(offered) if scene.shows_to_identical(name)}
@@ -184,15 +188,6 @@ class Table:
             return []
         self.wanted = self.wanted.with_sides(dict.fromkeys(self.wanted.keys, sides))
         return [source for each in of_rows for source in each.left_out]
-
-
-def _lack_of(name: str, scene: Any) -> MissingInput | None:
-    """Return which inputs a scene lacks of a quantity that its law has, if it lacks some."""
-    try:
-        scene.plans(name)
-    except MissingInput as error:
-        return None if isinstance(error, NotInLaw) else error
-    return None
 
 
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
