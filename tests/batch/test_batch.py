@@ -154,7 +154,7 @@ STATUS = {
         "no material 'unobtainium'; did you mean aluminium? jkroll materials lists all",
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),
-    "x,quartz,0,0": ("bad radius", "radius: '0 nm' must be positive; expected a length such as 100nm"),
+    "x,quartz,0,0": ("bad radius", "radius: '0' must be positive; expected a length such as 100nm"),
     "x,quartz,100,-20": (
         "beyond pull-off",
         "load: -20 nN breaks this contact: the hardest pull that it holds is -11.78097 nN",
@@ -198,11 +198,11 @@ def test_strict_stops_with_the_line(run: Run) -> None:
     ran = run("batch", name, "--strict", "-o", "out.csv", "--jobs", "1", "--quiet")
     assert (ran.code, ran.err) == (
         1,
-        "jkroll: line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n",
+        "jkroll: line 6: radius: '0' must be positive; expected a length such as 100nm\n",
     )
     assert not [*Path().glob("out.csv*")]
     assert run("batch", name, "--strict", "-o", "out/").err == (
-        f"jkroll: '{name}': line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n"
+        f"jkroll: '{name}': line 6: radius: '0' must be positive; expected a length such as 100nm\n"
     )
     assert [*Path("out").iterdir()] == []
 

@@ -154,7 +154,7 @@ def test_lines_are_counted_from_the_beginning_of_the_file(run: Run, monkeypatch:
     monkeypatch.setattr(batch, "BLOCK", 30)
     name = write({"radius [nm]": [*range(1, 235), 0.0, 1.0]})
     ran = run("batch", name, "-o", "out.parquet", "--strict", "--quiet")
-    assert (ran.code, ran.err.partition(" must")[0]) == (1, "jkroll: line 235: radius: '0.0 nm'")
+    assert (ran.code, ran.err.partition(" must")[0]) == (1, "jkroll: line 235: radius: '0.0'")
 
 
 def test_what_a_file_says_of_itself_stays(run: Run) -> None:

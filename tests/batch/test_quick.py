@@ -88,7 +88,7 @@ def test_the_quick_way_is_taken() -> None:
     assert found.tally.gaps["bad radius"] == (
         1,
         301,
-        "radius: '-5 nm' must be positive; expected a length such as 100nm",
+        "radius: '-5' must be positive; expected a length such as 100nm",
     )
     assert not one_by_one.called
     first, *others = found.output.splitlines()[:300]

@@ -128,13 +128,7 @@ class Column(NamedTuple):
 
         A cell without a unit has that of the column.
         """
-        if has_no_value(text):
-            raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
-        try:
-            return value_of(text, self.name, self.unit)
-        except QuantityError as error:
-            value = _in_unit(text, self.unit_text) if is_number(text) else text
-            raise QuantityError(self.name, value, error.reason, error.remedy) from None
+        return value_of(text, self.name, self.unit)
 
 
 def _in_unit(number: str, unit_text: str) -> str:

@@ -15,7 +15,7 @@ from ..materials.library import Material, Materials
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
-from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, MissingInput, NotInLaw
+from ..scene.failures import MissingInput, NotInLaw
 from ..scene.limits import Evaluation
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
@@ -160,8 +160,9 @@ class Table:
                 except NotInLaw:
                     continue  # its column is empty
                 except MissingInput as error:
-                    unknown = [each for lookup in self.lookups.values() for each in lookup.errors.values()]
-                    raise BadTable(f"{unknown[0]}; {error}") from None if unknown else error
+                    if unknown := [each for lookup in self.lookups.values() for each in lookup.errors.values()]:
+                        raise BadTable(f"{unknown[0]}; {error}") from None
+                    raise
         first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
         shown = {name for scene in scenes for name in scene.possible(offered) if scene.shows_to_identical(name)}
@@ -170,7 +171,9 @@ class Table:
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
             scenes[0].plans(offered[0])
-            raise Failure(OF_IDENTICAL_SPHERES)
+            raise BadRequest(
+                "--quantities: these are known of identical spheres only, and the table describes sphere 2"
+            )
         # Where some cells are the reason why a quantity has a column, all rows have it.
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
         return Wanted(names, named=[*explicit, *of_cells], sides={}, doubts=doubt)
