@@ -180,7 +180,7 @@ def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
 
     The second value says if it is a slip: a letter, or the order of two.
 
-    >>> [_word_in(text, words.meanings()) for text in ("tip load", "gama", "laod", "head")]
+    >>> [_word_in(text, words.meanings("")) for text in ("tip load", "gama", "laod", "head")]
     [('load', False), ('gamma', True), ('load', True), ('', False)]
     """
     letters = key(text)

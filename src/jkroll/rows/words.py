@@ -97,10 +97,10 @@ def symbol_of(word: str) -> str:
 
 
 @cache
-def meanings(measured: str = "") -> dict[str, Meaning]:
+def meanings(measured: str) -> dict[str, Meaning]:
     """Return what words mean, by their keys, with 1 or 2 for the sphere or without.
 
-    `measured`: a quantity whose name and symbol are words, besides those of inputs.
+    `measured`: a quantity whose name and symbol are words, besides those of inputs; "" for none.
     """
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     names |= {word: name for name, others in SYNONYMS.items() for word in others}
@@ -129,7 +129,7 @@ def with_symbol(text: str) -> Meaning | None:
     The symbol is as it is written, and stands behind a blank: load_pN is no load P in newtons.
     """
     word, _, symbol = text.rpartition(" ")
-    meaning, of_symbol = meanings().get(key(word)), symbols().get(symbol_of(symbol))
+    meaning, of_symbol = meanings("").get(key(word)), symbols().get(symbol_of(symbol))
     return meaning if meaning and of_symbol and {*meaning.names} <= {*of_symbol.names} else None
 
 
@@ -159,7 +159,7 @@ def slips() -> dict[str, str]:
 
     Two words differ by a slip of the pen, a letter or the order of two, if they have such a spelling in common.
     """
-    known = [word for word, meaning in meanings().items() if meaning.names and not meaning.problem and len(word) > 3]
+    known = [word for word, meaning in meanings("").items() if meaning.names and not meaning.problem and len(word) > 3]
     longest_first = sorted(known, key=len, reverse=True)  # so that gamma is not a slip in gamma2
     return {spelt: word for word in longest_first for spelt in lacking_a_letter(word)}
 
