@@ -1,4 +1,4 @@
-"""Ways to six headline quantities: the package's, the paper's equations, textbook inversions, tables and quadratures.
+"""Ways to six headline quantities: the package's, the paper's equations, inversions by other codes and a table.
 
 The paper's equations stand in their plainest form, for doubles and for decimals of 60 digits, which give exact values.
 The state is that of a load and a pull-off force, or of an approach in units of the unloaded one.
@@ -12,8 +12,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy
-from numpy import cbrt, exp, interp, linspace, pi, sin, sqrt, where
-from numpy.polynomial.legendre import leggauss
+from numpy import cbrt, exp, interp, linspace, pi, sqrt, where
 
 from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.jkr import FOLD_APPROACH
@@ -184,14 +183,6 @@ def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
     return run
 
 
-def _by_radicals(delta: Any, delta0: Any) -> Any:
-    """Solve 3y⁴ − 2y = δ/δ0 by Ferrari's resolvent in the textbook's form."""
-    ratio = delta / delta0
-    root = sqrt(4 / 81 + (4 * ratio / 9) ** 3)
-    zeta = cbrt(2 / 9 + root) + cbrt(2 / 9 - root)
-    return ((sqrt(zeta) + sqrt(4 / (3 * sqrt(zeta)) - zeta)) / 2) ** 3
-
-
 def _by_quartic(delta: Any, delta0: Any) -> Any:
     """Solve the quartic of the contact radius as codes of many particles do (Parteli et al., Sci. Rep. 4, 6227, 2014).
 
@@ -222,14 +213,6 @@ def _half_circles(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -
     delta = DOUBLES.approach_at_load(R1, R2, w, E, P, P_c)
     less, more = (E * A**2 * delta / 2 - E / (4 * DOUBLES.reduced(R1, R2)) * A**4 for A in (a - xi, a + xi))
     return less - more
-
-
-def _quadrature(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -> Any:
-    """Return Eq 17 over the tilted pressure of the shifted circle, by Gauss-Legendre's 16 points in the angle."""
-    nodes = ((pi / 4 * (1 + node), pi / 4 * weight) for node, weight in zip(*leggauss(16), strict=True))
-    total = sum(weight * sin(angle) ** 3 for angle, weight in nodes)  # of r³/√(1 − r²) over r, by r = sin of the angle
-    a = DOUBLES.contact_radius_at_load(R1, R2, w, E, P, P_c)
-    return 2 * E * xi / DOUBLES.reduced(R1, R2) * total * a**3 - xi * P
 
 
 def _radius_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
@@ -264,7 +247,6 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
     "stiffness": {PRINTED: DOUBLES.stiffness},
     "load_factor_at_approach": {
         "Newton on the quartic": DOUBLES.load_factor_at_approach,
-        "closed form, radicals": _by_radicals,
         "Parteli et al. 2014": _by_quartic,
         "table of 10⁴ nodes": lambda delta, delta0: interp(delta / delta0, *_table()),
     },
@@ -272,7 +254,6 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
     "yield_moment": {
         PRINTED: DOUBLES.yield_moment,
         "half-circles, Eq 19": _half_circles,
-        "quadrature, Eq 17": _quadrature,
     },
 }
 QUANTITIES = tuple(OTHER_WAYS)

@@ -41,7 +41,6 @@ class PaperMap(NamedTuple):
     remark: str
     x: Axis = _ENERGIES
     given: Mapping[str, float] = _SOFT
-    marks: tuple[Mark, ...] = ()  # points that the text speaks of
     printed: str = ""  # the same quantity as the paper prints it
 
 
@@ -64,7 +63,6 @@ PAPER_MAPS: Mapping[str, PaperMap] = {
         "About a thousand spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 1) rolls "
         "from 8 µm (polystyrene) to 52 µm (iron) on; the text has about 100 µm.",
         given=_LIGHT,
-        marks=(Mark("1071", 0.025, 1e-7),),
     ),
     "6a": PaperMap(
         "vertical_frequency",
@@ -101,11 +99,10 @@ def paper_map(
     drawn, _ = picture_of(
         PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits, printed=printed)
     )
-    (panel,) = drawn.panels
     dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed, each below its contour.",) if printed else ()
     return Picture(
         f"Fig. {name}: {symbol(declared.quantity)}",
-        (panel._replace(marks=(*panel.marks, *declared.marks)),),
+        drawn.panels,
         (*drawn.caption, *dashed),
         (*drawn.remarks, declared.remark),
     )

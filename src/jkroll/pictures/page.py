@@ -23,10 +23,6 @@ from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import
 from ..quantities.formatting import PREFIXABLE, engineering, pretty
 from ..quantities.markup import lines, typeset
 from .picture import (
-    DASHES,
-    LETTER,
-    POINTS,
-    SIZE,
     STYLES,
     Axis,
     Curve,
@@ -43,6 +39,10 @@ from .picture import (
     quantity_of,
 )
 
+SIZE = 8.6  # of letters in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
+LETTER = 0.42  # width of a letter over its size, on average
+POINTS = "os^Dv*"
+DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 _CONTOURS = 12
 FINE = 401  # points a side of a field, between which its lines are straight
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
@@ -68,8 +68,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption; with paper to spare."""
     count = len(drawn.panels)
     inches = inches or (_ONE_PANEL if count == 1 else _MORE_PANELS)
-    fewest = 1 if count < 4 else 2  # more below each other are longer than a sheet of paper
-    columns = min(count, max(fewest, int(inches / _NARROWEST)))
+    columns = min(count, max(1, int(inches / _NARROWEST)))
     rows = ceil(count / columns)
     layout = ConstrainedLayoutEngine(w_pad=_GAP, h_pad=_GAP, wspace=0, hspace=0, compress=True)
     figure = Figure(figsize=(inches, _HIGHEST * inches * rows), layout=layout)

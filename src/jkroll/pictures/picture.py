@@ -212,11 +212,6 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
 
 # --- Looks of a page --------------------------------------------------------------------------------------------------
 
-SIZE = 8.6  # of letters in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
-LETTER = 0.42  # width of a letter over its size, on average
-POINTS = "os^Dv*"
-DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
-
 
 class Style(NamedTuple):
     """Colours of a page: paper, ink, hatches, the bands of a map from low to high, and curves.
