@@ -9,7 +9,7 @@ The state is that of a load and a pull-off force, or of an approach in units of 
 from collections.abc import Callable, Mapping
 from decimal import Decimal, localcontext
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy
 from numpy import cbrt, exp, interp, linspace, pi, sqrt, where
@@ -17,7 +17,6 @@ from numpy import cbrt, exp, interp, linspace, pi, sqrt, where
 from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.jkr import FOLD_APPROACH
 from ..scene.scene import Scene
-from ..scene.wiring import plan_for, steps_to
 
 SYMBOLS = {
     "R1": "radius", "R2": "radius2", "w": "work_of_adhesion", "E": "contact_modulus",
@@ -141,16 +140,11 @@ DECIMALS = Equations(Decimal.sqrt, lambda value: value ** (1 / Decimal(3)), PI, 
 DOUBLES = Equations(numpy.sqrt, numpy.cbrt, numpy.pi, 1e-15)
 
 
-class Exact(NamedTuple):
-    """The double nearest to an exact value, the rest, and the condition of the value."""
+def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
+    """Return a quantity at a point of doubles in 60 digits, and its condition κ.
 
-    nearest: float
-    rest: float
-    condition: float  # κ: how many times a relative error of the state that is given appears in the value
-
-
-def exact(quantity: str, point: Mapping[str, float]) -> Exact:
-    """Return a quantity at a point of doubles, from 60 digits, and its condition in the state and, by Maugis, in λ."""
+    κ says how many times a relative error of the state and, by Maugis, of λ appears in the value.
+    """
     equation = getattr(DECIMALS, quantity)
     names = inputs_of(equation)
 
@@ -162,25 +156,10 @@ def exact(quantity: str, point: Mapping[str, float]) -> Exact:
         value = value_of()
         states = {"load", "approach_at_load", "atomic_spacing"}.intersection(names)
         slopes = [abs(value_of(name) / value - 1) / _STEP for name in states] if value else []
-        return Exact(float(value), float(value - Decimal(float(value))), float(sum(slopes)))
+    return value, float(sum(slopes))
 
 
 # --- Ways of doubles --------------------------------------------------------------------------------------------------
-
-
-def our_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
-    """Return the formulas that `jkroll.solve` runs, as a function of the inputs of a quantity."""
-    names = inputs_of(getattr(DECIMALS, quantity))
-    plan = plan_for(quantity, frozenset((*names, "energy_ratio")), own_material2=False)
-    steps = steps_to([plan])
-
-    def run(point: Mapping[str, Any]) -> Any:
-        values = {"energy_ratio": 1.0, **point}
-        for name, step in steps.items():
-            values[name] = step.formula(**{parameter: values[each.name] for parameter, each in step.arguments})
-        return values[plan.name]
-
-    return run
 
 
 def _by_quartic(delta: Any, delta0: Any) -> Any:
