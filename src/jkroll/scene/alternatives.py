@@ -30,13 +30,13 @@ def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
 def by_law(scene: Scene) -> Scene:
     """Return the scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
     law = other_law(scene.law.name)
-    return scene.instead(routed_apart(scene.law.name, law, scene.known), model=law)
+    return scene.replace(model=law)
 
 
 @_kept
 def at_half_spacing(scene: Scene) -> Scene:
     """Return a scene whose atomic spacing is half as large."""
-    return scene.instead(["atomic_spacing"], atomic_spacing=scene["atomic_spacing"] / 2)
+    return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
 
 
 def rolling(names: Iterable[str], law: str) -> list[str]:
@@ -60,7 +60,7 @@ def at_other_reading(scene: Scene) -> Scene | None:
         displacement = displacement * (ours["hysteresis_ratio"] / theirs["hysteresis_ratio"])
         without_contact = ours[XI]
     displacement = where(takes(XI, displacement), displacement, without_contact)
-    return other.instead(IN_ITS_PLACE, **{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
+    return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
 
 def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
@@ -144,13 +144,13 @@ def _measured(scene: Scene) -> Interval:
 @_kept
 def at_least_measured(scene: Scene) -> Scene:
     """Return the scene with the least displacement that forces on the same solid mean."""
-    return scene.instead([XI], **{XI: _measured(scene).low})
+    return scene.replace(**{XI: _measured(scene).low})
 
 
 @_kept
 def at_most_measured(scene: Scene) -> Scene:
     """Return the scene with the largest displacement that forces on the same solid mean."""
-    return scene.instead([XI], **{XI: _measured(scene).high})
+    return scene.replace(**{XI: _measured(scene).high})
 
 
 def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001

@@ -15,7 +15,7 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, routed_apart
 from ..quantities.nomenclature import (
     INFINITY,
     NOMENCLATURE,
@@ -198,14 +198,15 @@ class Scene:
         if self.is_rigid is True:
             self.values = {**dict.fromkeys(_ON_AREA, Failure(TWO_RIGID_BODIES)), **self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
-        self._original: Scene | None = None  # the scene in whose place this one may stand
+        self._original: Scene | None = None  # the scene of which this one is a change
         self._changed: frozenset[str] = frozenset()  # the quantities that differ from those of the original
         self.alternatives: dict[str, Scene] = {}  # that may stand in its place, by their kind, made when asked for
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
 
-        A property that a material gave has the value in the material, the others are stated.
+        A property that a material gave has the value in the material, the others are stated. What both scenes have is
+        evaluated once.
         """
         model = values.pop("model", self.stated_model)
         stated = {**self.stated, **self.uncertain, **values}
@@ -215,18 +216,14 @@ class Scene:
             if of_solid := names.keys() & values.keys() - self.stated.keys():
                 solids[sphere] = solid.with_properties({names[name]: stated.pop(name) for name in of_solid})
         given = {name: value for name, value in stated.items() if value is not None}
-        return Scene(given, *solids.values(), model=model, checked=self.given)
-
-    def instead(self, changed: Iterable[str], **values: Any) -> "Scene":
-        """Return a scene that may stand in place of this one, as `replace` does. What both have is evaluated once.
-
-        `changed`: the quantities that have other values, or other formulas.
-        """
-        scene = self.replace(**values)
-        # With the same values, but without alternatives: a circle would keep arrays until a search for cycles.
-        scene._original = Scene.__new__(Scene)
-        scene._original.__dict__.update(self.__dict__, alternatives={})
-        scene._changed = frozenset(changed) | (values.keys() - self.known)
+        scene = Scene(given, *solids.values(), model=model, checked=self.given)
+        if self.is_rigid is scene.is_rigid is False:
+            # With the same values, but without alternatives: a circle would keep arrays until a search for cycles.
+            scene._original = Scene.__new__(Scene)
+            scene._original.__dict__.update(self.__dict__, alternatives={})
+            every = self.known | scene.known
+            changed = (name for name in every if self.values.get(name) is not scene.values.get(name))
+            scene._changed = routed_apart(self.law.name, scene.law.name, self.known).union(changed)
         return scene
 
     @property
