@@ -330,9 +330,9 @@ class Answer(Evaluation):
             *about_assumed(self.assumed),
             *about_missing(self.errors),
             *(about_uncertainties(self.bars, self.sources) if self.sources is not None else ()),
-            *about_values(scene, known),
             *about_given(scene, self._possible, inputs),
             *about_idle(idle_of(scene, needed)),
+            *about_values(scene, known),
             *about_limits(self.validity),
             *(about_lost_contacts(scene, self.bars, self.sources) if self.sources and "load" in self.inputs else ()),
         )

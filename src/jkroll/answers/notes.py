@@ -164,16 +164,7 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 
 
 def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on values: on the assumed ξ, collisions, what a contact is, what gives way first in it."""
-    if rolling(names, scene.law.name):
-        values = scene.numbers(XI, "hysteresis_ratio", "displacement_ratio")
-        if assumes_displacement(scene) and not rolled_solid(scene):
-            is_possible = values.get("displacement_ratio", 0.0) < 1  # else a warning says more
-            yield Note("caveat" if is_possible else "remark", about_displacement(scene, ""))
-        if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
-            lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
-            text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"
-            yield Note("more", text)
+    """Iterate over notes on values: what happens in a collision, what gives way first in a contact, the assumed ξ."""
     if "hamaker" in scene.inputs_of(*names):
         cutoff = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
         here, there = (
@@ -200,6 +191,15 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         yield _first_to_yield(scene)
     if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
         yield Note("remark", "a: the spheres are bound without touching")
+    if rolling(names, scene.law.name):
+        values = scene.numbers(XI, "hysteresis_ratio", "displacement_ratio")
+        if assumes_displacement(scene) and not rolled_solid(scene):
+            is_possible = values.get("displacement_ratio", 0.0) < 1  # else a warning says more
+            yield Note("caveat" if is_possible else "remark", about_displacement(scene, ""))
+        if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
+            lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
+            text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"
+            yield Note("more", text)
 
 
 def about_displacement(scene: Scene, solid: str) -> str:
@@ -283,10 +283,10 @@ def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
 
         with suppress(JkrollError):  # each row says which kinds do not go together
             yield from about_left_out(sources_of_results(scene, possible).left_out)
-    if rolling(possible, scene.law.name) and assumes_displacement(scene):
-        yield Note("caveat", about_displacement(scene, solid_of_kind(scene)))
     inputs, _ = entering(scene, names)
     yield from about_given(scene, possible, inputs)
+    if rolling(possible, scene.law.name) and assumes_displacement(scene):
+        yield Note("caveat", about_displacement(scene, solid_of_kind(scene)))
     yield from about_limits(doubts(scene, possible))
 
 
