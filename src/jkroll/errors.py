@@ -16,13 +16,6 @@ class JkrollError(Exception):
 class MissingExtra(JkrollError):
     """Error raised when a library is needed that only an extra installs."""
 
-    def __init__(self, library: str, extra: str) -> None:
-        super().__init__(library, extra)
-        self.library, self.extra = library, extra
-
-    def __str__(self) -> str:
-        return f"this needs {self.library.partition('.')[0]}: pip install 'jkroll[{self.extra}]'"
-
 
 @contextmanager
 def missing_extra(extra: str) -> Iterator[None]:
@@ -30,7 +23,8 @@ def missing_extra(extra: str) -> Iterator[None]:
     try:
         yield
     except ModuleNotFoundError as error:
-        raise MissingExtra(error.name or "", extra) from None
+        library = (error.name or "").partition(".")[0]
+        raise MissingExtra(f"this needs {library}: pip install 'jkroll[{extra}]'") from None
 
 
 class NoResult(JkrollError):

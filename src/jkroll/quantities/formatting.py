@@ -77,10 +77,8 @@ class Format:
         has_prefixes = name not in self.units and NOMENCLATURE[name].unit in PREFIXABLE
         return has_prefixes and bool(sizes) and sizes[-1] > _FAR * sizes[0]
 
-    def in_unit(self, value: float | str | Uncertain, unit: tuple[str, Unit]) -> str:
-        """Return a rounded value in a unit, with its uncertainty if it has one, without the unit; a word as it is."""
-        if isinstance(value, str):
-            return value
+    def in_unit(self, value: float | Uncertain, unit: tuple[str, Unit]) -> str:
+        """Return a rounded value in a unit, with its uncertainty if it has one, without the unit."""
         if isinstance(value, Measured):
             return _plus_minus(*(convert(number, unit[1]) for number in (value.value, value.minus, value.plus)))
         ends = (significant(convert(end, unit[1]), self.digits or DIGITS) for end in ends_of(value))

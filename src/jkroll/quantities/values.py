@@ -488,14 +488,11 @@ class Spread:
         if place in (0, self.size - 1):
             return self.high if place else self.low
         share = place / (self.size - 1)
-        if not self.is_log:
-            value = self.low * (1 - share) + self.high * share
-        elif 0 < (ratio := self.high / self.low) < INFINITY:
-            value = self.low * ratio**share
-        else:
-            value = self.low ** (1 - share) * self.high**share
-        is_nothing = abs(value) < 1e-15 * max(abs(self.low), abs(self.high)) and not self.is_log
-        return 0.0 if is_nothing else float(f"{value:.15g}")
+        if self.is_log:
+            return _to_15_digits(self.low * (self.high / self.low) ** share)
+        value = self.low * (1 - share) + self.high * share
+        is_nothing = abs(value) < 1e-15 * max(abs(self.low), abs(self.high))
+        return 0.0 if is_nothing else _to_15_digits(value)
 
 
 _LIST_OR_NUMBER = r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+"  # 1,5 and 2,500,000
