@@ -198,9 +198,9 @@ SYMBOLS = {
     "G": "contact_shear_modulus", "k_s": "tangential_stiffness", "f": "sliding_frequency", "W_fold": "fold_energy",
     "M_0": "unloaded_moment", "theta": "rolling_angle", "E_stick_1": "sticking_energy_paszun_dominik",
     "E_stick_2": "sticking_energy_pencil_code",
-    "pos": "position", "X": "position_in_strip", "X_c": "position_in_circle", "b": "contact_half_width",
+    "X": "position_in_strip", "X_c": "position_in_circle", "b": "contact_half_width",
     "C": "load_constant",
-    "R_c": "cylinder_radius", "E_strain": "plane_strain_modulus", "P_l": "load_per_length", "n_roll": "n_roll",
+    "R_c": "cylinder_radius", "E_strain": "plane_strain_modulus", "n_roll": "n_roll",
 }  # fmt: skip
 
 
@@ -395,7 +395,6 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
         E_strain / (2 * R_c) * (sqrt(b**2 - X**2) + (C - b**2 / 2 + xi * X) / sqrt(b**2 - X**2))
     ),
     "load_per_length": lambda R_c, E_strain, C: pi * E_strain / (2 * R_c) * C,
-    "load_constant": lambda P_l, R_c, E_strain: 2 * R_c * P_l / (pi * E_strain),
     "strip_moment": lambda b, xi, R_c, E_strain: pi * b**2 * E_strain / (4 * R_c) * xi,
     "contact_point_moment": lambda b, xi, R_c, E_strain, C: pi / 4 * E_strain / R_c * xi * (b**2 - 2 * C),
     "half_strips_moment": lambda b, xi, R_c, E_strain, C: (

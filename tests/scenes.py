@@ -131,9 +131,8 @@ def _strip_contact(random: Random) -> Scene:
     shares = [random.uniform(-2, 1), 1 - log_uniform(random, 1e-15, 1), log_uniform(random, 1e-9, 1e9)]
     constant = half_width**2 / 2 * random.choice(shares)
     return {
-        "position": place, "position_in_strip": place, "contact_half_width": half_width, "load_constant": constant,
+        "position_in_strip": place, "contact_half_width": half_width, "load_constant": constant,
         "cylinder_radius": radius, "yield_displacement": half_width * log_uniform(random, 1e-9, 1),
         "plane_strain_modulus": log_uniform(random, 1e5, 1e13),
-        "load_per_length": constant * log_uniform(random, 1e-3, 1e12),
         "work_of_adhesion": log_uniform(random, 1e-6, 1e2),
     }  # fmt: skip

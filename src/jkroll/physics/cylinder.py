@@ -36,23 +36,12 @@ def asymmetric_pressure(
 def load_per_length(*, cylinder_radius: Length, plane_strain_modulus: Stress, load_constant: Area) -> ForcePerLength:
     """Return the load on the cylinder per length; tension is negative.
 
-        P = πE′C/(2R)
+        P = πE′C/(2R), so that C = 2PR/(πE′)
 
     Source:   Eqs (59) and (65): it does not depend on ξ.
     Valid:    a ≪ R.
     """
     return pi / 2 * plane_strain_modulus * load_constant / cylinder_radius
-
-
-def load_constant(*, load_per_length: ForcePerLength, cylinder_radius: Length, plane_strain_modulus: Stress) -> Area:
-    """Return the area that stands for the load in the pressure and the moments.
-
-        C = 2PR/(πE′)
-
-    Source:   Eqs (59) and (65), solved for C.
-    Valid:    a ≪ R.
-    """
-    return 2 / pi * load_per_length * cylinder_radius / plane_strain_modulus
 
 
 def strip_moment(
