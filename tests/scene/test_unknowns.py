@@ -82,6 +82,16 @@ def test_a_load_comes_back_from_zero_too(law: str, load: float) -> None:
     assert pair.condition < 10
 
 
+@pytest.mark.parametrize("radius", [1e-6, 7e-5])
+def test_a_measured_approach_of_0_is_as_good_as_another(radius: float) -> None:
+    given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e9}
+    sphere = {"surface_energy": 0.03, "radius": radius}
+    load = infer("load", measured={"approach_at_load": 0.0}, **given, **sphere)
+    measured = {"approach_at_load": 0.0, "stiffness": Scene({**given, **sphere, "load": load})["stiffness"]}
+    pair = found(("surface_energy", "radius"), measured, {**given, "load": load})
+    assert pair.values == approx(sphere, rel=1e-9)
+
+
 def test_both_spheres_of_one_material_are_inferred_together() -> None:
     quartz, iron = (known_materials()[name] for name in ("quartz", "iron"))
     alone, twice, other = (

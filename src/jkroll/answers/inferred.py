@@ -7,17 +7,16 @@ from functools import cached_property
 from math import isfinite
 from typing import Any
 
-from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words, span, symbol_beside
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.values import middle
+from ..quantities.values import is_uncertain, middle
 from ..scene.alternatives import factor_of_law
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import SIZES, sizes_in_words
-from ..scene.limits import Doubt
+from ..scene.limits import Doubt, Evaluation
 from ..scene.scene import Scene
-from ..scene.uncertainty import measures_of, uncertainties
+from ..scene.uncertainty import measures_of
 from ..scene.unknowns import Problem
 from ..text import listed
 from .answer import Answer, Result
@@ -41,16 +40,14 @@ class Inferred(Answer):
     def __init__(self, problem: Problem) -> None:
         """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
         self.problem, self.question = problem, Question(problem.unknowns, problem.unknowns)
-        errors = (value for value in problem.evaluate(problem.unknowns).values() if isinstance(value, JkrollError))
-        self.failure = next(errors, None)
-        is_solved = self.failure is None
-        self.scene, measured = (problem.solved, (*problem.measured,)) if is_solved else (problem.filled, ())
-        self.condition = problem.solution.condition if is_solved and len(problem.unknowns) > 1 else None
+        unknowns = Evaluation(problem, problem.evaluate(problem.unknowns))
+        self.failure = next(iter(unknowns.errors.values()), None)
+        self.bars, self.sources = unknowns.bars, unknowns.sources
+        self.inputs = {name: in_words(name, middle(value)) for name, value in unknowns.inputs_of(()).items()}
+        measured = () if self.failure else (*problem.measured,)
+        self.scene = problem.filled if self.failure else problem.solved
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
-        self.inputs = {name: in_words(name, value) for name, value in problem.echo(problem.inputs_used(())).items()}
-        self.bars, self.sources = {}, None
-        if is_solved:
-            self.bars, self.sources = uncertainties(problem, problem.unknowns)
+        self.condition = problem.solution.condition if measured[1:] else None
         self.laws = {}  # what is found under each law stands beside the results
         self.displacement, self.validity = self.forward.displacement, self.forward.validity
         self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
@@ -80,11 +77,10 @@ class Inferred(Answer):
         by_law = {}
         for law in LAWS:
             other = self.problem.replace(model=law)
-            with suppress(MissingInput, NoResult):
+            with suppress(MissingInput):
                 if other.filled.formulas_to(*self.problem.measured) != formulas and (values := other.numbers()):
-                    bars = measures_of(uncertainties(other, other.unknowns)[0])
-                    known = {name: bar for name, bar in bars.items() if not isinstance(bar, JkrollError)}
-                    by_law[law] = {**values, **known}
+                    bars = measures_of(Evaluation(other, values).bars)
+                    by_law[law] = {**values, **{name: bar for name, bar in bars.items() if is_uncertain(bar)}}
         return by_law
 
     def about(self, doubt: Doubt) -> str:
@@ -103,10 +99,10 @@ class Inferred(Answer):
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The proof of what is found, and what the measured quantities rest on."""
-        if self.sources is None:
+        if self.failure is not None:
             return ()
-        notes = (*self._proofs(), *self.forward.notes, *about_uncertainties(self.bars, self.sources))
-        return tuple(dict.fromkeys(notes))  # both ways leave out the same
+        of_bars = about_uncertainties(self.bars, self.sources) if self.sources is not None else ()
+        return tuple(dict.fromkeys((*self._proofs(), *self.forward.notes, *of_bars)))  # both ways leave out the same
 
     def _proofs(self) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""

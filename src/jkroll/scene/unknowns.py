@@ -5,7 +5,7 @@ One unknown is found by a scan and by halving, two by a grid and Newton's method
 
 from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
-from math import hypot, inf, nan, prod, sqrt
+from math import hypot, inf, nan, prod
 from typing import Any, NamedTuple
 
 import numpy
@@ -29,7 +29,6 @@ from .scene import LEAST, MOST, Scene, broadcast, check_exclusive
 from .uncertainty import Source, Sources, sources_of
 from .wiring import formula_of
 
-Rows = Any  # an array of the numbers of rows
 Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
 Failures = dict[int, JkrollError]  # by row
 
@@ -54,6 +53,7 @@ _LAST_STEP = 1e-14  # a step as small as this ends the search
 _NEAR = 1e-9  # in logarithms of the measured values: a pair that is as near as this is a solution
 _SAME = 1e-5  # pairs that differ by less are one
 _LINEAR = 1e-6  # part of a measured value below which a quantity counts as it is, above by its logarithm
+_AT_ZERO = 1e-12  # the same where 0 was measured, in SI units: an approach, of 1 pm
 _SAMPLED = 7  # cells of the grid from one to the next at which it is asked whether the quantities separate the unknowns
 _LEFT_OPEN = 1e-4  # an exponent as small as this is none
 
@@ -137,7 +137,7 @@ class Problem:
         measured = {name: values.pop(name, value) for name, value in self.measured.items()}
         return Problem(self.unknowns, measured, self.scene.replace(**values), self)
 
-    def rows(self, rows: Rows) -> "Problem":
+    def rows(self, rows: Any) -> "Problem":
         """Return the problem of some elements of the arrays, without uncertainties."""
         middles = {name: value.value for name, value in self.scene.uncertain.items()}
         values = {
@@ -321,7 +321,7 @@ class Scan:
         self.root[self.rows] = self.roots
         self.root[~is_one] = nan
 
-    def _points(self, rows: Rows, x: Any) -> Any:
+    def _points(self, rows: Any, x: Any) -> Any:
         """Return points: x, y, whether y is a number, its side of the level, whether it stays there, and its slope."""
         every = {self.unknown: numpy.concatenate([x, x + _AHEAD * abs(x)])}
         y, ahead = self.problem.rows(numpy.tile(rows, 2)).outcomes(every).reshape(2, -1)
@@ -335,7 +335,7 @@ class Scan:
         side[stays & (side == 0)] = 1  # on a stretch it is on one side of its end
         return numpy.array([x, y, numpy.isfinite(y), side, stays, slope])
 
-    def _crossings(self, rows: Rows, left: Any, right: Any) -> Any:
+    def _crossings(self, rows: Any, left: Any, right: Any) -> Any:
         """Return the rows and ends of intervals at which quantities cross their level, but for jumps over it.
 
         The quantity at such an end is the level as it is shown. Next to pull-off doubles may have none.
@@ -395,14 +395,9 @@ class Pairs:
         self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
         self.axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in problem.unknowns]
         levels = numpy.array([numpy.broadcast_to(level, self.size) for level in problem.levels.values()], dtype=float)
-        self.levels, self.linear = levels, _LINEAR * abs(levels)  # below which quantities count as they are
-        if not self.linear.all():
-            usual = problem.outcomes(
-                {name: numpy.full(self.size, sqrt(prod(SIZES[name]))) for name in problem.unknowns}
-            )
-            self.linear = numpy.where(levels == 0, abs(problem.outcomes(usual)), self.linear)
+        self.levels, self.linear = levels, numpy.where(levels == 0, _AT_ZERO, _LINEAR * abs(levels))
 
-    def rows(self, rows: Rows) -> "Pairs":
+    def rows(self, rows: Any) -> "Pairs":
         """Return the same in some rows."""
         return Pairs(self.problem.rows(rows)) if self.problem.shape else self
 
@@ -497,14 +492,14 @@ class Pairs:
 
     def _left_open(self, matrix: Any) -> str:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
-        by_left, by_right = max(matrix.tolist(), key=lambda slope: hypot(*slope))  # the steepest
+        slope = max(matrix.tolist(), key=lambda slope: hypot(*slope))  # the steepest
         symbols = [NOMENCLATURE[name].symbol for name in self.problem.unknowns]
-        if min(abs(by_left), abs(by_right)) <= _LEFT_OPEN * max(abs(by_left), abs(by_right)):
-            return f"they leave {symbols[0] if abs(by_left) < abs(by_right) else symbols[1]} open"
+        for symbol, own, other in zip(symbols, slope, slope[::-1], strict=True):
+            if abs(own) <= _LEFT_OPEN * abs(other):
+                return f"they leave {symbol} open"
         if self.load is not None:
             symbols[self.load] = "(1 + P/P_c)"  # by whose logarithm a load counts
-        left, right = symbols
-        return f"both stay as they are along {left} ∝ {right}^{-by_right / by_left:.3g}"
+        return f"both stay as they are along {symbols[0]} ∝ {symbols[1]}^{-slope[1] / slope[0]:.3g}"
 
 
 def _in_cells(mesh: Any, residuals: Any) -> Any:
