@@ -295,25 +295,30 @@ class Scan:
         x = grid(self.unknown, sizes)
         rows = numpy.repeat(numpy.arange(size), len(x))
         points = self._points(rows, numpy.tile(x, size))
-        points[3, points[1] == self.levels[rows]] = 0  # of a stretch, too
-        hits = [numpy.array([rows, points[0]])[:, points[3] == 0]]
+        points[2, points[1] == self.levels[rows]] = 0  # of a stretch, too
+        hits = [numpy.array([rows, points[0]])[:, points[2] == 0]]
         self.varies = self.span[1] - self.span[0] > _ROUNDING * abs(self.span).max(axis=0)
         rows, points = rows.reshape(size, -1)[:, :-1], points.reshape(len(points), size, -1)
         left, right = points[..., :-1], points[..., 1:]
         for _ in range(_HALVINGS):
-            crosses = (left[2] != right[2]) | (left[3] * right[3] < 0)
-            differs = crosses | (left[4] != right[4]) | (left[5] * right[5] < 0)
+            crosses = (numpy.isnan(left[1]) != numpy.isnan(right[1])) | (left[2] * right[2] < 0)
+            differs = crosses | (left[3] != right[3]) | (left[4] * right[4] < 0)
             differs &= crosses | (numpy.bincount(rows[differs], minlength=size)[rows] <= _MANY)
             rows, left, right = rows[differs], left[:, differs], right[:, differs]
             middle = (left[0] + right[0]) / 2
             if ((middle == left[0]) | (middle == right[0])).all():
                 break
             points = self._points(rows, middle)
-            hits.append(numpy.array([rows, middle])[:, points[3] == 0])
+            hits.append(numpy.array([rows, middle])[:, points[2] == 0])
             rows = numpy.tile(rows, 2)
             left, right = numpy.concatenate([left, points], axis=1), numpy.concatenate([points, right], axis=1)
-        every = numpy.concatenate([*hits, self._crossings(rows, left, right)], axis=1)
-        numbers, self.roots = numpy.unique(every, axis=1)
+        # A crossing is a root but for a jump, beside which no value is the level as it is shown. Doubles may have none.
+        level = self.levels[rows]
+        off = abs(numpy.array([left[1], right[1]]) - level)
+        is_near = off.min(axis=0) <= _AS_SHOWN * numpy.where(level == 0, off.max(axis=0), abs(level))
+        crossings = numpy.array([rows, numpy.where(off[0] < off[1], left[0], right[0])])
+        every = [*hits, crossings[:, (left[2] * right[2] < 0) & is_near]]
+        numbers, self.roots = numpy.unique(numpy.concatenate(every, axis=1), axis=1)
         self.rows = numbers.astype(int)
         self.is_still = (self.stretch[0] > 0) & (self.stretch[1] >= 10 * self.stretch[0])
         is_one = (numpy.bincount(self.rows, minlength=size) == 1) & self.varies & ~self.is_still
@@ -322,7 +327,7 @@ class Scan:
         self.root[~is_one] = nan
 
     def _points(self, rows: Any, x: Any) -> Any:
-        """Return points: x, y, whether y is a number, its side of the level, whether it stays there, and its slope."""
+        """Return points: x, y, its side of the level, whether it stays there, and its slope."""
         every = {self.unknown: numpy.concatenate([x, x + _AHEAD * abs(x)])}
         y, ahead = self.problem.rows(numpy.tile(rows, 2)).outcomes(every).reshape(2, -1)
         level, change = self.levels[rows], numpy.nan_to_num(ahead - y)
@@ -333,18 +338,7 @@ class Scan:
             numpy.fmax.at(extent[1], rows, values)
         side = numpy.sign(y - level)
         side[stays & (side == 0)] = 1  # on a stretch it is on one side of its end
-        return numpy.array([x, y, numpy.isfinite(y), side, stays, slope])
-
-    def _crossings(self, rows: Any, left: Any, right: Any) -> Any:
-        """Return the rows and ends of intervals at which quantities cross their level, but for jumps over it.
-
-        The quantity at such an end is the level as it is shown. Next to pull-off doubles may have none.
-        """
-        level = self.levels[rows]
-        off = abs(numpy.array([left[1], right[1]]) - level)
-        scale = numpy.where(level == 0, numpy.maximum(abs(left[1]), abs(right[1])), abs(level))
-        is_crossing = (left[3] * right[3] < 0) & (off.min(axis=0) <= _AS_SHOWN * scale)
-        return numpy.array([rows, numpy.where(off[0] < off[1], left[0], right[0])])[:, is_crossing]
+        return numpy.array([x, y, side, stays, slope])
 
     def failure(self, row: int) -> JkrollError:
         """Return why a row has no one root."""
