@@ -118,8 +118,8 @@ def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("--infer gamma", "--infer INPUT and --measured QUANTITY go together"),
-        ("--measured pull_off_force", "--infer INPUT and --measured QUANTITY go together"),
+        ("--infer gamma", "batch infers one input from one quantity"),
+        ("--measured pull_off_force", "batch infers one input from one quantity"),
         ("--infer gamma --measured pull_off_force=3nN", "did you mean pull_off_force?"),
         ("--infer gamma --measured pull_off_force --quantities r_min", "exclude each other"),
         ("--infer sigma --measured pull_off_force", "sigma"),

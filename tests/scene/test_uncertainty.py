@@ -18,7 +18,7 @@ from jkroll import Interval, Material, Materials, Measured, infer, known_materia
 from jkroll.errors import BadRequest
 from jkroll.quantities.values import QuantityError, Uncertain, value_of
 from jkroll.scene.scene import Scene
-from jkroll.scene.uncertainty import Propagated, uncertainties
+from jkroll.scene.uncertainty import Propagated, sources_of_results, uncertainties
 from relative import approx
 from scenes import QUARTZ
 
@@ -27,7 +27,7 @@ def found(
     name: str, given: Mapping[str, float], uncertain: Mapping[str, Uncertain], *materials: Material
 ) -> Propagated:
     """Return the uncertainty of a quantity."""
-    one = uncertainties(Scene({**given, **uncertain}, *materials), [name])[0][name]
+    one = uncertainties(Scene({**given, **uncertain}, *materials), [name])[name]
     assert isinstance(one, Propagated)
     return one
 
@@ -196,7 +196,7 @@ def test_a_material_named_twice_moves_together() -> None:
     apart = found("pull_off_force", {"radius": 1e-7}, {}, material, material._replace(name="another"))
     assert apart.uncertainty.high < once.uncertainty.high
     stated = Scene({"radius": 1e-7, "surface_energy": 0.03}, material)
-    assert uncertainties(stated, ["pull_off_force"])[0] == {}
+    assert uncertainties(stated, ["pull_off_force"]) == {}
 
 
 def test_what_cannot_be_combined_is_refused() -> None:
@@ -214,12 +214,13 @@ def test_what_cannot_be_combined_is_refused() -> None:
 def test_of_materials_what_is_of_the_other_kind_is_left_out(run: Run) -> None:
     both: dict[str, Uncertain] = {"surface_energy": relative(0.025, 0.1), "youngs_modulus": Interval(54e9, 50e9, 60e9)}
     material = known_materials()["quartz"]._replace(uncertainties=both)
-    values, sources = uncertainties(Scene({"radius": 1e-7}, material), ["contact_radius"])
+    scene = Scene({"radius": 1e-7}, material)
+    sources = sources_of_results(scene, ["contact_radius"])
     assert ([source.names for source in sources.entering], [source.names for source in sources.left_out]) == (
         [("surface_energy",)],
         [("youngs_modulus",)],
     )
-    assert isinstance(values["contact_radius"], Propagated)
+    assert isinstance(uncertainties(scene, ["contact_radius"])["contact_radius"], Propagated)
     ranges = {"radius": Interval(1e-7, 9e-8, 1.1e-7)}
     assert list(found("contact_radius", {}, ranges, material).shares) == ["radius", "youngs_modulus"]
     ran = run("contact", "polystyrene-glassy", "1um", "--json")
@@ -353,7 +354,7 @@ def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_besid
 @pytest.mark.parametrize("size", [1e29, 1e-29])
 def test_shares_are_those_of_changes_whose_squares_no_double_holds(size: float) -> None:
     scene = Scene({"radius": Measured(size, 0.1 * size), "density": Measured(size, 0.5 * size)})
-    found, _ = uncertainties(scene, ["moment_of_inertia"])
+    found = uncertainties(scene, ["moment_of_inertia"])
     inertia = found["moment_of_inertia"]
     assert isinstance(inertia, Propagated)
     assert inertia.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.05)

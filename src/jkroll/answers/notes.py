@@ -264,7 +264,7 @@ def about_lost_contacts(scene: Scene, bars: "Mapping[str, Propagated | JkrollErr
     forces = scene.numbers("load", "pull_off_force")
     if len(forces) < 2 or any(isinstance(bar, JkrollError) for bar in bars.values()):
         return []
-    measures = measures_of(uncertainties(scene, [*forces], sources=sources)[0]).values()
+    measures = measures_of(uncertainties(scene, [*forces], sources=sources)).values()
     spread = hypot(*(measure.minus for measure in measures if isinstance(measure, Measured)))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
     text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"

@@ -86,10 +86,8 @@ def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spre
         if not has_value:
             raise BadRequest("--measured: write a quantity and its value, such as pull_off_force=300nN")
         quantity = quantity_named(word)
-        if quantity in measured:
-            raise BadRequest(f"--measured: {quantity} is given twice; several values have commas")
         measured[quantity] = spreads_of(value, quantity)
-    if len(measured) != len(names):
+    if not len(texts) == len(measured) == len(names):
         example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)
         raise BadRequest(f"infer needs a measured quantity for each input, {len(names)} in all: {example}")
     return measured
@@ -129,11 +127,9 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
     """Return the names of the input that is sought and of the quantity that was measured; empty texts if none is."""
     if not call.infer and not call.measured:
         return "", ""
-    if "," in call.infer or len(call.measured) > 1:
-        raise BadRequest("batch infers one input; jkroll infer finds two, for lists and ranges too")
-    if not call.infer or not call.measured:
-        words = "--infer INPUT and --measured QUANTITY"
-        raise BadRequest(f"{words} go together, as in --infer gamma --measured pull_off_force")
+    if not call.infer or "," in call.infer or len(call.measured) != 1:
+        example = "--infer gamma --measured pull_off_force"
+        raise BadRequest(f"batch infers one input from one quantity, as in {example}; jkroll infer finds two")
     for option, value in (("quantities", call.quantities), ("alternatives", call.alternatives)):
         if value:
             raise BadRequest(f"--infer and --{option} exclude each other")

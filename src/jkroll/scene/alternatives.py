@@ -213,7 +213,7 @@ def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene]
     from .uncertainty import Propagated, uncertainties
 
     try:
-        bars, _ = uncertainties(scene, names, alternative)
+        bars = uncertainties(scene, names, alternative)
     except JkrollError:
         if scene.shape:
             raise

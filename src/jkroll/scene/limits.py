@@ -360,7 +360,7 @@ class Evaluation:
             return {}
         from .uncertainty import uncertainties
 
-        return uncertainties(self.scene, [*self.values], sources=self.sources)[0]
+        return uncertainties(self.scene, [*self.values], sources=self.sources)
 
     @cached_property
     def validity(self) -> Sequence[Doubt]:

@@ -88,7 +88,7 @@ def solve(
         from .uncertainty import uncertainties
 
         refuse_arrays(described)
-        results = with_uncertainties(results, uncertainties(scene, names)[0])
+        results = with_uncertainties(results, uncertainties(scene, names))
     elif registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results if is_list else results[names[0]]

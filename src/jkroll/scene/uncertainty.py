@@ -125,8 +125,8 @@ def uncertainties(
     names: Sequence[str],
     alternative: Callable[[Scene], Scene] | None = None,
     sources: Sources | None = None,
-) -> tuple[Bars, Sources]:
-    """Return the uncertainties of quantities of a scene, or of one that is made of it, and their sources.
+) -> Bars:
+    """Return the uncertainties of quantities of a scene, or of one that is made of it.
 
     The scene may be a problem, whose quantities are the unknowns. A quantity without a finite value, or one on which
     no source has an influence, is left out. An error is the reason why a quantity has no value at one place of the
@@ -134,19 +134,20 @@ def uncertainties(
     """
     made_of: Callable[[Any], Any] = alternative or (lambda same: same)
     middle, bars = made_of(scene), Bars()
-    numbers, sources = middle.numbers(*names), sources or sources_of_results(middle, names)
+    numbers = middle.numbers(*names)
     values = {name: value for name, value in numbers.items() if not isinstance(value, float) or isfinite(value)}
-    if not (sources.entering and values):
-        return bars, sources
+    entering = (sources or sources_of_results(middle, names)).entering
+    if not (entering and values):
+        return bars
 
     def outcomes(place: Mapping[str, Any]) -> Any:
         """Return the quantities at a place, which are values of some inputs; the others have their middles."""
         return made_of(scene.replace(**place)).evaluate([*values])
 
-    givens = [source.given for source in sources.entering]
+    givens = [source.given for source in entering]
     is_range = isinstance(givens[0], Interval)
     places = [
-        {name: value for source, value in zip(sources.entering, ends, strict=True) for name in source.names}
+        {name: value for source, value in zip(entering, ends, strict=True) for name in source.names}
         for ends in (_on_edges if is_range else _at_ends)(givens)
     ]
     few = FEW if isinstance(scene, Scene) else 0  # to solve a problem takes arrays
@@ -166,9 +167,9 @@ def uncertainties(
         if is_still is not True:
             still = value if is_range else 0.0
             sides = {side: where(is_still, still, end) for side, end in sides.items()}
-            shares = {} if is_still is not False else _shares(sources.entering, parts)
+            shares = {} if is_still is not False else _shares(entering, parts)
             bars[name] = Propagated(type(givens[0]).of(value, **sides), shares)
-    return bars, sources
+    return bars
 
 
 def measures_of(bars: Mapping[str, Propagated | JkrollError]) -> dict[str, Uncertain | JkrollError]:
