@@ -18,7 +18,6 @@ _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
 _KNOWN = range(-12, 10)  # powers of ten whose prefix stands in a text; others stand as such
-_SHIFTS = ("", "e1", "e2")  # of a decimal point
 PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
@@ -67,7 +66,7 @@ class Format:
         plain = pretty(si.removeprefix("1")), (1, 1, ())
         if not plain[0] or not sizes:
             return plain
-        _, power = _scaled(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
+        power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
         unit = _PREFIXES[power] + si if power in _KNOWN else f"1e{power} {si}"
         return pretty(unit), (*power_of_ten(power), ())
 
@@ -97,17 +96,16 @@ def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str
     >>> engineering(1.1780972e-08, "N")
     ('11.781', 'nN')
     """
-    number, power = _scaled(value, unit, digits)
+    power = _power(value, unit, digits)
+    number = convert(value, (*power_of_ten(power), ()))
     return significant(number, digits), _PREFIXES[power] + ("" if unit == "1" else unit)
 
 
-def _scaled(value: float, unit: str, digits: int) -> tuple[float, int]:
-    """Return a value, rounded to significant digits, in the multiple of a unit that suits it, and its power of ten."""
-    mantissa, has_exponent, exponent = f"{value:.{digits - 1}e}".partition("e")
-    if not has_exponent or unit not in PREFIXABLE:
-        return value, 0
-    power, place = divmod(int(exponent), 3)
-    return (float(mantissa + _SHIFTS[place]), 3 * power) if 3 * power in _PREFIXES else (value, 0)
+def _power(value: float, unit: str, digits: int) -> int:
+    """Return the power of ten of the multiple of a unit that suits a value, rounded to significant digits."""
+    exponent = f"{value:.{digits - 1}e}".partition("e")[2]
+    power = 3 * (int(exponent or 0) // 3)
+    return power if unit in PREFIXABLE and power in _PREFIXES else 0
 
 
 def significant(value: float, digits: int, *, zeros: bool = False) -> str:
@@ -233,7 +231,7 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
         with_prefixes = (engineering(value, unit, digits) for value in values)
         return [f"{number} {pretty(shown)}" for number, shown in with_prefixes], ""
     largest = 0.0 if is_log else max(map(abs, values), default=0.0)
-    _, power = _scaled(largest, unit, 3)
+    power = _power(largest, unit, 3)
     scale = (*power_of_ten(power), ())
     without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
     digits = min(digits, DIGITS) if is_log else digits  # these are round, and may be large
