@@ -14,7 +14,7 @@ from ..quantities.formatting import Format
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
-from ..quantities.values import Spread, as_typed, error_about, spreads_of
+from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
 from ..rows.sweep import Pair, Sweep
 from ..scene.failures import MissingInput
 from ..scene.scene import check_exclusive, check_range
@@ -204,8 +204,8 @@ class Call:
                 _, _, dimension = unit = parse_unit(text)
             except BadUnit as error:
                 wanted = [dimension_of(NOMENCLATURE[name].unit) for name in quantities]
-                example = f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
-                raise error_about("--to", text, error, wanted, example) from None
+                remedy = error.remedy(wanted) or f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
+                raise QuantityError("--to", text, str(error), remedy) from None
             fitting = [
                 name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == dimension
             ]

@@ -6,7 +6,7 @@ mJ/m2. There are lists and ranges of values: "1nm,1um" and "1nm:1um:50".
 """
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from math import isnan, nan
 from typing import Any, Self, TypeGuard
@@ -231,7 +231,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
     try:
         value = _read(written(text), partial(_unit_in, dimension=dimension_of(quantity.unit), otherwise=unit))
     except BadUnit as error:
-        raise error_about(name, text, error) from None
+        raise _error_about(name, text, error) from None
     return checked(value, name, text)
 
 
@@ -284,7 +284,7 @@ def unit_of(text: str, name: str) -> Unit:
     try:
         return _unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
     except BadUnit as error:
-        raise error_about(name, text, error) from None
+        raise _error_about(name, text, error) from None
 
 
 def _unit_meant(text: str, dimension: Dimension) -> Unit:
@@ -313,15 +313,10 @@ def has_uncertainty(text: str) -> bool:
     return any(mark in text for mark in _MARKS)
 
 
-def error_about(
-    name: str, text: str, error: BadUnit, dimensions: Collection[Dimension] = (), expected: str = ""
-) -> QuantityError:
-    """Return the error that says what is wrong with the text of a quantity, or of an option that is none.
-
-    For an option, `dimensions` are those that its unit may have, and `expected` is the right form.
-    """
-    remedy = error.remedy(dimensions or [dimension_of(NOMENCLATURE[name].unit)])
-    return QuantityError(name, text[:MAX_TEXT], str(error), remedy or expected)
+def _error_about(name: str, text: str, error: BadUnit) -> QuantityError:
+    """Return the error that says what is wrong with the text of a quantity."""
+    remedy = error.remedy([dimension_of(NOMENCLATURE[name].unit)])
+    return QuantityError(name, text[:MAX_TEXT], str(error), remedy)
 
 
 def split_number(text: str) -> tuple[_Decimal, str]:
