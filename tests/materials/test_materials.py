@@ -142,17 +142,14 @@ def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch
     assert run(f"pull-off quartz 1um --bare --quiet --materials {path}").code == 0
 
 
-def test_the_list_of_materials_names_those_that_are_refused(
+def test_a_name_that_is_shipped_and_in_the_environment_is_refused_where_it_is_used(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    listed = run("materials --csv").out
+    listed = run("materials --csv")
     path = write(tmp_path / "own.toml", "[materials.quartz]\naliases = ['mine']\ndensity = '1 g/cm3'\n")
     monkeypatch.setenv("JKROLL_MATERIALS", str(path))
-    ran = run("materials --csv")
-    assert (ran.code, ran.out) == (0, listed)
+    assert run("materials --csv") == listed
     problem = f"material 'quartz' is shipped (Table 1) and also in {path}; rename it, or pass --materials {path}"
-    assert ran.err == f"note: {problem}\n"
-    assert run("materials --csv --quiet").err == ""
     assert run("materials quartz") == (2, "", f"jkroll: {problem}\n")
 
 
@@ -266,7 +263,6 @@ def test_a_material_takes_over_the_other_names_of_the_one_whose_name_it_takes(tm
 def test_an_alias_of_several_has_the_material_that_took_the_name_of_one_of_them(tmp_path: Path) -> None:
     path = write(tmp_path / "mine.toml", "title = 'mine'\n[materials.Silica-humid]\nsurface_energy = '30 mJ/m2'\n")
     materials = Materials([path])
-    assert materials.clashes == []
     with pytest.raises(JkrollError, match=r"one of several; write quartz .* or Silica-humid \(30 mJ/m², mine\)"):
         materials["SiO2"]
 

@@ -156,9 +156,6 @@ def run_materials(call: Call) -> int:
             raise
     write_materials(chosen, sys.stdout, kind, named=bool(named))
     sys.stdout.flush()
-    if lists_all and not call.quiet:
-        for clash in dict.fromkeys(map(str, materials.clashes)):
-            say_wrapped(f"note: {clash}", sys.stderr)
     mistakes = materials.mistakes if lists_all else []
     for mistake in mistakes:
         say_wrapped(f"jkroll: {mistake}", sys.stderr)

@@ -56,14 +56,11 @@ def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
 copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # by itself it has no pickle
 
 
-class Displacement:
+class Displacement(NamedTuple):
     """A yield displacement with its ends, in SI units, and the radius of the identical pairs that were measured."""
 
-    def __init__(self, measured: Interval, radius: float) -> None:
-        self.measured, self.radius = measured, radius
-
-    def __repr__(self) -> str:
-        return f"Displacement({self.measured!r}, {self.radius!r})"
+    measured: Interval
+    radius: float
 
     def scaled(self, radius: Any) -> Interval:
         """Return the displacement of identical pairs of another radius.
@@ -355,12 +352,6 @@ class Materials:
         return [MaterialsFileError(each.path, each.problem) for each in self._materials.values() if each.problem]
 
     @property
-    def clashes(self) -> list[UnclearMaterial]:
-        """The errors of the names that are shipped and also in a file that must not take them."""
-        shared = ((key, several) for key, several in self._meanings.items() if _is_shared(key, several))
-        return [_unclear(several[-1].words[key], several) for key, several in shared]
-
-    @property
     def names(self) -> list[str]:
         """The names of all materials."""
         return [material.name for material in self._materials.values()]
@@ -371,17 +362,13 @@ class Materials:
         return [*dict.fromkeys(alias for material in self._materials.values() for alias in material.aliases)]
 
 
-def _is_shared(key: str, materials: Sequence[Material]) -> bool:
-    """Return whether a name is that of a shipped material and also of one in a file that must not take it."""
-    return materials[0].path == SHIPPED != materials[-1].path and key in materials[-1].words
-
-
 def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
     """Return the error about a name of several materials, with their surface energies and states or sets."""
     from ..quantities.formatting import amount
 
-    if _is_shared(word.strip().casefold(), materials):
-        title, file = materials[0].title, shown(materials[-1].path)
+    first, last = materials[0], materials[-1]
+    if first.path == SHIPPED != last.path and word.strip().casefold() in last.words:  # which must not take its names
+        title, file = first.title, shown(last.path)
         meanings = f"shipped ({title}) and also in {file}; rename it, or pass --materials {file}"
         return UnclearMaterial(f"material {quoted(word)} is {meanings}", "unclear material")
     has_sets = len({material.title for material in materials}) > 1
