@@ -129,7 +129,7 @@ def test_a_number_that_needs_no_unit_takes_no_word(line: str) -> None:
 def options_with_values() -> list[tuple[str, Option]]:
     """Return every option that takes a text, with its command."""
     return [
-        (name, option) for name in COMMANDS for option in COMMANDS[name].options() if option.metavar and not option.high
+        (name, option) for name in COMMANDS for option in COMMANDS[name].options() if option.metavar and not option.most
     ]
 
 

@@ -9,22 +9,20 @@ from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
 from ..text import capitalized, quoted
 
-MAX_DIGITS = 9  # of a number
-
 
 class Option:
     """An option, by the name of its value in `Call`, in the Job of `batch`, or in the nomenclature.
 
     Its help stands in a `group`, for an input as the sentence of the nomenclature; a `hidden` one has no text.
-    Without a `metavar` for its value it is a switch. The value is a whole number from `low` to `high`, or a text where
-    `high` is 0. Where the option `repeats`, it is a tuple.
+    Without a `metavar` for its value it is a switch. The value is a whole number from 1 to `most`, or a text where that
+    is 0. Where the option `repeats`, it is a tuple.
     """
 
     def __init__(
-        self, name: str, flag: str, help: str = "", metavar: str = "", low: int = 0, high: int = 0, *,
+        self, name: str, flag: str, help: str = "", metavar: str = "", most: int = 0, *,
         short: str = "", hidden: bool = False, repeats: bool = False, group: str = "Output",
     ) -> None:  # fmt: skip
-        self.name, self.flag, self.help, self.metavar, self.low, self.high = name, flag, help, metavar, low, high
+        self.name, self.flag, self.help, self.metavar, self.most = name, flag, help, metavar, most
         self.short, self.hidden, self.repeats, self.group = short, hidden, repeats, group
         self.flags = (flag, short) if short else (flag,)  # its spellings
 
@@ -32,17 +30,16 @@ class Option:
         """Return the value that a text stands for, or raise BadRequest."""
         if not text and self.name == "target":
             raise BadRequest(f"{self.flags[-1]}: the name of the output file is empty")
-        if not self.high:
+        if not self.most:
             return text
-        is_number = text.isascii() and text.isdigit() and len(text) <= MAX_DIGITS
-        if not is_number or not self.low <= (number := int(text)) <= self.high:
-            raise BadRequest(f"{self.flag}: {quoted(text, 40)} is not a whole number from {self.low} to {self.high}")
-        return number
+        if text not in map(str, range(1, self.most + 1)):
+            raise BadRequest(f"{self.flag}: {quoted(text, 40)} is not a whole number from 1 to {self.most}")
+        return int(text)
 
     def sentence(self) -> str:
         """Return the help text: meaning, range and default."""
         if self.help:
-            span = f", {self.low} to {self.high}" if self.high else ""
+            span = f", 1 to {self.most}" if self.most else ""
             return f"{self.help}{span}."
         from ..quantities.formatting import amount
         from ..scene.scene import DEFAULTS
@@ -79,7 +76,7 @@ _FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
 _INSTEAD = "Derivation; BibTeX, with --tex for Methods"
 _OUTPUT = (
     Option("to", "--to", "Units of results, with commas; --digits N", "UNIT"),
-    Option("digits", "--digits", "Significant digits", "N", 1, 17),
+    Option("digits", "--digits", "Significant digits", "N", 17),
     Option("json", "--json", _FORMAT),
     Option("csv", "--csv", _FORMAT),
     Option("bare", "--bare", _FORMAT),
@@ -139,7 +136,7 @@ TABLE = (
     NO_DOUBT,
     ALTERNATIVES,
     Option("uncertainty", "--uncertainty", "Add columns of error bars, though the first rows have none"),
-    Option("jobs", "--jobs", "Number of processes (default: one per core, at most 16)", "N", 1, 64),
+    Option("jobs", "--jobs", "Number of processes (default: one per core, at most 16)", "N", 64),
     Option("dask", "--dask", "Convert many tables on a Dask cluster", "ADDRESS"),
     Option("excel_safe", "--excel-safe", "Escape text that a spreadsheet would run"),
     Option("material", "--material", "Material of rows whose cell is empty; the inputs below work likewise", "NAME"),
