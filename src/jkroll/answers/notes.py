@@ -64,6 +64,7 @@ _STICKING = (
     "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, "
     "of silica-dry 1.7 m/s"
 )
+_OF_SPINNING = ("n_roll", "n_roll_energy_balance")  # of a sphere that spins from the start
 _OF_TURNING = {"yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment"}
 
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
@@ -124,6 +125,9 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
         work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
         text = f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike"
         yield Note("caveat", f"{text}: --work-of-adhesion")
+    if "speed" in scene.stated and (spinning := [symbol_of(name) for name in _OF_SPINNING if name in names]):
+        text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
+        yield Note("caveat", f"{text}, {listed(spinning)}")
     yield from dict.fromkeys(_about_data(scene, inputs))
 
 
