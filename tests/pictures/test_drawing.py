@@ -172,7 +172,7 @@ def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
         pytest.param("--panel moment --model jkr,dmt", "R1 = 100 nm, γ1 = 25 mJ/m².", marks=pytest.mark.slow),
         pytest.param(
             "--model maugis",
-            "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm, ξ = 100 pm.",
+            "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm, z0 = 400 pm.",
             marks=pytest.mark.slow,
         ),
         pytest.param(

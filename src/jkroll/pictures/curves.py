@@ -152,31 +152,26 @@ def curves_of_contact(
     First on laws that lack a panel; then what is in doubt, unless several laws can be compared.
     """
     is_one = len(scenes) == 1
-    varied = ("load",) if is_one else ("load", "yield_displacement")
-    panels: list[Panel] = []
-    missing: list[NotInLaw] = []
-    fixed: dict[str, None] = {}
-    notes: dict[str, None] = {}
-    for draw, needed, further in [PANELS[panel]] if panel is not None else PANELS.values():
-        if errors := [error for scene in scenes if (error := _lacking(scene, *needed))]:
-            missing += errors
-            continue
-        panels.append(draw(scenes, loads))
-        for scene in scenes:
-            names = [*needed, *(name for name in further if is_one and not _lacking(scene, name))]
-            unloaded = scene.replace(load=0.0)
-            inputs = [name for name in unloaded.inputs_of(*names) if name not in varied]
-            fixed |= dict.fromkeys(inputs_as_texts(unloaded, inputs))
-            notes |= dict.fromkeys(notes_on(scene, unloaded, inputs, names))
-    if not panels:
+    asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
+    missing = [error for _, needed, _ in asked for scene in scenes if (error := _lacking(scene, *needed))]
+    drawn = [each for each in asked if not any(_lacking(scene, *each[1]) for scene in scenes)]
+    if not drawn:
         raise missing[0]
-    about = _OF_MOMENT if panel == "moment" else OF_CURVE
-    doubtful = [note.text for note in Answer(about, scenes[0]).doubts()] if is_one else []
-    return Picture("", tuple(panels), fixed_inputs([*fixed])), (
-        *(f"no curve: {error}" for error in missing),
-        *doubtful,
-        *notes,
-    )
+    panels = tuple(draw(scenes, loads) for draw, _, _ in drawn)
+    names = [name for _, needed, further in drawn for name in (*needed, *(further if is_one else ()))]
+    varied = ("load",) if is_one else ("load", "yield_displacement")
+    fixed: dict[str, None] = {}
+    notes = dict.fromkeys(f"no curve: {error}" for error in missing)
+    if is_one:
+        about = _OF_MOMENT if panel == "moment" else OF_CURVE
+        notes |= dict.fromkeys(note.text for note in Answer(about, scenes[0]).doubts())
+    for scene in scenes:
+        of_law = [name for name in names if not _lacking(scene, name)]
+        unloaded = scene.replace(load=0.0)
+        inputs = [name for name in unloaded.inputs_of(*of_law) if name not in varied]
+        fixed |= dict.fromkeys(inputs_as_texts(unloaded, inputs))
+        notes |= dict.fromkeys(notes_on(scene, unloaded, inputs, of_law))
+    return Picture("", panels, fixed_inputs([*fixed])), tuple(notes)
 
 
 def across(first: float, last: float) -> Any:

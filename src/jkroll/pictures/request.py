@@ -136,14 +136,13 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
     Materials with a state are not asked: several of one substance would crowd the edge.
     """
     placed, others = [], []
-    for material in materials.materials.values():
-        if not material.state:
-            numbers = Scene({}, material).numbers(x.name, y.name)
-            places = [numbers[axis.name] if axis.has(numbers.get(axis.name, nan)) else None for axis in (x, y)]
-            if places == [None, None]:
-                others.append(material.name)
-            else:
-                placed.append(Mark(material.name, *places))
+    for material in (material for material in materials.materials.values() if not material.state):
+        numbers = Scene({}, material).numbers(x.name, y.name)
+        places = [numbers[axis.name] if axis.has(numbers.get(axis.name, nan)) else None for axis in (x, y)]
+        if places == [None, None]:
+            others.append(material.name)
+        else:
+            placed.append(Mark(material.name, *places))
     return placed, (f"Not shown: {', '.join(others)}.",) if placed and others else ()
 
 
