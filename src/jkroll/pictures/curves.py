@@ -52,7 +52,7 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
                 points.append(Mark(_NO_LOAD if name == EQUILIBRIUM else name, x, y))
     if loads is not None:
         least = min(float(curve.y.min()) for curve in curves)
-        curves = [part for part in (clipped(curve, *loads) for curve in curves) if part.y.size]
+        curves = [part for part in (clipped(curve, *loads) for curve in curves) if part.y.size > 1]
         points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
         if not curves:
             raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
