@@ -38,7 +38,6 @@ def ascii_text(text: str) -> str:
 
 
 _RAISED = frozenset("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻₀₁₂₃₄₅₆₇₈₉")
-_OF_ONE_FORM = dict.fromkeys(map(ord, (*_RAISED, *"±×·−")))  # for which no table of Unicode is loaded
 
 
 def composed(text: str) -> str:
@@ -47,7 +46,7 @@ def composed(text: str) -> str:
     >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）")
     ('1nm', 'Å', '1(m²)')
     """
-    if text.translate(_OF_ONE_FORM).isascii():
+    if text.isascii():
         return text
     from unicodedata import normalize
 
