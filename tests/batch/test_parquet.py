@@ -191,7 +191,7 @@ def test_strict_writes_nothing(run: Run) -> None:
     ran = run("batch", name, "-o", "y.parquet", "--strict", "--quiet")
     assert (ran.code, ran.err) == (
         1,
-        "jkroll: line 2: radius: '0.0 nm' must be positive; expected a length such as 100nm\n",
+        "jkroll: line 2: radius: '0.0' must be positive; expected a length such as 100nm\n",
     )
     assert not Path("y.parquet").exists()
 
