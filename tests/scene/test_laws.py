@@ -225,6 +225,16 @@ def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(m
     assert math.isclose(-(pull_off or 0.0), solve("pull_off_force", model=model, material="quartz", radius=radius))
 
 
+def test_an_approach_that_sets_a_state_is_an_input_and_no_result(run: Run) -> None:
+    states = json.loads(run("contact quartz 100nm --curve --model dmt --json").out)
+    assert {result["name"] for state in states for result in state["results"]} == {
+        "load",
+        "contact_radius_at_load",
+        "stiffness",
+    }
+    assert all("approach_at_load" in state["inputs"] for state in states)
+
+
 def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -> None:
     head, *_, last = run("contact quartz 100nm --curve --quantities hertz_pressure,load --to nN --csv").out.splitlines()
     load, pressure = (

@@ -205,9 +205,9 @@ class Answer(Evaluation):
     @cached_property
     def results(self) -> tuple[Result, ...]:
         """The quantities that are shown, with the reasons of those that have no value."""
-        return tuple(map(self._result, self.outcomes))
+        return tuple(map(self.result, self.outcomes))
 
-    def _result(self, name: str) -> Result:
+    def result(self, name: str) -> Result:
         """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
         law = "" if self.scene.law.is_default else self.scene.law.name
         if name in self.errors:

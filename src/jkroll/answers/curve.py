@@ -1,6 +1,7 @@
 """The force curve of a contact as rows: both branches, and the named states on them."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
 from math import inf, isfinite
 from typing import Any, NamedTuple
 
@@ -12,7 +13,7 @@ from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from ..text import quoted
-from .answer import Answer
+from .answer import Answer, Result
 from .questions import Question
 
 FORCE_CURVE = Question(
@@ -130,6 +131,11 @@ class AtState(Answer):
         """Return the inputs as understood, with the one that sets the state, and the name of the state."""
         given, value, name = self.state
         return {**super().inputs_of(names), given: value, "state": name}
+
+    @cached_property
+    def results(self) -> tuple[Result, ...]:
+        """The quantities that are shown, but for the one that sets the state, which is an input."""
+        return tuple(self.result(name) for name in self.outcomes if name != self.state.given)
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for the whole curve."""
