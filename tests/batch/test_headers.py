@@ -734,6 +734,10 @@ def test_a_label_that_is_another_name_of_a_material_is_told(run: Run) -> None:
     Path("x.csv").write_text("material,R1 (nm),gamma (mJ/m2)\nA,100,25\nC,100,25\n", encoding="utf-8")
     ran = run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt")
     assert (ran.code, ran.err.count("note: material 'C' is graphite")) == (0, 1)
+    lines = ["material,material2,R1 (nm),gamma (mJ/m2),gamma2 (mJ/m2)", "A,B,100,25,25", "C,C,100,25,25", ""]
+    Path("x.csv").write_text("\n".join(lines), encoding="utf-8")
+    ran = run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt")
+    assert (ran.code, ran.err.count("note: material 'C' is graphite")) == (0, 1)
     Path("x.csv").write_text("material,R1 (nm),gamma (mJ/m2)\nC,100,25\n", encoding="utf-8")
     assert "is graphite" not in run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").err
 

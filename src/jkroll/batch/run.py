@@ -123,7 +123,7 @@ def _about(table: Table) -> Iterator[str]:
     every, idle = given_of_kinds(table.kinds, judges=table.wanted.doubts)
     if assumed := [text for name, text in every.items() if name not in table.given]:
         yield f"assumed: {', '.join(assumed)}"
-    notes = [remark for lookup in table.lookups.values() for remark in lookup.remarks]
+    notes = [*dict.fromkeys(remark for lookup in table.lookups.values() for remark in lookup.remarks)]
     if "radius" not in table.given and not table.asked.explicit:
         notes.append("no column and no option gives a radius; what needs one is left out")
     fills = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.columns.names & table.fixed.keys())
