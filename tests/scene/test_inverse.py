@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import pickle
 from random import Random
 from typing import Any
 
@@ -191,6 +192,20 @@ def test_a_stretch_without_dependence_is_told(ulp: int) -> None:
 def test_refusals(name: str, quantity: str, given: dict[str, float], error: type[Exception], words: str) -> None:
     with pytest.raises(error, match=words):
         solution(name, quantity, 1e-9, Scene({"radius": 1e-6, **given}, known_materials()["quartz"]))
+
+
+@pytest.mark.parametrize(
+    ("name", "quantity", "measured", "given"),
+    [
+        ("youngs_modulus", "pull_off_force", 1e-8, {"radius": 1e-6}),
+        ("surface_energy", "pull_off_force", 1e26, {"radius": 1e-6}),
+        ("radius", "approach_at_load", 3e-10, {"load": 5e-8}),
+    ],
+)
+def test_a_reason_goes_to_another_process(name: str, quantity: str, measured: float, given: dict[str, float]) -> None:
+    with pytest.raises(NoResult) as caught:
+        solution(name, quantity, measured, Scene(given, known_materials()["quartz"]))
+    assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
 
 
 def test_nothing_is_extrapolated() -> None:

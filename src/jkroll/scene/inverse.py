@@ -36,7 +36,7 @@ class Unsolved(NoResult):
 
     def __init__(self, problem: Any, text: str = "", span: Sequence[float] = ()) -> None:
         """`span`: of the measured quantity, or of the unknown."""
-        super().__init__(problem, text, span)
+        # Its `args` stay those of its kind, by which another process makes it again.
         self.problem, self.text, self.span, self.name = problem, text, span, ",".join(problem.unknowns)
 
     def reason(self) -> str:
