@@ -65,12 +65,14 @@ def plain(text: str) -> str:
 def typeset(text: str) -> str:
     r"""Return a text with its mathematics as mathtext, its exponents raised, and true minus signs before numbers.
 
-    >>> typeset("⟦P_c⟧ at ⟦R1²/ξ⟧ = -5 m⁻¹")
-    '$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 m$^{-1}$'
+    >>> typeset("⟦P_c⟧ at ⟦R1²/ξ⟧ = -5 m⁻¹"), typeset("1e6 to 1.5e7")
+    ('$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 m$^{-1}$', '$10^{6}$ to 1.5·$10^{7}$')
     """
 
     def words(part: str) -> str:
         part = re.sub(r"(?<![\w.])-(?=[\d.])", "−", part).replace("$", r"\$")
+        part = re.sub(r"\b1e(-?\d+)", r"$10^{\1}$", part)
+        part = _POWER_OF_TEN.sub(r"·$10^{\1}$", part)
         return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(SUPERSCRIPTS)}}}$", part)
 
     return _in_parts(text, words, str)
