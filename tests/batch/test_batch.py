@@ -292,7 +292,7 @@ HEADERS = {
     ),
     "poisson_ratio,x": (
         "pull-off force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius "
-        "such as 100nm"
+        "such as 100nm; --work-of-adhesion 50mJ/m2 may replace --gamma"
     ),
     "name,x": (
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write "

@@ -24,7 +24,8 @@ from relative import approx
 # --- Messages, whole ------------------------------------------------------------------------------------------------
 
 GOLD = "gold has none in Table 1; give, for example, --young 10GPa --poisson 0.3"
-GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm"
+OR_OF_THE_PAIR = "; --work-of-adhesion 50mJ/m2 may replace --gamma"
+GIVE = f"give --gamma 25mJ/m2 and a radius such as 100nm{OR_OF_THE_PAIR}"
 REFUSED = {
     "pull-off quarz 100nm": "no material 'quarz'; did you mean quartz? jkroll materials lists all",
     "pull-off quartz 100": "radius: '100' has no unit; expected a length such as 100nm",
@@ -44,9 +45,18 @@ REFUSED = {
     "pull-off quartz": "pull-off needs radius of sphere 1; give a radius such as 100nm",
     "pull-off 100nm": (
         "pull-off needs surface energy per surface; name a material, such as quartz, or give --gamma 25mJ/m2"
+        f"{OR_OF_THE_PAIR}"
     ),
     "contact quartz 100nm --curve --load=:50nN": (
-        "--load: '' does not begin with a number; expected a force such as -5nN"
+        "--load: ':50nN' has no lower end; write both, as in -5nN:20nN (an example); pull-off is at -11.781 nN"
+    ),
+    "pull-off quartz 100nm --humidity 50%": (
+        "no such option '--humidity'; spheres are smooth, dry and elastic here: jkroll guide measurements says what "
+        "that leaves out"
+    ),
+    "infer gamma quartz 100nm --measured P_c=9nN --measured P_c=8nN": (
+        "infer needs a measured quantity for each input, 1 in all: --measured pull_off_force=300nN; several values of "
+        "one have commas"
     ),
     "n-roll gold 100nm": f"n-roll needs Young's modulus and Poisson's ratio; {GOLD}",
     "pull-off quartz 100nm --model maugus": "--model: 'maugus' is not one of jkr, maugis, dmt; did you mean maugis?",

@@ -47,6 +47,10 @@ HINTS: Mapping[str, str] = {
     "--plane": "a plane is a sphere 2 without end: --radius2 plane",
     "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
+    **dict.fromkeys(
+        ("--roughness", "--humidity", "--temperature"),
+        "spheres are smooth, dry and elastic here: jkroll guide measurements says what that leaves out",
+    ),
     **dict.fromkeys(("-R", "--radius"), "a radius stands alone: jkroll pull-off quartz 100nm"),
     **dict.fromkeys(("export -o", "export --output", "export --out"), "it writes to standard output: add > FILE"),
     **dict.fromkeys(

@@ -89,7 +89,8 @@ def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spre
         measured[quantity] = spreads_of(value, quantity)
     if not len(texts) == len(measured) == len(names):
         example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)
-        raise BadRequest(f"infer needs a measured quantity for each input, {len(names)} in all: {example}")
+        wanted = f"infer needs a measured quantity for each input, {len(names)} in all: {example}"
+        raise BadRequest(f"{wanted}; several values of one have commas")
     return measured
 
 

@@ -48,7 +48,7 @@ class Asked(NamedTuple):
 
     @property
     def stated(self) -> Mapping[str, str]:
-        """What `--column` writes in place of headers."""
+        """The meanings that `--column` writes in place of headers."""
         return stated_meanings(self.columns, self.measured)
 
     def is_read(self, text: str) -> bool:

@@ -45,7 +45,8 @@ class MissingInput(JkrollError):
             give = f"{self.lacking}; give, for example,"
         elif {*self.missing} <= {*PROPERTIES}:
             give = "name a material, such as quartz, or give"
-        return f"{verb} {_in_words(self.missing)}; {give} {listed(filter(None, [options, *radii]))}"
+        of_pair = "; --work-of-adhesion 50mJ/m2 may replace --gamma" if "surface_energy" in self.missing else ""
+        return f"{verb} {_in_words(self.missing)}; {give} {listed(filter(None, [options, *radii]))}{of_pair}"
 
 
 class NotInLaw(MissingInput):
