@@ -71,9 +71,9 @@ def test_where_columns_do_not_fit_they_are_a_second_table(run: Run, monkeypatch:
     heads = [line for line in lines if "symbol" in line]
     assert len(heads) == 2
     assert "JKR" in heads[0]
-    assert "rolling data" not in heads[0]
+    assert "by 1 µm data" not in heads[0]
     assert "JKR" in heads[1]
-    assert "rolling data" in heads[1]
+    assert "by 1 µm data" in heads[1]
     assert sum("force that starts rolling" in line for line in lines) == 2  # what a row is stands in both
 
 
@@ -133,7 +133,7 @@ def test_a_list_is_several_tables_where_it_does_not_fit(run: Run) -> None:
     assert others
     assert all(line.startswith("material") and "R1 [nm]" in line for line in others)
     assert "  Q [pN]  Q by Maugis [pN]" in first
-    assert sum("Q by rolling [pN]" in line for line in (first, *others)) == 1
+    assert sum("Q by data [pN]" in line for line in (first, *others)) == 1
     assert max(map(len, lines)) <= 80
 
 

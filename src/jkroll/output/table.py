@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, of_sides
 from ..rows.columns import DOUBT, as_list
-from ..scene.alternatives import DATA
+from ..scene.alternatives import DATA, SIO2, rolled_solid
 from ..scene.limits import OF_LAW, codes_of
 from ..text import say, say_wrapped, terminal_width, width_of
 
@@ -24,9 +24,9 @@ if TYPE_CHECKING:
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
-def head_of(kind: str) -> str:
-    """Return the head of the column of a law, or of values by measured forces or displacements."""
-    return "rolling data" if kind == DATA else LAWS[kind].title.partition("–")[0]
+def head_of(law: str) -> str:
+    """Return the head of the column of a law."""
+    return LAWS[law].title.partition("–")[0]
 
 
 _DIGITS = 4  # of a result on a terminal
@@ -123,7 +123,8 @@ def _results(answer: "Answer") -> "list[Result]":
 
 def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
     """Return what has columns beside the results, by head: what may stand in their place, and limits of theirs."""
-    others = {head_of(kind): values for kind, values in answer.alternatives.items()}
+    data = "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
+    others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
     for result in answer.results:
         head = answer.question.without_row.get(result.name)
         if head and result.value is not None and head != head_of(answer.scene.law.name):
@@ -178,7 +179,7 @@ def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]
     for kind, key in columns.wanted.alternatives_of(name).items():
         others = _measures(columns, key)
         if kind == DATA and any(value is not None for value in others):
-            values[" by rolling"] = ["no data" if value is None else value for value in others]
+            values[" by data"] = ["no data" if value is None else value for value in others]
         elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
             values[f" by {head_of(kind)}"] = others
     symbol = symbol_beside(name, columns.inputs)
