@@ -148,6 +148,8 @@ def test_powers_of_ten_have_one_form(run: Run) -> None:
     assert "U = 1.50102e-18 J\n" in run("energies quartz 100nm --explain").out
     row = next(line for line in run("energies quartz 100nm 1mm", terminal=True).out.splitlines() if line[:2] == "U ")
     assert row.split() == ["U", "1.501e-18", "J", "323.4e-15", "J"]
+    curve = run("contact quartz 100nm --curve --quiet", terminal=True).out
+    assert "δ [pm]   P [nN]" in re.sub(" {2,}", "   ", curve)
 
 
 def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
