@@ -19,7 +19,7 @@ from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.call import Call
 from jkroll.cli.process import read
-from jkroll.cli.question import question_of
+from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.rows.columns import ROW, SIDES, Block, Columns, Row, Wanted, evaluated

@@ -34,7 +34,7 @@ from doors import (
 from harness import Run
 from jkroll import answer, known_materials, solve
 from jkroll.answers.questions import QUESTIONS
-from jkroll.cli.question import question_of
+from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError, NoResult
 from jkroll.output.answered import Answered
 from jkroll.pictures.picture import Axis, over

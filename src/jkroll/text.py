@@ -230,12 +230,3 @@ def ending(path: str) -> str:
     """
     _, point, end = path.rpartition(".")
     return end.casefold() if point else ""
-
-
-def capitalized(sentence: str) -> str:
-    """Return a sentence with a capital at its beginning and nothing else changed.
-
-    >>> capitalized("effective mass of SiO2")
-    'Effective mass of SiO2'
-    """
-    return sentence[:1].upper() + sentence[1:]

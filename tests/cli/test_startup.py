@@ -121,7 +121,7 @@ def test_a_call_imports_its_own_command_only() -> None:
     runners = {f"jkroll.cli.{command.runner.partition(':')[0]}" for command in COMMANDS.values()}
     program = "import sys; from jkroll.cli.process import main; main(sys.argv[1:]); print(*sys.modules)"
     for words, own in (
-        ("r-min 100nm", {"jkroll.cli.question"}),
+        ("r-min 100nm", {"jkroll.cli.runners"}),
         ("r-min --help", set()),
         ("r-min 100nm --xl 1nm", set()),
     ):

@@ -7,7 +7,7 @@ from types import MappingProxyType
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
-from ..text import capitalized, quoted
+from ..text import quoted
 
 
 class Option:
@@ -46,7 +46,7 @@ class Option:
 
         meaning = NOMENCLATURE[self.name].sentence
         default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
-        return f"{capitalized(meaning)}{default}{_WITH.get(self.name, '')}."
+        return f"{meaning[0].upper()}{meaning[1:]}{default}{_WITH.get(self.name, '')}."
 
 
 def _unseen(option: Option) -> Option:
@@ -245,7 +245,7 @@ _SCENE = "[MATERIAL] [RADIUS]..."
 
 
 def _question(
-    name: str, job: str, sentence: str, example: str, *others: Option, runner: str = "question:run_question"
+    name: str, job: str, sentence: str, example: str, *others: Option, runner: str = "runners:run_question"
 ) -> Command:
     """Return the command of a question: it takes inputs, options of its own, and those of the output."""
     quantities = () if name == "report" else QUESTIONS[name].quantities
@@ -261,7 +261,7 @@ _COMMANDS = (
     _question("n-roll", DUST, "Turns of a sphere over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
     _question("contact", CONTACT, "Contact radius, indentation, stiffness and pressure.", "quartz 100nm --load -5nN",
         CURVE, MARKED, *map(_unseen, (*STYLE, UNCAPTIONED, PANEL)),
-        runner="question:run_contact"),
+        runner="runners:run_contact"),
     _question("moment", ROLLING, "Moment that starts rolling, by model.", "quartz 100nm --xi 1angstrom"),
     _question("energies", DUST, "Energies and speeds to break, stick and roll, by author.",
         "quartz 100nm --angle 90deg"),

@@ -65,7 +65,6 @@ NAMED = {
     "MATERIAL": Option("material", "--material", metavar="quartz"),
     "RADIUS": Option("radius", "--radius", metavar="100nm"),
 }
-R = Option("R", "--R", metavar="50nm")  # the reduced radius here, a sphere's in many other places
 MAX_TAKERS = 3  # of an option, that are named
 _DASHES = ("–", "—")  # as word processors make them of hyphens
 
@@ -219,20 +218,7 @@ def _read(
             raise BadRequest(f"{option.flag} is given more than once")
         else:
             given[option.name] = option.read(_value(option, value, rest))
-    return arguments, _with_radius(given)
-
-
-def _with_radius(given: dict[str, Any]) -> dict[str, Any]:
-    """Return options with R as the radius of sphere 1 where sphere 2 has one. Raises BadRequest where it has none."""
-    if R.name not in given:
-        return given
-    value = given.pop(R.name)
-    if "radius2" not in given:
-        both = f"--radius {value}, that of equal spheres, or --reduced-radius {value}"
-        raise BadRequest(f"{R.name} may be the radius of a sphere or the reduced radius: write {both}")
-    if "radius" in given:
-        raise BadRequest("--radius is given more than once")
-    return {**given, "radius": value}
+    return arguments, given
 
 
 def _split(word: str, flags: Mapping[str, Option]) -> tuple[str, str | None]:
@@ -269,12 +255,15 @@ def _is_negative(text: str) -> bool:
 
 
 def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
-    """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none."""
+    """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none.
+
+    Raises BadRequest for R, which is a sphere's radius in many other places and the reduced radius here.
+    """
     if option := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
         return option
     by_name = {option.name: option for option in flags.values() if option.name in NOMENCLATURE}
-    if flag == R.flag and "radius" in by_name:
-        return R
+    if flag == "--R" and "radius" in by_name:
+        raise BadRequest("R may be a sphere's radius or the reduced radius: write --radius or --reduced-radius")
     return by_name.get(named(flag[2:], by_name)) if flag.startswith("--") else None
 
 

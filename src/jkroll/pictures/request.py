@@ -18,7 +18,7 @@ from ..quantities.values import parse_quantity
 from ..scene.failures import RESTS_ON_SPACING, MissingInput, reason_of, without_value
 from ..scene.limits import LIMITS, OF_LAW, Limit, judged, percent, touched
 from ..scene.scene import Scene
-from ..text import capitalized, quoted
+from ..text import quoted
 from .picture import (
     SAME,
     Axis,
@@ -283,7 +283,8 @@ def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
 
 def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
     """Iterate over the sentences that every caption begins with: on the quantity, its inputs, and on its values."""
-    clauses = [capitalized(NOMENCLATURE[quantity].sentence), symbol(quantity)]
+    sentence = NOMENCLATURE[quantity].sentence
+    clauses = [f"{sentence[0].upper()}{sentence[1:]}", symbol(quantity)]
     equations = {equation_of(layer.scene, quantity) for layer in layers}
     laws = {layer.scene.law.title for layer in layers if layer.scene.stated_model is not None}
     if len(equations) == 1 and (equation := equations.pop()):
