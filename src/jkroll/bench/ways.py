@@ -186,23 +186,6 @@ def _table() -> tuple[Any, Any]:
     return nodes, interp(nodes, 3 * y**4 - 2 * y, y**3)
 
 
-def _half_circles(R1: Any, R2: Any, w: Any, E: Any, xi: Any, P: Any, P_c: Any) -> Any:
-    """Return Eq 19 with Eq 23, not linearised: its terms in ξ³ count as errors of Eq 25, which is exact."""
-    a = DOUBLES.contact_radius_at_load(R1, R2, w, E, P, P_c)
-    delta = DOUBLES.approach_at_load(R1, R2, w, E, P, P_c)
-    less, more = (E * A**2 * delta / 2 - E / (4 * DOUBLES.reduced(R1, R2)) * A**4 for A in (a - xi, a + xi))
-    return less - more
-
-
-def _radius_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
-    return DOUBLES.contact_radius_at_load(R1, R2, w, E, P, DOUBLES.pull_off_force(R1, R2, w))
-
-
-def _radius_by_dmt(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
-    R = DOUBLES.reduced(R1, R2)
-    return cbrt(3 / 4 * R / E * (P + 2 * pi * w * R))
-
-
 def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
     """Return the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999).
 
@@ -229,10 +212,7 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
         "Parteli et al. 2014": _by_quartic,
         "table of 10⁴ nodes": lambda delta, delta0: interp(delta / delta0, *_table()),
     },
-    "contact_radius_maugis": {"JKR": _radius_by_jkr, "DMT": _radius_by_dmt, "COS 1999": _radius_by_cos},
-    "yield_moment": {
-        PRINTED: DOUBLES.yield_moment,
-        "half-circles, Eq 19": _half_circles,
-    },
+    "contact_radius_maugis": {"COS 1999": _radius_by_cos},
+    "yield_moment": {PRINTED: DOUBLES.yield_moment},
 }
 QUANTITIES = tuple(OTHER_WAYS)
