@@ -269,6 +269,14 @@ def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
     assert (span.low, span.high) == approx((found.value * 14 / 15 / 1.05, found.value * 16 / 15 / 0.95))
 
 
+@pytest.mark.parametrize("stiffness", [1e3, [1e3, 2e3]])
+def test_the_uncertainty_of_a_material_alone_gives_no_error_bars_as_in_solve(stiffness: Any) -> None:
+    """The γ of warm ice has error bars, which enter beside those of a measured value."""
+    values = infer("radius", measured={"stiffness": stiffness}, material="ice-warm")
+    assert isinstance(values, float if isinstance(stiffness, float) else numpy.ndarray)
+    assert isinstance(infer("radius", measured={"stiffness": "1000±10 N/m"}, material="ice-warm"), Measured)
+
+
 def test_each_source_enters_an_inferred_value_once() -> None:
     """With the radius of sphere 2, which is that of sphere 1; a density does not enter."""
     given = {

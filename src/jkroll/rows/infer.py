@@ -170,10 +170,11 @@ def infer(
         check_range(name, middle(value))
     scene = Scene(described, *materials_of(material, material2, materials), model=model)
     problem, inputs = Problem(names, known, scene), {**described, **known}
-    if any(map(is_uncertain, inputs.values())):
+    if has_bars := any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
     solution = problem.solution
     for failure in () if problem.shape else solution.failures.values():
         raise failure
-    values = with_uncertainties(solution.values, Solved(problem, solution.values).bars)
+    bars = Solved(problem, solution.values).bars if has_bars else {}  # as in `solve`, materials alone give none
+    values = with_uncertainties(solution.values, bars)
     return InferredValues(values, solution.condition) if is_list else values[names[0]]
