@@ -155,6 +155,7 @@ STATUS = {
     ),
     "x,quartz,,0": ("needs radius", "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm"),
     "x,quartz,0,0": ("bad radius", "radius: '0' must be positive; expected a length such as 100nm"),
+    "x,quartz,100,-": ("bad load", "load: '-' is no number; leave the cell empty if there is none"),
     "x,quartz,100,-20": (
         "beyond pull-off",
         "load: -20 nN breaks this contact: the hardest pull that it holds is -11.78097 nN",

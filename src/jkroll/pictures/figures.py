@@ -99,7 +99,7 @@ def paper_map(
     drawn, _ = picture_of(
         PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits, printed=printed)
     )
-    dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed, each below its contour.",) if printed else ()
+    dashed = (f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.",) if printed else ()
     return Picture(
         f"Fig. {name}: {symbol(declared.quantity)}",
         drawn.panels,

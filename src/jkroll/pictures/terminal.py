@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterable, Sequence
-from math import floor, isfinite, log10
+from math import ceil, floor, isfinite, log10
 from typing import Any, TextIO
 
 import numpy
@@ -45,8 +45,9 @@ def shown(axis: Axis, most: int) -> Any:
         decades = range(floor(log10(axis.low)), floor(log10(axis.high)) + 1)
         choices = [[float(f"{digit}e{decade}") for decade in decades for digit in digits] for digits in _DIGITS]
     else:
-        step = 10.0 ** floor(log10((axis.high - axis.low) / most))
-        choices = [(numpy.round(values / step) * step).tolist()]
+        decade = 10.0 ** floor(log10((axis.high - axis.low) / most))
+        steps = [decade * digit for digit in (1, 2, 5, 10)]
+        choices = [(numpy.arange(ceil(axis.low / step), floor(axis.high / step) + 1) * step).tolist() for step in steps]
     insides = (numpy.array([*filter(axis.has, choice)]) for choice in choices)
     return next((inside for inside in insides if 1 < len(inside) <= most), values)
 

@@ -128,6 +128,8 @@ class Column(NamedTuple):
 
         A cell without a unit has that of the column.
         """
+        if has_no_value(text):
+            raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
         return value_of(text, self.name, self.unit)
 
 
