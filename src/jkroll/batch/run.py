@@ -1,9 +1,9 @@
 """The `batch` command: from the options to the exit code, for a table or for many into a directory.
 
-This process reads the blocks of a table and decides the order in which they are written. Where there are many blocks,
-others convert and write them; the output is the same for any number of them. Many tables are a task each, by processes
-of this machine or on a Dask cluster. A file gets its name when it is whole: so a run that was ended goes on with
-`--resume`, which keeps what is newer than its table.
+This process reads the blocks of a table and writes them in their order. Where there are many blocks, others convert
+them; the output is the same for any number of them. Many tables are a task each, by processes of this machine or on a
+Dask cluster. A file gets its name when it is whole: so a run that was ended goes on with `--resume`, which keeps what
+is newer than its table.
 """
 
 import glob
@@ -15,7 +15,7 @@ from contextlib import closing
 from functools import partial, reduce
 from itertools import chain, islice
 from time import monotonic
-from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
+from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
 from ..output.writers import WRITERS, columns_of, whole_file, written
@@ -28,9 +28,6 @@ from ..scene.limits import EVERY_DOUBT
 from ..text import listed, quoted, say, say_wrapped
 from .files import Input, compressed, format_of_name, input_format, lines_of, output_format
 from .lines import Delimited, Ndjson
-
-if TYPE_CHECKING:
-    from .workers import Worker
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 ALONE = 4  # blocks that this process converts before it starts others
@@ -139,27 +136,21 @@ def _about(table: Table) -> Iterator[str]:
 
 
 class Converted(NamedTuple):
-    """A converted block, the size of the output, the number of lines that it was, and its counts."""
+    """A converted block, the number of lines that it was, and its counts."""
 
     output: Any
-    size: int
     lines: int
     tally: Tally
 
 
 class Converter:
-    """Adds the results to blocks of a table.
+    """Adds the results to blocks of a table, in this process or in others."""
 
-    Another process calls it with a block, and then with the place at which the output of that begins: to send a block
-    from one process to another takes a third as long as to make it.
-    """
+    def __init__(self, form: Any, table: Table, compression: str, *, strict: bool) -> None:
+        """`strict`: whether the first row that fails is an error."""
+        self.form, self.table, self.compression, self.strict = form, table, compression, strict
 
-    def __init__(self, form: Any, table: Table, compression: str, *, strict: bool, path: str = "") -> None:
-        """`strict`: whether the first row that fails is an error; `path`: of the file that another process writes."""
-        self.form, self.table, self.compression, self.strict, self.path = form, table, compression, strict, path
-        self.output = b""  # of the last block, if it is kept
-
-    def converted(self, block: Any) -> Converted:
+    def __call__(self, block: Any) -> Converted:
         """Return a block with the results in each row. Raises BadRow."""
         table = self.table
         records = self.form.read(block, table)
@@ -172,21 +163,7 @@ class Converter:
         tally = Tally.of(columns)
         if unknown := table.asked.infer:
             tally = tally._replace(inferred=(columns.column(unknown).copy(),))
-        return Converted(output, len(output), records.size, tally)
-
-    def __call__(self, question: bytes | int) -> Converted | bytes:
-        """Return the converted block without its output; then write that at its place, or return it for a pipe."""
-        if isinstance(question, bytes):
-            converted = self.converted(question)
-            self.output = converted.output
-            return converted._replace(output=b"")
-        output, self.output = self.output, b""
-        if not self.path:
-            return output
-        with open(self.path, "r+b") as file:
-            file.seek(question)
-            file.write(output)
-        return b""
+        return Converted(output, records.size, tally)
 
 
 def convert_one(path: str, job: Job) -> Tally:
@@ -215,9 +192,7 @@ def convert_one(path: str, job: Job) -> Tally:
         about = [*_about(table)]
         job.say(about)
         with whole_file(job.target) as output:
-            is_file = isinstance(output.name, str) and os.path.isfile(output.name)
-            place = output.name if is_file else ""
-            convert = Converter(form, table, wanted.compression, strict=job.strict, path=place)
+            convert = Converter(form, table, wanted.compression, strict=job.strict)
             return _convert(file, blocks, convert, output, job)._replace(said=(reading, *about))
 
 
@@ -225,15 +200,12 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
     """Write a table; return the counts of all of it."""
     form, tally = convert.form, Tally()
     header = compressed(form.writer.header(convert.table.added, [form.header]), convert.compression)
-    size, line = len(header), form.lines
+    line = form.lines
     progress = Progress(is_shown=sys.stderr.isatty() and not job.quiet)
     try:
         with form.writer.sink(output, header) as write:
-            for block, worker in _converted(blocks, convert, job.processes):
-                if worker:
-                    worker.ask(size)
-                write(worker.answer() if worker else block.output)
-                size += block.size
+            for block in _converted(blocks, convert, job.processes):
+                write(block.output)
                 line += block.lines
                 tally = tally.plus(block.tally)
                 progress.show(file.share_read(tally.rows), tally.rows)
@@ -244,16 +216,13 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
     return tally
 
 
-def _converted(
-    blocks: Iterator[Any], convert: Converter, processes: int
-) -> "Iterator[tuple[Converted, Worker | None]]":
-    """Iterate over converted blocks in their order, each with the process that holds its output, if another one does.
+def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Iterator[Converted]:
+    """Iterate over converted blocks in their order.
 
     A library that reads a table by itself has threads for it.
     """
     is_alone = processes < 2 or not isinstance(convert.form, Delimited | Ndjson)
-    for block in blocks if is_alone else islice(blocks, ALONE):
-        yield convert.converted(block), None
+    yield from map(convert, blocks if is_alone else islice(blocks, ALONE))
     if (block := next(blocks, None)) is None:
         return
     # They come with multiprocessing, which a small table does not pay for.
@@ -364,7 +333,7 @@ def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome
         return map(task, pairs)
     from .workers import answers
 
-    return (outcome for outcome, _ in answers(count, task, pairs))
+    return answers(count, task, pairs)
 
 
 def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:

@@ -88,11 +88,10 @@ def _end_with_parent() -> None:
         os.kill(os.getpid(), signal.SIGTERM)  # which removes a file that was begun
 
 
-def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[tuple[Any, Worker]]:
-    """Iterate over the answers of some processes in the order of the questions, each with its process.
+def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[Any]:
+    """Iterate over the answers of some processes in the order of the questions.
 
-    A process gets its next question after the step in which its answer was taken. All ignore interrupts: they end with
-    the iteration.
+    All ignore interrupts: they end with the iteration.
     """
     workers: list[Worker] = []
     at_work: deque[Worker] = deque()
@@ -105,11 +104,11 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[tu
             signal.signal(signal.SIGINT, heeding)
         for worker, question in zip(cycle(workers), questions, strict=False):
             if len(at_work) == count:
-                yield at_work.popleft().answer(), worker
+                yield at_work.popleft().answer()
             worker.ask(question)
             at_work.append(worker)
         for worker in at_work:
-            yield worker.answer(), worker
+            yield worker.answer()
     finally:
         for worker in workers:
             worker.process.terminate()

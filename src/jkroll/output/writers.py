@@ -10,7 +10,6 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from functools import partial
 from io import TextIOWrapper
 from math import isnan
 from typing import Any, BinaryIO, TextIO
@@ -70,11 +69,10 @@ class Lines:
         return b"".join(strips)
 
     @contextmanager
-    def sink(self, stream: BinaryIO, header: bytes) -> Iterator[Callable[[bytes], None]]:
-        """Return the function that writes rows behind the header, at once: other processes may write behind them."""
-        write = partial(_write, stream.fileno())
-        write(header)
-        yield write
+    def sink(self, stream: BinaryIO, header: bytes) -> Iterator[Callable[[bytes], object]]:
+        """Return the function that writes rows behind the header."""
+        stream.write(header)
+        yield stream.write
 
     def _divided(self, columns: Sequence[Any]) -> Sequence[Any]:
         """Return columns as they are written: several in one array together."""
@@ -148,12 +146,6 @@ def in_quotes(cell: str, separator: str) -> str:
     if any(mark in cell for mark in (separator, '"', "\n", "\r")):
         return '"' + cell.replace('"', '""') + '"'
     return cell
-
-
-def _write(descriptor: int, text: bytes) -> None:
-    rest = memoryview(text)
-    while rest:
-        rest = rest[os.write(descriptor, rest) :]
 
 
 def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
