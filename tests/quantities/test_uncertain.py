@@ -75,7 +75,7 @@ REFUSED = {
     "25±5": "has no unit; expected a surface energy such as 25mJ/m2",
     "25±5 mJ": "is an energy; expected a surface energy such as 25mJ/m2",
     "25 mJ/m2 ± 5 nm": "is a length; expected a surface energy such as 25mJ/m2",
-    "25±5 mj/m2": "has an unknown unit 'mj'; did you mean mJ?",
+    "25±5 mj/m2": "has an unknown unit 'mj'; expected a surface energy such as 25mJ/m2",
     "25±-5 mJ/m2": "has a negative uncertainty; expected a surface energy such as 25mJ/m2",
     "-25±5 mJ/m2": "must be positive; expected a surface energy such as 25mJ/m2",
     "30 to 20 mJ/m2": "does not rise from its first end to its second; expected a surface energy such as 25mJ/m2",

@@ -66,10 +66,6 @@ class Equations:
     def contact_radius_at_load(self, R1: Any, R2: Any, w: Any, E: Any, P: Any, P_c: Any) -> Any:
         return self.radius(R1, R2, w, E) * self.stretch(P, P_c)
 
-    def approach_at_load(self, R1: Any, R2: Any, w: Any, E: Any, P: Any, P_c: Any) -> Any:
-        a_ = self.stretch(P, P_c)
-        return self.approach(R1, R2, w, E) * (3 * a_**2 - 2 * self.sqrt(a_))
-
     def stiffness(self, R1: Any, R2: Any, w: Any, E: Any, P: Any, P_c: Any) -> Any:
         """Return the slope of P(δ) through those of P(â), Eq 5, and of δ(â), Eq 6."""
         a_ = self.stretch(P, P_c)

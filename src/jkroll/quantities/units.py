@@ -66,19 +66,12 @@ PLAIN = _by_name({
     "micron microns": (1, 10**6, _LENGTH),
     "in inch inches": (254, 10**4, _LENGTH),
     "ft foot feet": (3048, 10**4, _LENGTH),
-    "yd yard": (9144, 10**4, _LENGTH),
-    "mile miles": (1609344, 1000, _LENGTH),
     "min minute minutes": (60, 1, _TIME),
     "h hr hour hours": (3600, 1, _TIME),
     "day days": (86400, 1, _TIME),
     "yr year years": (31557600, 1, _TIME),
     "deg degree degrees °": (_PI, 180 * _ONE, _ANGLE),
-    "arcmin": (_PI, 10800 * _ONE, _ANGLE),
-    "arcsec": (_PI, 648000 * _ONE, _ANGLE),
-    "turn turns revolution cycle": (2 * _PI, _ONE, _ANGLE),
-    "rpm": (_PI, 30 * _ONE, (0, 0, -1, 0, 0, 0, 0, 1)),
     "lb pound pounds": (45359237, 10**8, _MASS),
-    "oz ounce": (45359237, 16 * 10**8, _MASS),
     "t tonne tonnes": (1000, 1, _MASS),
     "u amu Da": (166053906892, 10**38, _MASS),
     "lbf": (44482216152605, 10**13, _FORCE),
@@ -93,8 +86,6 @@ PLAIN = _by_name({
     "percent %": (1, 100, NUMBER),
     "mph": (1609344, 3600000, _SPEED),
     "kph kmph kmh": (1000, 3600, _SPEED),
-    "knot knots": (1852, 3600, _SPEED),
-    "fps": (3048, 10**4, _SPEED),
     "hbar": (662607015 * _ONE, 2 * 10**42 * _PI, (1, 2, -1, 0, 0, 0, 0, 0)),  # and no hectobar
 })  # fmt: skip
 
@@ -107,15 +98,14 @@ class BadUnit(Exception):
     Its words follow the quoted text: "has no unit".
     """
 
-    def __init__(self, words: str, instead: str = "", unknown: str = "", *, is_alone: bool = True) -> None:
-        """`instead`: what to type, where the text tells it; `unknown`: a name that is none, alone or among others."""
+    def __init__(self, words: str, instead: str = "", unknown: str = "") -> None:
+        """`instead`: what to type, where the text tells it; `unknown`: a name that is none, if it is the whole unit."""
         super().__init__(words)
-        self._instead, self._unknown, self._is_alone = instead, unknown, is_alone
+        self._instead, self._unknown = instead, unknown
 
     def remedy(self, dimensions: Collection[Dimension]) -> str:
         """Return what to type instead, for a unit of one of these dimensions; "" if the text does not tell."""
-        dimensions = frozenset(dimensions if self._is_alone else ())
-        guess = similar_unit(self._unknown, dimensions) if self._unknown else None
+        guess = similar_unit(self._unknown, frozenset(dimensions)) if self._unknown else None
         return f"did you mean {guess}?" if guess else self._instead
 
 
@@ -215,7 +205,7 @@ def exponent_of(unit: Unit) -> int | None:
 
 @lru_cache(maxsize=1000)  # many cells of a table may have the same mistake
 def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
-    """Return the unit that a mistyped word probably is, of one of these dimensions if there are any; else None.
+    """Return the unit of one of these dimensions that a mistyped word probably is; None if there is none.
 
     >>> similar_unit("Gpa", frozenset([dimension_of("Pa")])), similar_unit("Nm", frozenset([dimension_of("N m")]))
     ('GPa', 'N m')
@@ -231,7 +221,7 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
         if (len(prefix) > 2) == (len(unit) > 3)  # a symbol takes a symbol, a word a word
     }
     known = {**PREFIXABLE, **PLAIN, **prefixed}
-    fitting = [unit for unit, (_, _, dimension) in known.items() if dimension in dimensions or not dimensions]
+    fitting = [unit for unit, (_, _, dimension) in known.items() if dimension in dimensions]
     return closest(word, fitting, SIMILAR)
 
 
@@ -276,8 +266,7 @@ def _product(terms: Iterable[Term]) -> Unit:
     for name, power in terms:
         unit = _in_table(name) or lookup(name)
         if unit is None:
-            is_alone = terms == [(name, 1)]
-            raise BadUnit(f"has an unknown unit {quoted(name)}", unknown=name, is_alone=is_alone)
+            raise BadUnit(f"has an unknown unit {quoted(name)}", unknown=name if terms == [(name, 1)] else "")
         above, below, powers = unit
         up, down = (above, below) if power > 0 else (below, above)
         numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)

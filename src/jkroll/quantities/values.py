@@ -251,7 +251,6 @@ def checked(value: float | Uncertain, name: str, text: str) -> float | Uncertain
 
 # Compiled where a text has them: few do, and each takes as long as to read a material.
 _POWER_OF_TEN = r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![0-9])"
-_POWER_LOST = r"[0-9.)] ?[*x] ?10 ?[-+0-9]"
 _TWO_POWERS = r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)"
 
 
@@ -264,8 +263,6 @@ def written(text: str) -> str:
     text = normalized(text).replace("+/-", "±").replace("+-", "±")
     if "x" in text or "*" in text:
         text = re.sub(_POWER_OF_TEN, lambda power: f"e{power[1] or power[2].translate(SUPERSCRIPTS)}", text)
-        if re.search(_POWER_LOST, text):
-            raise BadUnit("has a power of ten without its mark", "write 1.2e-7")
     has_power = "e" in text or "E" in text
     if has_power and has_uncertainty(text) and (match := re.match(_TWO_POWERS, text)):
         value, mark, uncertainty, power = match.groups()
