@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 import maugis_reference as reference
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.answers.answer import Answer
+from jkroll.answers.answer import Answer, advised
 from jkroll.answers.curve import FORCE_CURVE, at_states
 from jkroll.answers.questions import QUESTIONS, question_about
 from jkroll.errors import BadRequest
@@ -335,6 +335,20 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_e
     assert str(alone.failure) == "sticking_speed: rests on z0; give --z0 4angstrom"
     said = Answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.value("sticking_energy") == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
+
+
+@pytest.mark.parametrize("radius", [20e-6, numpy.array([20e-6, 30e-6])])
+def test_what_the_spacing_decides_is_judged_with_the_spacing_that_is_assumed(radius: Any) -> None:
+    """It has no value of its own then. Of the law it makes no doubt that a stated spacing would not make."""
+    quartz = known_materials()["quartz"]
+    assumed, stated = (Scene({"radius": radius, **more}, quartz) for more in ({}, {"atomic_spacing": 4e-10}))
+    factors = [factor_of_law(scene, ["sticking_speed"]) for scene in (assumed, stated)]
+    assert numpy.array_equal(*factors)
+    assert numpy.all(numpy.isfinite(factors))
+    if isinstance(radius, float):
+        told, expected = (advised(scene, "sticking_speed") for scene in (assumed, stated))
+        assert told == expected
+        assert "–" in told
 
 
 def test_a_quantity_that_the_spacing_decides_has_no_value_without_it() -> None:

@@ -21,6 +21,7 @@ from ..scene.alternatives import (
     at_most_measured,
     at_other_reading,
     by_law,
+    by_law_at_spacing,
     displacements_where_measured,
     factor_of_data,
     factor_of_law,
@@ -367,7 +368,7 @@ def advised(scene: Scene, name: str) -> str:
     a jump, Maugis' law is no correction to the energies that separate spheres, and what follows from them: a well of
     Lennard-Jones' law is deeper still, and its contacts form and open without a jump.
     """
-    other, ours = by_law(scene), scene.numbers(name).get(name)
+    other, ours = by_law_at_spacing(scene, [name]), scene.numbers(name).get(name)
     has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
     is_no_correction = has_energy and not rolling([name], BETWEEN) and scene["tabor_parameter"] < JUMP
     if ours is None or is_no_correction or not moved_by_law(scene, [name]):

@@ -39,6 +39,16 @@ def at_half_spacing(scene: Scene) -> Scene:
     return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
 
 
+def by_law_at_spacing(scene: Scene, names: Iterable[str]) -> Scene:
+    """Return the scene under the other law, with its atomic spacing stated where it decides on some quantities.
+
+    Results are compared with their values there, which have no column of their own: see `Scene.may_rest_on_spacing`.
+    """
+    other = by_law(scene)
+    rests = any(map(other.may_rest_on_spacing, names))
+    return other.replace(atomic_spacing=other["atomic_spacing"]) if rests else other
+
+
 def rolling(names: Iterable[str], law: str) -> list[str]:
     """Return those of some quantities that follow from the yield displacement under a law."""
     return [name for name in names if name != XI and XI in depends_on([name], [law])]
@@ -251,7 +261,7 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     if scene.law.name == BETWEEN:
         return 1.0
     ours = scene.numbers(*moved_by_law(scene, [*names]))
-    compared = [*by_law(scene).evaluate([*ours]).items()]
+    compared = [*by_law_at_spacing(scene, ours).evaluate([*ours]).items()]
     rolled = rolling(ours, BETWEEN)
     if rolled and (reading := at_other_reading(scene)) is not None:
         compared += reading.evaluate(rolled).items()
