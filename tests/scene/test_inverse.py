@@ -402,6 +402,11 @@ def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run:
     assert "{Eq. (1)}" in ran.out
 
 
+def test_steps_that_no_unknown_changes_are_explained(run: Run) -> None:
+    ran = run("infer gamma quartz 100nm --measured vertical_frequency=1GHz --explain")
+    assert "    m1 = 1.08909e-17 kg    m1 = (4/3)πR1³ρ\n" in ran.out  # that of (4/3)π(100 nm)³ of 2600 kg/m³
+
+
 @pytest.mark.parametrize(
     ("words", "code", "message"),
     [

@@ -115,7 +115,7 @@ def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, 
 
 def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     """Return a line with the symbol and value of an input or a step, and a remark beside it."""
-    measure = scene.uncertainties.get(name) or scene.values[name]
+    measure = scene.uncertainties.get(name) or scene[name]
     value = f"{NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
     return f"    {value:22} {remark}"
 
