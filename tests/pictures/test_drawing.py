@@ -20,8 +20,7 @@ from jkroll import known_materials, solve
 from jkroll.answers.curve import Loads, loads_of
 from jkroll.cli.map import MAX_CURVES, map_request
 from jkroll.cli.process import main
-from jkroll.pictures.curves import curves_of_contact
-from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
+from jkroll.pictures.figures import PAPER_MAPS, PROFILES, curves_of_contact, paper_map
 from jkroll.pictures.picture import Curve, Field, Panel, Picture, described
 from jkroll.pictures.request import picture_of
 from jkroll.quantities.markup import lines, plain, symbol, typeset

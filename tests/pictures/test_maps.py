@@ -424,7 +424,7 @@ def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
         ("map pull_off_forse --x radius=1nm:1um", "did you mean pull_off_force?"),
         ("map pull-off", "map needs an axis"),
         ("map pull-off --x radius", "write a quantity and its range"),
-        ("map pull-off --x radius=1nm", "is not a range"),
+        ("map pull-off --x radius=1nm", "write a quantity and its range"),
         ("map pull-off --x radius=1um:1nm", "does not rise; write FROM:TO with FROM below TO"),
         ("map pull-off --x gamma=1mJ/m2:1J/m2 --y radius=1nm:1nm", "radius: '1nm:1nm' does not rise; write FROM:TO"),
         ("map pull-off --x radius=1nm:1N", "is a force"),

@@ -1,5 +1,6 @@
 """Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing."""
 
+import re
 import sys
 from collections.abc import Iterable
 
@@ -8,8 +9,7 @@ import numpy
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
 from ..output.writers import text_output, whole_file, write_columns
-from ..pictures.curves import PANELS, curves_of_contact
-from ..pictures.figures import FIGURE_NAMES, PROFILES, options_of, paper_map
+from ..pictures.figures import FIGURE_NAMES, PANELS, PROFILES, curves_of_contact, options_of, paper_map
 from ..pictures.picture import STYLES, Axis, Picture, evaluate
 from ..pictures.request import PlotRequest, picture_of
 from ..quantities.formatting import amount
@@ -147,6 +147,7 @@ def _write_data(drawn: Picture, path: str) -> None:
 
 MAX_POINTS = 2000  # of an axis
 MAX_CURVES = 24  # more cannot be told apart
+_AXIS = re.compile(r"([^=]*)=(([^:,]*):([^:,]*)(?::([0-9]+))?(?::(lin|log))?)")  # NAME=FROM:TO:COUNT:SCALE
 
 
 def axis_of(text: str, option: str) -> Axis:
@@ -156,22 +157,16 @@ def axis_of(text: str, option: str) -> Axis:
     >>> axis.name, axis.low, axis.high, axis.is_log
     ('radius', 1e-09, 0.001, True)
     """
-    word, has_range, values = text.partition("=")
-    if not has_range:
-        raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm")
+    if (match := _AXIS.fullmatch(text)) is None:
+        raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm, with :lin for equal steps")
+    word, values, first, last, count, scale = match.groups(default="")
     name = quantity_named(as_input(word))
-    first, colon, rest = values.partition(":")
-    last, *how = rest.split(":")
-    has_count = bool(how) and how[0] not in ("lin", "log")
-    count, scale = how[0] if has_count else "2", how[has_count:]
-    if not colon or len(scale) > 1 or "," in values:
-        raise QuantityError(name, values, "is not a range", "write FROM:TO, with :lin for equal steps")
-    spread = between(first, last, count, *scale, name=name, text=values)
+    spread = between(first, last, count or "2", scale, name=name, text=values)
     if not spread.low < spread.high:
         raise QuantityError(name, values, "does not rise", "write FROM:TO with FROM below TO")
     if spread.size > MAX_POINTS:
         raise QuantityError(name, values, "has too many values", f"an axis takes {MAX_POINTS}")
-    return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
+    return Axis(name, spread.low, spread.high, spread.is_log, spread.size if count else 0)
 
 
 def map_request(call: Call) -> PlotRequest:

@@ -1,9 +1,7 @@
 """Contacts as input of other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
 
-LAMMPS has them as `granular` with rolling resistance. Only E* enters its normal force: E = 2E* with ν = 0 also mixes as
-E* does. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po| and the torque FR; those of sliding and
-twisting have such caps, too: a force, and a moment where μ is a length. Its skin of 1 mm in SI units is refused with
-grains of 100 nm. Comments are ASCII, as LAMMPS warns of other characters.
+LAMMPS has them as `granular`. Its rolling friction is a spring F = kξ with the cap μ|P + 2P_po| and the torque FR;
+those of sliding and twisting have such caps, too. Comments are ASCII, as LAMMPS warns of other characters.
 """
 
 from collections.abc import Callable, Iterable, Mapping

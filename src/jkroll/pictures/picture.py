@@ -75,12 +75,13 @@ class Curve(NamedTuple):
 
 
 class Region(NamedTuple):
-    """The points of a field at which an excess is positive: there the model is not exact, or has no meaning.
+    """The points at which an excess is positive: there the model is not exact, or has no meaning.
 
-    In a terminal its numbers have the sign, on a page it has the hatch.
+    In a terminal its numbers have the sign, on a page it has the hatch. Without a sign it is told in the caption alone.
     """
 
     text: str
+    where: str  # empty: everywhere
     sign: str
     hatch: str
     excess: Callable[[Scene], Any]  # of a scene of arrays

@@ -47,6 +47,7 @@ SIGNS = {
     "tabor_parameter": ("|", "||||"),
 }
 SLIGHT = ("'", "|")  # where a law is off by little
+UNDRAWN = ("", "")
 DRAWN_LIMITS = tuple(limit for limit in LIMITS if limit.name in SIGNS and not limit.conclusion)
 _FARTHEST = log(1e3)  # excess of a limit that has a place on a map
 _TWO, _THREE, _FOUR = (Format(digits=digits) for digits in (2, 3, 4))
@@ -75,14 +76,13 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     quantity, ((_, scene),) = request.quantity, request.scenes
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
     layer = Layer(request, "", scene, [axis._replace(size=SIDE) for axis in (x, y)])
-    passed = [*layer.passed()]
-    drawn = [each for each in passed if each.where and each.limit in DRAWN_LIMITS]
-    regions = (Region(each.text, *each.look, partial(_excess_over, each, quantity)) for each in drawn)
-    field = Field(quantity, scene, layer.values, tuple(regions), request.printed)
+    regions = [*layer.regions()]
+    drawn = tuple(region for region in regions if region.sign and region.where)
+    field = Field(quantity, scene, layer.values, drawn, request.printed)
     marks = [mark_at(text, request.materials, scene, x, y) for text in request.marks]
     of_materials, left_out = _material_marks(request.materials, x, y) if scene.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
-    told = {"": [each for each in passed if each not in drawn]}
+    told = {"": [region for region in regions if region not in drawn]}
     caption = (*_opening(quantity, [layer]), *left_out, *_sentences(told))
     remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
     return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, remarks), layer.notes
@@ -104,7 +104,7 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     y = axis_around(quantity, [curve.y for curve in curves], may_be_log=True)
     marks = tuple(mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
-    told = {layer.text: [*layer.passed()] for layer in layers}
+    told = {layer.text: [*layer.regions()] for layer in layers}
     caption = (*_opening(quantity, layers), *_sentences(told), *farthest)
     notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
     notes += dict.fromkeys(note for layer in layers for note in layer.notes)
@@ -197,7 +197,7 @@ class Layer:
             reason = f": {reason_of(quantity, outcome)}" if isinstance(outcome, JkrollError) else ""
             raise without_value(quantity, f"no value anywhere on these axes{reason}")
 
-    def passed(self) -> "Iterator[Passed]":
+    def regions(self) -> Iterator[Region]:
         """Iterate over the thresholds that values pass: of a law the last, then the first unless all pass the last."""
         for doubt in self.doubts:
             limit = doubt.limit
@@ -206,8 +206,11 @@ class Layer:
                 step = limit.excess(threshold)
                 is_beyond = self.known & (doubt.excess > step)
                 if is_beyond.any():
-                    where = self._where(is_beyond)
-                    yield Passed(limit, step, self._beyond(limit, threshold), where)
+                    text, where = self._beyond(limit, threshold), self._where(is_beyond)
+                    look = SIGNS[limit.name] if limit in DRAWN_LIMITS else UNDRAWN
+                    if look != UNDRAWN and limit.factor is not None and step == 0:
+                        look = SLIGHT
+                    yield Region(text, where, *look, partial(_excess_over, limit, step, self.quantity))
                     if not where:
                         break
 
@@ -234,24 +237,10 @@ class Layer:
         return f"{symbol(x.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
 
 
-class Passed(NamedTuple):
-    """A threshold that values pass."""
-
-    limit: Limit
-    step: float  # the excess of the limit there
-    text: str
-    where: str  # empty: everywhere
-
-    @property
-    def look(self) -> tuple[str, str]:
-        """The sign and the hatch of the points beyond."""
-        return SLIGHT if self.limit.factor is not None and self.step == 0 else SIGNS[self.limit.name]
-
-
-def _excess_over(passed: Passed, quantity: str, here: Scene) -> Any:
+def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
     """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
-    (doubt,) = judged([passed.limit], here, [quantity])
-    return numpy.clip(doubt.excess - passed.step, -_FARTHEST, _FARTHEST)
+    (doubt,) = judged([limit], here, [quantity])
+    return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
 
 
 # --- Sentences of a caption -------------------------------------------------------------------------------------------
@@ -302,12 +291,12 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
     yield from dict.fromkeys(sentence for layer in layers for sentence in layer.unjudged)
 
 
-def _sentences(told: Mapping[str, Iterable[Passed]]) -> Iterator[str]:
+def _sentences(told: Mapping[str, Iterable[Region]]) -> Iterator[str]:
     """Iterate over sentences on where the model has no meaning or is not exact, of layers by their labels."""
     places: dict[str, dict[str, str]] = {}  # by what holds there: the places of each layer
-    for label, passed in told.items():
-        for each in passed:
-            places.setdefault(each.text, {})[label] = each.where
+    for label, regions in told.items():
+        for region in regions:
+            places.setdefault(region.text, {})[label] = region.where
     for text, where in places.items():
         if len(where) == len(told) and not any(where.values()):
             yield f"Everywhere {text}."
