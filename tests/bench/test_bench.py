@@ -13,20 +13,23 @@ import pytest
 from harness import Run, Stream
 from jkroll import physics
 from jkroll.bench.report import (
+    DECIMALS,
     DEFAULT,
     HEADS,
+    OTHER_WAYS,
     PROMISE,
     PROMISE_OF_MAUGIS,
+    QUANTITIES,
     QUICK,
     REGIONS,
     Row,
     each,
+    exact,
     measure,
     picture_of,
     regions,
     write_bench,
 )
-from jkroll.bench.ways import DECIMALS, OTHER_WAYS, QUANTITIES, exact
 from reference import BOUND, conditions, exact_results
 from relative import approx
 

@@ -422,7 +422,7 @@ def test_at_another_radius_it_is_the_range_between_two_scalings(
 
 
 def test_what_is_given_outranks_a_material_s_displacement(run: Run, own: str) -> None:
-    for words in ("--xi 1nm", "--adhesion-hysteresis 40%", "--adhesion-hysteresis 20mJ/m2"):
+    for words in ("--xi 1nm", "--hysteresis-fraction 40%", "--adhesion-hysteresis 20mJ/m2"):
         assert run(f"yield-force own 100nm {words} {own}").out == run(f"yield-force quartz 100nm {words}").out
 
 

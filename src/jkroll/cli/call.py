@@ -108,8 +108,6 @@ class Call:
         if radii := [word for word in self.words if not _is_material(word)]:
             texts["radius"] = ",".join(radii)
         check_exclusive(texts, lambda name: NOMENCLATURE[name].option or "a radius")
-        if _is_part(texts.get("adhesion_hysteresis", "")):
-            texts["hysteresis_fraction"] = texts.pop("adhesion_hysteresis")
         return texts
 
     @cached_property
@@ -238,12 +236,6 @@ def worded(error: JkrollError, command: str, options: Collection[str]) -> str:
     name, _, problem = str(error).partition(": ")
     option = NOMENCLATURE[name].option if name in NOMENCLATURE else ""
     return f"{option}: {problem}" if option and option in options else str(error)
-
-
-def _is_part(text: str) -> bool:
-    """Return whether an adhesion hysteresis is given as a part of the work of adhesion: 40%, and not 5mJ/m2 ± 20%."""
-    number = text.casefold().partition("±")[0].replace("to", "").replace("e", "")
-    return text.rstrip().endswith("%") and not any(map(str.isalpha, number))
 
 
 def _is_material(word: str) -> bool:

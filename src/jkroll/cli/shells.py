@@ -84,16 +84,10 @@ for _command in COMMANDS.values():
 
 # --- Candidates -------------------------------------------------------------------------------------------------------
 
-_UNITS = {
-    "m": ("nm", "um", "mm", "m", "angstrom"),
-    "N": ("nN", "uN", "mN", "N", "dyn"),
-    "J": ("J", "eV", "erg"),
-    "Pa": ("GPa", "MPa", "Pa"),
-    "J/m^2": ("mJ/m2", "J/m2", "erg/cm2", "mN/m"),
-    "kg/m^3": ("g/cm3", "kg/m3"),
-    "m/s": ("cm/s", "m/s", "km/s"),
-    "m/s^2": ("m/s2", "standard_gravity"),
-}
+_UNITS: dict[str, dict[str, None]] = {}  # of the examples of inputs, in order, by their SI unit
+for _quantity in NOMENCLATURE.values():
+    if _quantity.example and not _quantity.is_word:
+        _UNITS.setdefault(_quantity.unit, {})[_quantity.example.lstrip("0123456789.e-")] = None
 
 
 def _completed(kinds: Sequence[str]) -> Callable[[object, object, str], list[str]]:
