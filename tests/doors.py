@@ -24,9 +24,8 @@ from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.rows.columns import ROW, SIDES, Block, Columns, Row, Wanted, evaluated
 from jkroll.rows.table import Table
-from jkroll.scene.alternatives import at_least_measured, at_most_measured, by_law
+from jkroll.scene.doubts import LIMITS, NOT_JUDGED, Limit, at_least_measured, at_most_measured, by_law
 from jkroll.scene.failures import Failure
-from jkroll.scene.limits import LIMITS, NOT_JUDGED, Limit
 from jkroll.scene.scene import LEAST, Scene
 from jkroll.scene.uncertainty import sources_of
 from questions import Ask, Sheet

@@ -42,9 +42,8 @@ from jkroll.pictures.request import PlotRequest, picture_of
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, middle, value_of
 from jkroll.rows.columns import DOUBT, STATUS
-from jkroll.scene.alternatives import at_least_measured, at_most_measured
+from jkroll.scene.doubts import NOT_JUDGED, at_least_measured, at_most_measured, bits_of, codes, doubts
 from jkroll.scene.failures import INFINITE, OF_IDENTICAL_SPHERES, Failure, MissingInput, reason_of
-from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 

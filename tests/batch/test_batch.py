@@ -20,7 +20,7 @@ from jkroll.output.manual import page
 from jkroll.quantities.values import QuantityError, unit_of
 from jkroll.rows.cells import Column
 from jkroll.rows.header import understood
-from jkroll.scene.limits import CODES, UNCHECKED
+from jkroll.scene.doubts import CODES, UNCHECKED
 from relative import approx
 from tables import ENDS, IN_SMALL_BLOCKS, random_table, read_rows, write_rows
 

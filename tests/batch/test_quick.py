@@ -16,7 +16,7 @@ from jkroll.materials.library import known_materials
 from jkroll.rows import cells
 from jkroll.rows.header import understood
 from jkroll.rows.table import Asked, Table
-from jkroll.scene.limits import EVERY_DOUBT
+from jkroll.scene.doubts import EVERY_DOUBT
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
 PLAIN = st.sampled_from(

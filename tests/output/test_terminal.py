@@ -9,7 +9,7 @@ from harness import Run, Stream
 from jkroll.output.catalogue import write_quantities
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.limits import LIMITS
+from jkroll.scene.doubts import LIMITS
 from jkroll.text import say_wrapped
 from relative import approx
 

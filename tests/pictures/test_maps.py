@@ -17,7 +17,7 @@ from jkroll.pictures.figures import paper_map
 from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over
 from jkroll.pictures.terminal import shown
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.limits import LIMITS
+from jkroll.scene.doubts import LIMITS
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 from relative import approx

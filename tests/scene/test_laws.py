@@ -25,7 +25,7 @@ from jkroll.output.manual import page
 from jkroll.output.sources import references
 from jkroll.physics import jkr
 from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
-from jkroll.scene.alternatives import factor_of_law
+from jkroll.scene.doubts import factor_of_law
 from jkroll.scene.failures import Failure, NotInLaw
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import plan_for, steps_to

@@ -11,9 +11,8 @@ from harness import Run
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
-from jkroll.scene.alternatives import by_law, factor_of_law
+from jkroll.scene.doubts import BITS, LIMITS, Doubt, Limit, bits_of, by_law, codes, codes_of, doubts, factor_of_law
 from jkroll.scene.failures import TWO_RIGID_BODIES, Failure
-from jkroll.scene.limits import BITS, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 from relative import approx

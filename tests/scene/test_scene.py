@@ -12,9 +12,8 @@ from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.alternatives import at_half_spacing, by_law
+from jkroll.scene.doubts import LIMITS, at_half_spacing, by_law
 from jkroll.scene.failures import BEYOND_PULL_OFF, NO_CHAIN, TOO_SMALL, Failure, MissingInput
-from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on, formula_of
 from relative import approx

@@ -10,11 +10,17 @@ from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import ends_of, is_uncertain, middle
-from ..scene.alternatives import (
+from ..scene.doubts import (
+    ASSUMED_DISPLACEMENT,
     DATA,
     FORCES,
+    JUMP,
+    LAW_MATTERS,
+    LIMITS,
     ROLLED,
     SIO2,
+    Doubt,
+    Evaluation,
     assumes_displacement,
     at_half_spacing,
     at_least_measured,
@@ -41,7 +47,6 @@ from ..scene.failures import (
     MissingInput,
     reason_of,
 )
-from ..scene.limits import ASSUMED_DISPLACEMENT, JUMP, LAW_MATTERS, LIMITS, Doubt, Evaluation
 from ..scene.scene import Scene
 from .notes import (
     Note,

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 from ..errors import BadRequest, NoResult
 from ..quantities.values import parse_quantity
 from ..rows.columns import Wanted, sides_in
+from ..scene.doubts import Doubt
 from ..scene.failures import MissingInput, without_value
-from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from ..text import quoted

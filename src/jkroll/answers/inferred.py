@@ -11,10 +11,9 @@ from ..quantities.formatting import amount, in_words, span, symbol_beside
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain, middle
-from ..scene.alternatives import factor_of_law
+from ..scene.doubts import Doubt, Evaluation, factor_of_law
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import SIZES, sizes_in_words
-from ..scene.limits import Doubt, Evaluation
 from ..scene.scene import Scene
 from ..scene.uncertainty import measures_of
 from ..scene.unknowns import Problem

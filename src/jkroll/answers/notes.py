@@ -11,16 +11,21 @@ from ..quantities.formatting import Format, amount, first_symbols, significant, 
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
-from ..scene.alternatives import (
+from ..scene.doubts import (
+    ENDING_MEANING,
+    IMPACT,
+    MEANINGS,
     SIO2,
+    Doubt,
     assumes_displacement,
     displacements_where_measured,
+    doubts,
     rolled_solid,
     rolling,
     solid_of_kind,
+    touched,
 )
 from ..scene.failures import NO_END, grouped
-from ..scene.limits import ENDING_MEANING, IMPACT, MEANINGS, Doubt, doubts, touched
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed

@@ -24,7 +24,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.columns import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
 from ..rows.header import check_inputs, understood
 from ..rows.table import Asked, Table, TableBlock
-from ..scene.limits import EVERY_DOUBT
+from ..scene.doubts import EVERY_DOUBT
 from ..text import listed, quoted, say, say_wrapped
 from .files import Input, compressed, format_of_name, input_format, lines_of, output_format
 from .lines import Delimited, Ndjson

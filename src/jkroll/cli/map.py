@@ -17,7 +17,7 @@ from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain, symbol
 from ..quantities.nomenclature import as_input, header
 from ..quantities.values import QuantityError, between, parse_quantity
-from ..scene.limits import LIMITS
+from ..scene.doubts import LIMITS
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from ..text import ending, listed, quoted, say, say_wrapped

@@ -15,7 +15,7 @@ from ..scene.scene import Scene
 from ..text import json_text, say, spelled
 
 if TYPE_CHECKING:
-    from ..scene.limits import Doubt
+    from ..scene.doubts import Doubt
 
 
 def write_plain(answer: Answer, out: TextIO, form: Format, *, alternatives: bool = False) -> None:

@@ -10,7 +10,7 @@ from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty, symbol_beside
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, header
 from ..rows.columns import Wanted
-from ..scene.limits import LIMITS
+from ..scene.doubts import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
 from ..text import first_of, json_text, say, say_wrapped
 from .answered import bar_object, numbers_of, write_measure

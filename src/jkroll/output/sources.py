@@ -18,7 +18,7 @@ from ..quantities.formatting import Format, amount
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.alternatives import uses_law
+from ..scene.doubts import uses_law
 from ..scene.scene import Scene
 from ..scene.wiring import Plan, steps_to
 from ..text import listed, say, say_wrapped

@@ -12,8 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, of_sides
 from ..rows.columns import DOUBT, as_list
-from ..scene.alternatives import DATA, SIO2, rolled_solid
-from ..scene.limits import OF_LAW, codes_of
+from ..scene.doubts import DATA, OF_LAW, SIO2, codes_of, rolled_solid
 from ..text import say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:

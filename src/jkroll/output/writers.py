@@ -19,7 +19,7 @@ from ..quantities.formatting import Format, in_words, pretty
 from ..quantities.nomenclature import INFINITY, header
 from ..quantities.values import middle
 from ..rows.columns import DOUBT, Columns, Wanted, as_list
-from ..scene.limits import codes
+from ..scene.doubts import codes
 from ..text import json_text, quoted, say, spelled
 
 STRIP = 256  # rows written at once: their text stays in the cache, and is no large piece of memory

@@ -15,8 +15,8 @@ from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_o
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
+from ..scene.doubts import LIMITS, OF_LAW, Limit, judged, percent, touched
 from ..scene.failures import RESTS_ON_SPACING, MissingInput, reason_of, without_value
-from ..scene.limits import LIMITS, OF_LAW, Limit, judged, percent, touched
 from ..scene.scene import Scene
 from ..text import quoted
 from .picture import (

@@ -21,7 +21,7 @@ from ..materials.library import Material, Materials, UnclearMaterial
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import Unit, dimension_of, exponent_of
 from ..quantities.values import QuantityError, Uncertain, has_uncertainty, is_uncertain, middle, unit_of, value_of
-from ..scene.alternatives import measured_solid
+from ..scene.doubts import measured_solid
 from ..text import quoted
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]

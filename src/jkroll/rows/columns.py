@@ -17,9 +17,20 @@ from ..errors import BadRequest, JkrollError
 from ..physics.elementary import where
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Measured, is_uncertain, middle
-from ..scene.alternatives import DATA, alternatives_of, by_law, names_with_alternatives
+from ..scene.doubts import (
+    BITS,
+    DATA,
+    EVERY_DOUBT,
+    NOT_JUDGED,
+    OF_LAW,
+    Evaluation,
+    alternatives_of,
+    bits_of,
+    by_law,
+    names_with_alternatives,
+    touched,
+)
 from ..scene.failures import NO_END, OF_IDENTICAL_SPHERES, Failure, MissingInput, grouped, needs_in_words
-from ..scene.limits import BITS, EVERY_DOUBT, NOT_JUDGED, OF_LAW, Evaluation, bits_of, touched
 from ..scene.scene import FOLLOWS, Scene, takes
 from ..text import first_of, listed
 

@@ -9,9 +9,9 @@ from ..errors import BadRequest, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
+from ..scene.doubts import Doubt, Evaluation, bits_of, doubts
 from ..scene.failures import MissingInput
 from ..scene.inverse import inputs_named
-from ..scene.limits import Doubt, Evaluation, bits_of, doubts
 from ..scene.scene import Scene, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
 from ..scene.unknowns import Problem

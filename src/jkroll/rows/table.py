@@ -15,8 +15,8 @@ from ..materials.library import Material, Materials
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
+from ..scene.doubts import Evaluation
 from ..scene.failures import MissingInput, NotInLaw
-from ..scene.limits import Evaluation
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup, Numbers

@@ -15,7 +15,7 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, routed_apart
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law
 from ..quantities.nomenclature import (
     INFINITY,
     NOMENCLATURE,
@@ -136,9 +136,6 @@ OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
-_NO_VALUES: Mapping[str, Any] = {}
-
-
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
@@ -160,13 +157,12 @@ class Scene:
         material2: Material | None = None,
         *,
         model: str | None = None,
-        checked: Mapping[str, Any] = _NO_VALUES,
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
-        value that has an uncertainty; `scene.uncertainty` computes with the rest. `checked` are values that another
-        scene has taken. Raises QuantityError, or BadRequest for arrays that do not broadcast.
+        value that has an uncertainty; `scene.uncertainty` computes with the rest. Raises QuantityError, or
+        BadRequest for arrays that do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
@@ -183,8 +179,7 @@ class Scene:
         self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
         self.shape = broadcast(self.arrays)
         for name, value in self.given.items():
-            if checked.get(name) is not value:
-                check_range(name, value)
+            check_range(name, value)
         self.displacement = self._displacement_of_solid()
         if self.displacement is not None:
             self.given[XI] = self.displacement.value
@@ -198,15 +193,11 @@ class Scene:
         if self.is_rigid is True:
             self.values = {**dict.fromkeys(_ON_AREA, Failure(TWO_RIGID_BODIES)), **self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
-        self._original: Scene | None = None  # the scene of which this one is a change
-        self._changed: frozenset[str] = frozenset()  # the quantities that differ from those of the original
-        self.alternatives: dict[str, Scene] = {}  # that may stand in its place, by their kind, made when asked for
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
 
-        A property that a material gave has the value in the material, the others are stated. What both scenes have is
-        evaluated once.
+        A property that a material gave has the value in the material, the others are stated.
         """
         model = values.pop("model", self.stated_model)
         stated = {**self.stated, **self.uncertain, **values}
@@ -216,15 +207,12 @@ class Scene:
             if of_solid := names.keys() & values.keys() - self.stated.keys():
                 solids[sphere] = solid.with_properties({names[name]: stated.pop(name) for name in of_solid})
         given = {name: value for name, value in stated.items() if value is not None}
-        scene = Scene(given, *solids.values(), model=model, checked=self.given)
-        if self.is_rigid is scene.is_rigid is False:
-            # With the same values, but without alternatives: a circle would keep arrays until a search for cycles.
-            scene._original = Scene.__new__(Scene)
-            scene._original.__dict__.update(self.__dict__, alternatives={})
-            every = self.known | scene.known
-            changed = (name for name in every if self.values.get(name) is not scene.values.get(name))
-            scene._changed = routed_apart(self.law.name, scene.law.name, self.known).union(changed)
-        return scene
+        return Scene(given, *solids.values(), model=model)
+
+    @cached_property
+    def by_other_law(self) -> "Scene":
+        """The scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
+        return self.replace(model=other_law(self.law.name))
 
     @property
     def materials(self) -> list[tuple[Material, int]]:
@@ -434,15 +422,9 @@ class Scene:
 
     def _value(self, plan: Plan) -> Any:
         """Return the value at the end of a plan, or the error of the first formula that has no result."""
-        name, values = plan.name, self.values
-        if name in values:
-            return values[name]
-        if self._original is not None and self._changed.isdisjoint(plan.reached):
-            values[name] = self._original._value(plan)
-            self._gaps |= self._original._gaps & {name}
-        else:
-            values[name] = self._computed(plan)
-        return values[name]
+        if plan.name not in self.values:
+            self.values[plan.name] = self._computed(plan)
+        return self.values[plan.name]
 
     def _computed(self, plan: Plan) -> Any:
         """Return what a formula makes of its arguments, or the error of one of them, or of a number that is no answer.

@@ -1,4 +1,7 @@
-"""The limits of the model: one table of numbers, thresholds and codes; and scenes evaluated, with their doubts."""
+"""What doubts an answer: scenes that may stand in place of its own, and the limits of the model in one table.
+
+How far a law or an assumed displacement is from exact is the factor to the answer of such a scene.
+"""
 
 import operator
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
@@ -7,16 +10,265 @@ from math import exp, inf, nan
 from typing import TYPE_CHECKING, Any, Literal
 
 from ..errors import JkrollError
-from ..physics.elementary import at_most, ln, where
+from ..materials.library import Displacement, Material
+from ..physics.elementary import NUMBER, at_least, at_most, ln, quotient, where
 from ..quantities.formatting import Format, amount
-from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
-from .alternatives import factor_of_data, factor_of_law, solid_of_kind
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law, routed_apart
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
+from ..quantities.values import Interval, ends_of, middle
 from .failures import MissingInput, NotInLaw
-from .scene import Scene
-from .wiring import taken_by
+from .scene import DEFAULTS, IN_ITS_PLACE, Scene, takes
+from .wiring import depends_on, taken_by
 
 if TYPE_CHECKING:
     from .uncertainty import Propagated, Sources
+
+# --- Scenes in its place ----------------------------------------------------------------------------------------------
+
+
+def by_law(scene: Scene) -> Scene:
+    """Return the scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
+    return scene.by_other_law
+
+
+def at_half_spacing(scene: Scene) -> Scene:
+    """Return a scene whose atomic spacing is half as large."""
+    return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
+
+
+def rolling(names: Iterable[str], law: str) -> list[str]:
+    """Return those of some quantities that follow from the yield displacement under a law."""
+    return [name for name in names if name != XI and XI in depends_on([name], [law])]
+
+
+def is_at_displacement(scene: Scene) -> bool:
+    """Return whether equal inputs are equal displacements, and not equal hystereses."""
+    return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
+
+
+def at_other_reading(scene: Scene) -> Scene | None:
+    """Return the scene under the other law with the other of equal displacement and hysteresis, or None."""
+    other = by_law(scene)
+    ours, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
+    if len(ours) < 2 or not theirs:
+        return None
+    displacement, without_contact = ours[XI], DEFAULTS[XI]
+    if is_at_displacement(scene):
+        displacement = displacement * (ours["hysteresis_ratio"] / theirs["hysteresis_ratio"])
+        without_contact = ours[XI]
+    displacement = where(takes(XI, displacement), displacement, without_contact)
+    return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
+
+
+def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
+    """Return those of some quantities that the other law has by formulas of its own, or alone."""
+    other, moved = by_law(scene), []
+    apart = routed_apart(scene.law.name, other.law.name, scene.known)
+    for name in names:
+        ours, theirs = scene.plan(name), other.plan(name)
+        is_same = ours.is_possible and apart.isdisjoint(ours.reached | theirs.reached)
+        if theirs.is_possible and not is_same:
+            moved.append(name)
+    return moved
+
+
+# --- Measured forces --------------------------------------------------------------------------------------------------
+
+SIO2, POLYSTYRENE = "SiO2", "polystyrene"
+# Rolling forces on pairs of SiO2 spheres, and these pairs: Heim et al. 1999, Blum & Wurm 2000, Gundlach et al. 2011.
+FORCES = 0.85e-9, 1.21e-9
+ROLLED = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
+_OF_POLYSTYRENE = Displacement(Interval(42e-9, 42e-9, 42e-9), 1e-5)  # spheres of 5 µm on a plane: Sümer & Sitti
+# The radii of identical pairs to which it is scaled, and the surface energies that these spheres may have.
+_NEAR = {SIO2: ((1e-7, 3e-6), (0.02, 0.025)), POLYSTYRENE: ((3e-6, 1e-4), (0.0, INFINITY))}
+
+
+def measured_solid(material: Material) -> str:
+    """Return the solid on which rolling was measured, if a material is of it.
+
+    The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
+    """
+    if SIO2 in material.aliases:
+        return SIO2
+    return POLYSTYRENE if material.name in (POLYSTYRENE, "polystyrene-glassy") else ""
+
+
+def assumes_displacement(scene: Scene) -> bool:
+    """Return whether nothing says where rolling begins, so that the paper's displacement is assumed."""
+    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE)
+
+
+def solid_of_kind(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
+    solid = scene.material
+    rolled = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
+    return rolled if rolled and scene.material2 in (None, solid) and assumes_displacement(scene) else ""
+
+
+def rolled_solid(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it, near in size, with ξ assumed."""
+    solid = solid_of_kind(scene)
+    return solid if solid and _is_near(scene, solid) else ""
+
+
+def _is_near(scene: Scene, solid: str) -> Any:
+    """Return whether spheres of a solid have the size and γ of those that were rolled, by element for arrays."""
+    known = scene.numbers("work_of_adhesion", "reduced_radius")
+    (least, most), (low, high) = _NEAR[solid]
+    radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
+    return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
+
+
+def displacements_where_measured(scene: Scene) -> tuple[float, float]:
+    """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
+    ours = scene.numbers("work_of_adhesion", "contact_modulus") if solid_of_kind(scene) == SIO2 else {}
+    given = {"radius": ROLLED["radius"], **ours} if len(ours) == 2 else ROLLED
+    spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
+    pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
+    low, high = (DEFAULTS[XI] * (force / pair["yield_force"]) for force in FORCES)
+    return low, high
+
+
+def measured_displacement(scene: Scene) -> Interval:
+    """Return the displacement that forces on the solid of a scene mean, scaled to its radii."""
+    displacement = _OF_POLYSTYRENE
+    if solid_of_kind(scene) == SIO2:
+        low, high = displacements_where_measured(scene)
+        displacement = Displacement(Interval.of((low + high) / 2, low=low, high=high), ROLLED["radius"])
+    return displacement.scaled(2 * scene["reduced_radius"])
+
+
+def at_least_measured(scene: Scene) -> Scene:
+    """Return the scene with the least displacement that forces on the same solid mean."""
+    return scene.replace(**{XI: measured_displacement(scene).low})
+
+
+def at_most_measured(scene: Scene) -> Scene:
+    """Return the scene with the largest displacement that forces on the same solid mean."""
+    return scene.replace(**{XI: measured_displacement(scene).high})
+
+
+def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
+    """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
+    measured, solid = measured_displacement(scene), solid_of_kind(scene)
+    factor = farthest((end, scene[XI]) for end in (measured.low, measured.high))
+    return where(_is_near(scene, solid), factor, 1.0)
+
+
+# --- What stands beside answers ---------------------------------------------------------------------------------------
+
+DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
+
+
+def names_with_alternatives(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, list[str]]:
+    """Return the quantities that have alternatives, by kind: the name of the other law, and DATA.
+
+    `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
+    """
+    others = {other_law(scene.law.name) for scene in scenes}
+    law = others.pop() if len(others) == 1 else BETWEEN
+    moved = {name for scene in scenes for name in moved_by_law(scene, names)}
+    rolled = {name for scene in scenes if assumes_displacement(scene) for name in rolling(names, scene.law.name)}
+    return {law: [name for name in names if name in moved], DATA: [name for name in names if name in rolled]}
+
+
+def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """Return what may stand in place of results, by kind, with None for those that the other law lacks.
+
+    A result that is not among them is the same.
+    """
+    names_of, law = names_with_alternatives([scene], names), other_law(scene.law.name)
+    return alternatives_of(scene, {**names_of, law: [*names_of[law], *by_law(scene).missing(names)]})
+
+
+def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
+    """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
+
+    `names_of`: the quantities of each kind. None stands for one that has no value. A kind that a scene does not have is
+    left out.
+    """
+    law, values = other_law(scene.law.name), {}
+    if moved := names_of.get(law):
+        values[law] = _with_bars(scene, moved, by_law)
+    rolled, solid = names_of.get(DATA), solid_of_kind(scene)
+    if rolled and solid and (is_near := _is_near(scene, solid)) is not False:
+        lows, highs = (_with_bars(scene, rolled, end) for end in (at_least_measured, at_most_measured))
+        values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
+    return values
+
+
+def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene]) -> dict[str, Any]:
+    """Return quantities of what is made of a scene, with their error bars. Sources that do not go together give none.
+
+    Raises a JkrollError for a scene of arrays of which some elements have no error bars.
+    """
+    values = dict.fromkeys(names) | alternative(scene).numbers(*names)
+    if not scene.is_uncertain:
+        return values
+    from .uncertainty import Propagated, uncertainties
+
+    try:
+        bars = uncertainties(scene, names, alternative)
+    except JkrollError:
+        if scene.shape:
+            raise
+        return values
+    return values | {name: bar.uncertainty for name, bar in bars.items() if isinstance(bar, Propagated)}
+
+
+def _between(first: Any, second: Any, is_near: Any) -> Any:
+    """Return the range of two values with their error bars, where it is that of spheres like those that were rolled.
+
+    Two values that are the same are one.
+    """
+    if first is None or second is None:
+        return None
+    ends = (*ends_of(first), *ends_of(second))
+    low, high = reduce(at_most, ends), reduce(at_least, ends)
+    value = where(is_near, (middle(first) + middle(second)) / 2, nan)
+    return value if isinstance(low, NUMBER) and low == high else Interval.of(value, low=low, high=high)
+
+
+# --- The size of a doubt about the law --------------------------------------------------------------------------------
+
+
+def uses_law(scene: Scene, name: str) -> bool:
+    """Return whether a quantity of a scene rests on a formula that JKR does not have."""
+    return not scene.plan(name).reached.isdisjoint(routed_apart(scene.law.name, DEFAULT_LAW, scene.known))
+
+
+def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
+    """Return how far the answers to these names are from those under the law that holds, as the factor of the farthest.
+
+    A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
+    law, too. The factor is infinite where only the law in use has an answer, or answers differ in sign.
+    """
+    if scene.law.name == BETWEEN:
+        return 1.0
+    ours = scene.numbers(*moved_by_law(scene, [*names]))
+    compared = [*by_law(scene).evaluate([*ours]).items()]
+    rolled = rolling(ours, BETWEEN)
+    if rolled and (reading := at_other_reading(scene)) is not None:
+        compared += reading.evaluate(rolled).items()
+    if "pull_off_force" in ours:
+        fit = scene.evaluate(["pull_off_force_lennard_jones"])
+        compared += (("pull_off_force", value) for value in fit.values())
+    return farthest((theirs, ours[name]) for name, theirs in compared)
+
+
+def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
+    """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
+
+    It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
+    """
+    ratios: list[Any] = [1.0]
+    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, ours, 1.0) for theirs, ours in answers)
+    least, most = reduce(at_most, ratios), reduce(at_least, ratios)
+    is_positive = least > 0
+    return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
+
+
+# --- Limits -----------------------------------------------------------------------------------------------------------
 
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
