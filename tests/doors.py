@@ -24,7 +24,7 @@ from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.rows.columns import ROW, SIDES, Block, Columns, Row, Wanted, evaluated
 from jkroll.rows.table import Table
-from jkroll.scene.doubts import LIMITS, NOT_JUDGED, Limit, at_least_measured, at_most_measured, by_law
+from jkroll.scene.doubts import LIMITS, NOT_JUDGED, Limit, at_least_measured, at_most_measured
 from jkroll.scene.failures import Failure
 from jkroll.scene.scene import LEAST, Scene
 from jkroll.scene.uncertainty import sources_of
@@ -275,7 +275,7 @@ def _is_at_threshold(limit: Limit, scene: Scene, names: Sequence[str]) -> bool:
     """Return whether what a limit judges, a number or the factor between two laws, is at a threshold."""
     if limit.factor is not None:
         factor = limit.factor(scene, names)
-        laws = scene, by_law(scene)
+        laws = scene, scene.by_law
         error = STATED * ULP * sum(1 + _condition(law, *item) for law in laws for item in law.numbers(*names).items())
         return any(abs(factor - threshold) <= error * threshold for threshold in limit.codes)
     value = scene.evaluate((limit.name,))[limit.name]
@@ -339,4 +339,4 @@ def _made_of(scene: Scene, kind: str) -> list[Scene]:
     """Return the scenes whose answers stand in a column: of a kind of what may stand in place, or without a kind."""
     if kind == "data":
         return [at_least_measured(scene), at_most_measured(scene)]
-    return [by_law(scene) if kind else scene]
+    return [scene.by_law if kind else scene]

@@ -11,7 +11,7 @@ from harness import Run
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
-from jkroll.scene.doubts import BITS, LIMITS, Doubt, Limit, bits_of, by_law, codes, codes_of, doubts, factor_of_law
+from jkroll.scene.doubts import BITS, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts, factor_of_law
 from jkroll.scene.failures import TWO_RIGID_BODIES, Failure
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
@@ -331,5 +331,5 @@ def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too
 def test_the_other_law_has_the_spacing_that_follows_from_a_cutoff() -> None:
     """The scene computes it, in whose place stands one that is given it."""
     given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
-    other = by_law(Scene(given, known_materials()["quartz"]))
+    other = Scene(given, known_materials()["quartz"]).by_law
     assert other["pull_off_force"] == solve("pull_off_force", material="quartz", model="maugis", **given)

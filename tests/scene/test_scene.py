@@ -12,7 +12,7 @@ from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.doubts import LIMITS, at_half_spacing, by_law
+from jkroll.scene.doubts import LIMITS, at_half_spacing
 from jkroll.scene.failures import BEYOND_PULL_OFF, NO_CHAIN, TOO_SMALL, Failure, MissingInput
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on, formula_of
@@ -113,8 +113,8 @@ def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
     gc.disable()
     try:
         scene = Scene({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})
-        by_law(scene).evaluate(LIMIT_NAMES)
-        at_half_spacing(by_law(scene)).evaluate(LIMIT_NAMES)
+        scene.by_law.evaluate(LIMIT_NAMES)
+        at_half_spacing(scene.by_law).evaluate(LIMIT_NAMES)
         last_seen = ref(scene)
         del scene
         assert last_seen() is None

@@ -26,7 +26,6 @@ from ..scene.doubts import (
     at_least_measured,
     at_most_measured,
     at_other_reading,
-    by_law,
     by_law_at_spacing,
     displacements_where_measured,
     factor_of_data,
@@ -241,7 +240,7 @@ class Answer(Evaluation):
         numbers = {name: None if values[name] is None else middle(values[name]) for name in ours}
         columns = {f"over_{law}": numbers}
         if law != BETWEEN:
-            at_half = at_half_spacing(by_law(scene)).numbers(*ours)
+            at_half = at_half_spacing(scene.by_law).numbers(*ours)
             columns[f"over_{law}_at_half_spacing"] = {name: at_half.get(name) for name in ours}
         rolled = rolling(ours, BETWEEN)
         if rolled and (reading := at_other_reading(scene)) is not None:

@@ -15,7 +15,7 @@ from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_o
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
-from ..scene.doubts import LIMITS, OF_LAW, Limit, judged, percent, touched
+from ..scene.doubts import LIMITS, OF_LAW, Limit, judged, touched
 from ..scene.failures import RESTS_ON_SPACING, MissingInput, reason_of, without_value
 from ..scene.scene import Scene
 from ..text import quoted
@@ -217,7 +217,8 @@ class Layer:
     def _beyond(self, limit: Limit, threshold: float) -> str:
         """Return what holds beyond a threshold, with the number that a limit names unless another is judged."""
         if limit.bits & OF_LAW:
-            return f"{self.given.law.title} is off by more than {percent(threshold)}"
+            size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
+            return f"{self.given.law.title} is off by more than {size}"
         meaning = limit.consequence.partition(";")[0]
         if limit.factor is not None:
             return meaning

@@ -26,7 +26,6 @@ from ..scene.doubts import (
     Evaluation,
     alternatives_of,
     bits_of,
-    by_law,
     names_with_alternatives,
     touched,
 )
@@ -87,7 +86,7 @@ class Wanted:
         if sides is not None:
             law, names = next(iter(names_of.items()))
             with suppress(JkrollError):  # sources of two kinds give no error bars
-                of_law = sides_in((by_law(scene), names) for scene in scenes)
+                of_law = sides_in((scene.by_law, names) for scene in scenes)
                 sides = {**sides, **{f"{name}{_BY}{law}": of_name for name, of_name in of_law.items()}}
         return type(self)(self.names, self.named, self.inputs, sides, self.doubts, names_of)
 

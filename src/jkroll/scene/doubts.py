@@ -1,12 +1,9 @@
-"""What doubts an answer: scenes that may stand in place of its own, and the limits of the model in one table.
+"""What doubts an answer: scenes that may stand in place of its own, and the limits of the model in one table."""
 
-How far a law or an assumed displacement is from exact is the factor to the answer of such a scene.
-"""
-
-import operator
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cache, cached_property, reduce
 from math import exp, inf, nan
+from operator import attrgetter, ge, gt, le, lt, or_
 from typing import TYPE_CHECKING, Any, Literal
 
 from ..errors import JkrollError
@@ -23,17 +20,16 @@ from .wiring import depends_on, taken_by
 if TYPE_CHECKING:
     from .uncertainty import Propagated, Sources
 
-# --- Scenes in its place ----------------------------------------------------------------------------------------------
-
-
-def by_law(scene: Scene) -> Scene:
-    """Return the scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
-    return scene.by_other_law
-
 
 def at_half_spacing(scene: Scene) -> Scene:
     """Return a scene whose atomic spacing is half as large."""
     return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
+
+
+def by_law_at_spacing(scene: Scene, names: Iterable[str]) -> Scene:
+    """Return the scene under the other law, with its atomic spacing stated where that decides on some quantities."""
+    rests = any(map(scene.by_law.may_rest_on_spacing, names))
+    return scene.by_law.replace(atomic_spacing=scene.by_law["atomic_spacing"]) if rests else scene.by_law
 
 
 def rolling(names: Iterable[str], law: str) -> list[str]:
@@ -48,7 +44,7 @@ def is_at_displacement(scene: Scene) -> bool:
 
 def at_other_reading(scene: Scene) -> Scene | None:
     """Return the scene under the other law with the other of equal displacement and hysteresis, or None."""
-    other = by_law(scene)
+    other = scene.by_law
     ours, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
     if len(ours) < 2 or not theirs:
         return None
@@ -62,7 +58,7 @@ def at_other_reading(scene: Scene) -> Scene | None:
 
 def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
     """Return those of some quantities that the other law has by formulas of its own, or alone."""
-    other, moved = by_law(scene), []
+    other, moved = scene.by_law, []
     apart = routed_apart(scene.law.name, other.law.name, scene.known)
     for name in names:
         ours, theirs = scene.plan(name), other.plan(name)
@@ -155,8 +151,6 @@ def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
     return where(_is_near(scene, solid), factor, 1.0)
 
 
-# --- What stands beside answers ---------------------------------------------------------------------------------------
-
 DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
 
 
@@ -178,7 +172,7 @@ def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]
     A result that is not among them is the same.
     """
     names_of, law = names_with_alternatives([scene], names), other_law(scene.law.name)
-    return alternatives_of(scene, {**names_of, law: [*names_of[law], *by_law(scene).missing(names)]})
+    return alternatives_of(scene, {**names_of, law: [*names_of[law], *scene.by_law.missing(names)]})
 
 
 def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
@@ -189,7 +183,7 @@ def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict
     """
     law, values = other_law(scene.law.name), {}
     if moved := names_of.get(law):
-        values[law] = _with_bars(scene, moved, by_law)
+        values[law] = _with_bars(scene, moved, attrgetter("by_law"))
     rolled, solid = names_of.get(DATA), solid_of_kind(scene)
     if rolled and solid and (is_near := _is_near(scene, solid)) is not False:
         lows, highs = (_with_bars(scene, rolled, end) for end in (at_least_measured, at_most_measured))
@@ -229,9 +223,6 @@ def _between(first: Any, second: Any, is_near: Any) -> Any:
     return value if isinstance(low, NUMBER) and low == high else Interval.of(value, low=low, high=high)
 
 
-# --- The size of a doubt about the law --------------------------------------------------------------------------------
-
-
 def uses_law(scene: Scene, name: str) -> bool:
     """Return whether a quantity of a scene rests on a formula that JKR does not have."""
     return not scene.plan(name).reached.isdisjoint(routed_apart(scene.law.name, DEFAULT_LAW, scene.known))
@@ -246,7 +237,7 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     if scene.law.name == BETWEEN:
         return 1.0
     ours = scene.numbers(*moved_by_law(scene, [*names]))
-    compared = [*by_law(scene).evaluate([*ours]).items()]
+    compared = [*by_law_at_spacing(scene, ours).evaluate([*ours]).items()]
     rolled = rolling(ours, BETWEEN)
     if rolled and (reading := at_other_reading(scene)) is not None:
         compared += reading.evaluate(rolled).items()
@@ -270,7 +261,7 @@ def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
 
 # --- Limits -----------------------------------------------------------------------------------------------------------
 
-_COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+_COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
 
 
 class Limit:
@@ -349,7 +340,7 @@ class Doubt:
         """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
         if not self.is_exceeded:
             return "within the limit"
-        number = amount(self.limit.name, self.value, _SHORT)
+        number = amount(self.limit.name, self.value, Format(digits=3))
         return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number})"
 
     @property
@@ -361,14 +352,6 @@ class Doubt:
         for threshold, code in self.limit.codes.items():
             bits = where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
         return bits
-
-
-_SHORT = Format(digits=3)
-
-
-def percent(factor: float) -> str:
-    """Return a factor as a text: "5 %", "a factor of 2"."""
-    return f"{100 * (factor - 1):.0f} %" if 1 < factor < 2 else f"a factor of {factor:g}"
 
 
 # What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does
@@ -383,7 +366,6 @@ IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 _PULLED = frozenset({"pull_off_force", "bond_number"})
 
 LAW_MATTERS = 1.05  # factor between the answers of two laws
-DATA_MATTER = 1.0  # and between the assumed displacement and that of measured forces
 
 
 def _is_stated(names: Collection[str]) -> Callable[[Scene, Collection[str]], bool]:
@@ -504,7 +486,7 @@ LIMITS = (
 
 # Of an answer about one pair alone, without a code: rows of several solids are judged together, and have no name.
 ASSUMED_DISPLACEMENT = Limit(
-    XI, _DISPLACEMENT, ">", {DATA_MATTER: ""},
+    XI, _DISPLACEMENT, ">", {1.0: ""},
     "ξ is assumed, and forces measured on the same solid mean another",
     lambda scene, _: bool(solid_of_kind(scene)) and not scene.missing(["reduced_radius"]),
     factor=factor_of_data,
@@ -530,9 +512,8 @@ def doubts(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMIT
     return judged(touched(scene, names, limits), scene, names)
 
 
-def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> list[Doubt]:
+def judged(limits: Collection[Limit], scene: Scene, names: Collection[str]) -> list[Doubt]:
     """Return limits of the answers to these names as doubts, but for numbers that law or contact do not have."""
-    limits = [*limits]
     values = scene.evaluate([limit.name for limit in limits])
     every = []
     for limit in limits:
@@ -540,8 +521,7 @@ def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> lis
         if isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
             every.append(Doubt(limit, nan, nan, value))
         elif not isinstance(value, JkrollError):
-            is_known = value == value  # noqa: PLR0124
-            factor = value if limit.factor is None else where(is_known, limit.factor(scene, names), nan)
+            factor = value if limit.factor is None else where(value == value, limit.factor(scene, names), nan)  # noqa: PLR0124
             every.append(Doubt(limit, value, factor))
     return every
 
@@ -555,7 +535,7 @@ def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMI
 
 def bits_of(found: Iterable[Doubt]) -> Any:
     """Return the codes of doubts as bits: a whole number, or an array for a scene of arrays."""
-    return reduce(operator.or_, (doubt.bits for doubt in found), 0)
+    return reduce(or_, (doubt.bits for doubt in found), 0)
 
 
 def codes_of(bits: int) -> tuple[str, ...]:

@@ -210,7 +210,7 @@ class Scene:
         return Scene(given, *solids.values(), model=model)
 
     @cached_property
-    def by_other_law(self) -> "Scene":
+    def by_law(self) -> "Scene":
         """The scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
         return self.replace(model=other_law(self.law.name))
 
