@@ -284,13 +284,8 @@ HEADERS = {
         "or --column 'radius=' to pass it through"
     ),
     "radius [nm],status": "header: the table already has a column 'status'; rename it",
-    "radius [nm],doubt": (
-        "header: the table already has a column 'doubt'; rename it, or leave the result out (--quantities, --no-doubt)"
-    ),
-    "radius [nm],r_min [m]": (
-        "header: the table already has a column 'r_min [m]'; rename it, or leave the result out (--quantities, "
-        "--no-doubt)"
-    ),
+    "radius [nm],doubt": "header: the table already has a column 'doubt'; rename it",
+    "radius [nm],r_min [m]": "header: the table already has a column 'r_min [m]'; rename it",
     "poisson_ratio,x": (
         "pull-off force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius "
         "such as 100nm; --work-of-adhesion 50mJ/m2 may replace --gamma"

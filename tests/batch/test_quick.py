@@ -58,7 +58,7 @@ def converter(dialect: str, end: str, *, excel_safe: bool) -> Converter:
 
 def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Converted:
     """What becomes of a block of rows."""
-    return converter(dialect, end, excel_safe=excel_safe)(text)
+    return converter(dialect, end, excel_safe=excel_safe).converted(text)
 
 
 @settings(deadline=None, max_examples=75)
@@ -82,7 +82,7 @@ def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     convert = converter("csv", "\n", excel_safe=False)
     with patch.object(Delimited, "_read", side_effect=AssertionError), patch.object(cells, "_meaning") as one_by_one:
-        found = convert(text)
+        found = convert.converted(text)
     assert (found.tally.rows, found.tally.failed, found.tally.with_doubts(EVERY_DOUBT)) == (301, 1, 300)
     assert found.output.splitlines()[300].endswith(b",bad radius")
     assert found.tally.gaps["bad radius"] == (
@@ -98,7 +98,7 @@ def test_the_quick_way_is_taken() -> None:
 def test_another_process_converts_alike() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\nb,quartz,-5,0,0.2,50 nm\n"
     convert = converter("csv", "\n", excel_safe=False)
-    assert pickle.loads(pickle.dumps(convert))(text) == convert(text)
+    assert pickle.loads(pickle.dumps(convert)).converted(text) == convert.converted(text)
 
 
 @settings(deadline=None)

@@ -163,10 +163,6 @@ class Input:
             if self.is_file and os.path.samestat(self.begun, os.stat(target)):
                 raise BadRequest(f"-o: {quoted(target)} is the input; it is not overwritten")
 
-    def close(self) -> None:
-        """Close it."""
-        self.file.close()
-
 
 def lines_of(
     given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool

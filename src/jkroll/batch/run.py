@@ -143,14 +143,15 @@ class Converted(NamedTuple):
     tally: Tally
 
 
-class Converter:
+class Converter(NamedTuple):
     """Adds the results to blocks of a table, in this process or in others."""
 
-    def __init__(self, form: Any, table: Table, compression: str, *, strict: bool) -> None:
-        """`strict`: whether the first row that fails is an error."""
-        self.form, self.table, self.compression, self.strict = form, table, compression, strict
+    form: Any
+    table: Table
+    compression: str
+    strict: bool  # whether the first row that fails is an error
 
-    def __call__(self, block: Any) -> Converted:
+    def converted(self, block: Any) -> Converted:
         """Return a block with the results in each row. Raises BadRow."""
         table = self.table
         records = self.form.read(block, table)
@@ -175,7 +176,8 @@ def convert_one(path: str, job: Job) -> Tally:
         name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.kind}")
         problem = f"the output has the format of the input, {given.kind}"
         raise BadTable(f"-o: {problem}; write {name}, and convert it with another program")
-    with closing(Input(path)) as file:
+    file = Input(path)
+    with file.file:
         file.check_output(job.target)
         form: Any
         if given.kind == "parquet":
@@ -222,13 +224,13 @@ def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Ite
     A library that reads a table by itself has threads for it.
     """
     is_alone = processes < 2 or not isinstance(convert.form, Delimited | Ndjson)
-    yield from map(convert, blocks if is_alone else islice(blocks, ALONE))
+    yield from map(convert.converted, blocks if is_alone else islice(blocks, ALONE))
     if (block := next(blocks, None)) is None:
         return
     # They come with multiprocessing, which a small table does not pay for.
     from .workers import answers
 
-    yield from answers(processes, convert, chain([block], blocks))
+    yield from answers(processes, convert.converted, chain([block], blocks))
 
 
 class Progress:

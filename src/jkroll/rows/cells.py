@@ -34,7 +34,6 @@ _POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
 _HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
 _NO_END = "?"  # of a range
-_NESTED = "[...]"  # stands for a list or an object, which is no input
 _NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
 
 
@@ -191,8 +190,6 @@ def cell_of(value: object) -> str:
     """Return a value in a format with types as a cell of text: no value is an empty cell."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
-    if isinstance(value, dict | list):
-        return _NESTED
     return "" if value is None else str(value)
 
 

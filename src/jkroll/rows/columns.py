@@ -315,11 +315,6 @@ class Columns:
         phrases = {number: status_of(reasons) for number, reasons in distinct.items()}
         return {row: phrases[id(reasons)] for row, reasons in self.reasons.items()}
 
-    @property
-    def counted_doubts(self) -> Counter[int]:
-        """The numbers of rows, by the bits of their doubts."""
-        return Counter(as_list(self.doubts))
-
     @cached_property
     def failed(self) -> list[int]:
         """The rows without a contact, or without any value but alternatives."""
@@ -551,7 +546,7 @@ class Tally(NamedTuple):
             rows.setdefault(status, []).append(row)
         reasons = {status: worded(columns.reasons[places[0]], named) for status, places in rows.items()}
         gaps = {status: (len(places), places[0] + 1, reasons[status]) for status, places in rows.items()}
-        return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
+        return cls(len(columns), len(columns.failed), gaps, Counter(as_list(columns.doubts)))
 
     def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""

@@ -20,7 +20,7 @@ from ..scene.failures import MissingInput, NotInLaw
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup, Numbers
-from .columns import BAD, DOUBT, SIDES, Wanted, groups
+from .columns import BAD, SIDES, Wanted, groups
 from .header import Header, is_input, stated_meanings
 from .words import MATERIALS
 
@@ -88,9 +88,7 @@ class Table:
         ]
         for text in columns.texts:
             if text.strip() in self.added:
-                can_go = text.strip() in (*self.wanted.heads(header), DOUBT)  # no option leaves out a law or a status
-                remedy = ", or leave the result out (--quantities, --no-doubt)" if can_go else ""
-                raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
+                raise BadTable(f"header: the table already has a column {quoted(text)}; rename it")
 
     @property
     def added(self) -> list[str]:
