@@ -510,6 +510,16 @@ def test_the_rows_of_a_curve_differ_by_what_sets_their_states(run: Run, model: s
     assert [one["inputs"][given.partition(" ")[0]] for one in objects] == [*map(float, values)]
 
 
+@pytest.mark.parametrize("form", ["--csv", "--json", "--bare"])
+def test_a_curve_of_states_without_any_value_but_their_load_is_refused(run: Run, form: str) -> None:
+    """The load is an input of the state."""
+    ran = run("contact", "gold", "1um", "--curve", "--model", "dmt", form)
+    assert (ran.code, ran.out) == (2, "")
+    assert "contact needs Young's modulus and Poisson's ratio" in ran.err
+    several = run("contact", "gold", "1um", "--curve", "--model", "jkr,dmt", "--json")
+    assert (several.code, several.err) == (1, "jkroll: 1 of 62 rows failed\n")
+
+
 @pytest.mark.parametrize(
     "words",
     [

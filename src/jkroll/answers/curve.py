@@ -5,7 +5,7 @@ from functools import cached_property
 from math import inf, isfinite
 from typing import Any, NamedTuple
 
-from ..errors import BadRequest, NoResult
+from ..errors import BadRequest, JkrollError, NoResult
 from ..quantities.values import parse_quantity
 from ..rows.columns import Wanted, sides_in
 from ..scene.doubts import Doubt
@@ -136,6 +136,12 @@ class AtState(Answer):
     def results(self) -> tuple[Result, ...]:
         """The quantities that are shown, but for the one that sets the state, which is an input."""
         return tuple(self.result(name) for name in self.outcomes if name != self.state.given)
+
+    @cached_property
+    def failure(self) -> JkrollError | None:
+        """The reason why there is no contact, or no value but that of the input that sets the state."""
+        is_alone = not self.values.keys() - {self.state.given}
+        return super().failure or (next(iter(self.errors.values()), None) if is_alone else None)
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for the whole curve."""
