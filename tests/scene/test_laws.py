@@ -217,11 +217,11 @@ def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(m
     quartz = known_materials()["quartz"]
     rows = [*at_states([Scene({"radius": radius}, quartz, model=model)], FORCE_CURVE)]
     held = [row for row in rows if row.state.name != "unstable"]
-    places: list[Any] = [row.inputs.get("approach_at_load", row.value("approach_at_load")) for row in held]
+    places: list[Any] = [row.inputs.get("approach_at_load", row.values.get("approach_at_load")) for row in held]
     assert len(held) > 15
     assert all(later > earlier for earlier, later in pairwise(places))
-    (pull_off,) = [row.value("load") for row in rows if row.state.name == "pull-off"]
-    assert pull_off == min(row.value("load") or 0.0 for row in rows)
+    (pull_off,) = [row.values.get("load") for row in rows if row.state.name == "pull-off"]
+    assert pull_off == min(row.values.get("load") or 0.0 for row in rows)
     assert math.isclose(-(pull_off or 0.0), solve("pull_off_force", model=model, material="quartz", radius=radius))
 
 
@@ -334,7 +334,7 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_e
     alone = Answer(question_about("v_stick"), Scene({"radius": 1e-7}, quartz, model="maugis"))
     assert str(alone.failure) == "sticking_speed: rests on z0; give --z0 4angstrom"
     said = Answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
-    assert said.value("sticking_energy") == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
+    assert said.values["sticking_energy"] == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
 
 
 @pytest.mark.parametrize("radius", [20e-6, numpy.array([20e-6, 30e-6])])

@@ -176,10 +176,6 @@ class Answer(Evaluation):
         super().__init__(scene, scene.outcomes(question.quantities, question.named))
         self.question = question
 
-    def value(self, name: str) -> float | None:
-        """Return the value of a result, or None."""
-        return next((result.value for result in self.results if result.name == name), None)
-
     @property
     def explained(self) -> "Answer":
         """The answer with all that `--explain` derives."""
@@ -188,7 +184,7 @@ class Answer(Evaluation):
     @property
     def has_no_headline(self) -> bool:
         """True if no quantity that the command is named after has a value."""
-        return all(self.value(name) is None for name in self.question.headline)
+        return all(result.value is None for result in self.results if result.name in self.question.headline)
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
