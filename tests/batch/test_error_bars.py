@@ -219,3 +219,14 @@ def test_a_displacement_that_a_material_states_is_not_assumed(run: Run) -> None:
     for name, is_assumed in {"own": False, "quartz": True}.items():
         Path("x.csv").write_text(f"material,radius [nm]\n{name},950\n", encoding="utf-8")
         assert ("ξ = 200 pm" in run(words).err) == is_assumed
+
+
+def test_a_list_has_columns_of_the_error_bars_of_its_rows_alone(run: Run) -> None:
+    """Beside the γ of warm ice, which is ±, the range of its E enters nothing. Mixed sources are refused at once."""
+    asked = ["--quantities", "contact_modulus,pull_off_force", "--csv"]
+    head = run("report", "ice-warm", "100nm,1um", *asked).out.partition("\n")[0]
+    assert "pull_off_force_minus [N],pull_off_force_plus [N]" in head
+    assert "contact_modulus_" not in head
+    mixed = run("report", "quartz", "100nm,1um", "--gamma", "25±5mJ/m2,25mJ/m2", "--young", "50 to 60 GPa", *asked)
+    assert (mixed.code, mixed.out) == (2, "")
+    assert "give both as ± or both as ranges" in mixed.err

@@ -201,11 +201,18 @@ class Wanted:
 
 
 def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> dict[str, set[str]]:
-    """Return the sides of the uncertainties that enter quantities; `kinds`: scenes with the quantities of each."""
+    """Return the sides of the uncertainties that enter quantities; `kinds`: scenes with the quantities of each.
+
+    The sources of a scene are those of all its quantities together, as in its rows. Raises a JkrollError for sources
+    that do not go together.
+    """
     sides: dict[str, set[str]] = {}
-    for name, scene in ((name, scene) for scene, names in kinds for name in names):
-        if (sources := Evaluation(scene, {name: None}).sources) is not None:
-            sides.setdefault(name, set()).update(sources.sides)
+    for scene, names in kinds:
+        if (sources := Evaluation(scene, dict.fromkeys(names)).sources) is None:
+            continue
+        for name in scene.possible(names):
+            if not sources.given.keys().isdisjoint(scene.inputs_of(name)):
+                sides.setdefault(name, set()).update(sources.sides)
     return sides
 
 
