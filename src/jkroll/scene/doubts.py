@@ -1,4 +1,4 @@
-"""What doubts an answer: scenes that may stand in place of its own, and the limits of the model in one table."""
+"""Doubts about an answer: scenes that may stand in place of its own, and the limits of the model in one table."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cache, cached_property, reduce
