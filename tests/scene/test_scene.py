@@ -74,6 +74,14 @@ def test_a_scene_with_other_inputs_is_another_scene() -> None:
     )
 
 
+def test_arrays_of_which_sphere_2_loses_what_it_had_of_its_own_are_evaluated_anew() -> None:
+    radii = numpy.array([1e-7, 2e-7])
+    unlike = Scene({**QUARTZ, "radius": radii, "surface_energy2": 0.08})
+    alike = Scene({**QUARTZ, "radius": radii})
+    assert (unlike["pull_off_force"] > alike["pull_off_force"]).all()
+    assert (unlike.replace(surface_energy2=None)["pull_off_force"] == alike["pull_off_force"]).all()
+
+
 @pytest.mark.parametrize("name", ["youngs_modulus2", "radius2"])
 def test_arrays_that_do_not_broadcast_are_no_scene(name: str) -> None:
     """Also where they decide on what follows from the inputs: on rigid bodies, and on a material's displacement."""

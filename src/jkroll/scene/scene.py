@@ -217,7 +217,8 @@ class Scene:
             scene._original.__dict__.update(self.__dict__, by_law=None)
             every = self.known | scene.known
             changed = (name for name in every if self.values.get(name) is not scene.values.get(name))
-            scene._changed = routed_apart(self.law.name, scene.law.name, self.known).union(changed)
+            like_1 = (of_sphere(1, name) for name in self.known - scene.known)  # where sphere 2 has nothing of its own
+            scene._changed = routed_apart(self.law.name, scene.law.name, self.known).union(changed, like_1)
         return scene
 
     @cached_property
