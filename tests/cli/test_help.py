@@ -10,8 +10,7 @@ from typer.testing import CliRunner
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.cli.commands import COMMANDS, flags_of
-from jkroll.cli.help import GUTTER, help_of
+from jkroll.cli.commands import COMMANDS, GUTTER, flags_of, help_of
 from jkroll.cli.shells import app
 
 NAMES = [None, *COMMANDS]

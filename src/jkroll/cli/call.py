@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from ..answers.questions import quantity_named
+from ..answers.questions import QUESTIONS, quantity_named
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, materials_of_user
 from ..quantities.formatting import Format, amount
@@ -229,8 +229,6 @@ PICTURES = ("svg", "pdf", "png")
 
 def worded(error: JkrollError, command: str, options: Collection[str]) -> str:
     """Return the message of an error in the words typed: the command that lacks an input, the option of a bad one."""
-    from ..answers.questions import QUESTIONS
-
     if type(error) is MissingInput and command in QUESTIONS:
         return f"{command} {error.reason()}"
     name, _, problem = str(error).partition(": ")

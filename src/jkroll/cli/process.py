@@ -19,7 +19,7 @@ from .. import __version__
 from ..errors import BadRequest, JkrollError
 from ..quantities.nomenclature import ALIKE, NOMENCLATURE, QUANTITY_SYNONYMS, named, nearest
 from ..text import closest, first_of, quoted, say, say_wrapped, shown
-from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of
+from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of, help_of
 
 CANNOT_WRITE = 1
 UNFORESEEN = 1
@@ -65,7 +65,6 @@ NAMED = {
     "MATERIAL": Option("material", "--material", metavar="quartz"),
     "RADIUS": Option("radius", "--radius", metavar="100nm"),
 }
-MAX_TAKERS = 3  # of an option, that are named
 _DASHES = ("–", "—")  # as word processors make them of hyphens
 
 
@@ -171,8 +170,6 @@ def _action(command: Command, words: Sequence[str]) -> Action:
 
 def _print_help(name: str | None) -> int:
     """Print the help of a command, or of the program."""
-    from .help import help_of
-
     return _print(help_of(name))
 
 
@@ -300,7 +297,7 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
         return BadRequest(f"{problem}; did you mean {guess}?")
     if guess := _meant(flag, everywhere):
         takers = [taker.name for taker in COMMANDS.values() if guess in taker.flags()]
-        return BadRequest(f"{problem}; {guess} is an option of {first_of(takers, MAX_TAKERS)}")
+        return BadRequest(f"{problem}; {guess} is an option of {first_of(takers)}")
     return BadRequest(f"{problem}; see {' '.join(filter(None, ['jkroll', command]))} --help")
 
 

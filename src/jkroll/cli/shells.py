@@ -14,8 +14,7 @@ from ..errors import JkrollError
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import ANY, NOMENCLATURE
 from . import process
-from .commands import COMMANDS, DEBUG, HELP, VERSION, Option
-from .help import TITLE
+from .commands import COMMANDS, DEBUG, HELP, TITLE, VERSION, Option
 
 
 def main() -> int:
