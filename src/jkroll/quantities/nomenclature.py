@@ -57,7 +57,6 @@ class Quantity:
         reference: str = "",  # of a convention: the paper or code where it stands
         may_be_zero: bool = False,  # a result of exactly 0 is its value, and no underflow
         shown_with: Collection[str] = (),  # inputs; it is shown only where one of them was stated
-        hidden_with: Collection[str] = (),  # inputs; it is not shown where one of them was stated
         of_identical: bool = False,  # shown for identical spheres only
         variant_of: str = "",  # the quantity that it is by another formula or on another way
         sphere: int = 0,  # 1 or 2 for what belongs to one of the spheres
@@ -66,7 +65,7 @@ class Quantity:
         self.symbol, self.unit, self.sentence, self.equation = symbol, unit, sentence, equation
         self.range, self.infinity, self.option, self.example = range, infinity, option, example
         self.note, self.definition, self.reference, self.may_be_zero = note, definition, reference, may_be_zero
-        self.shown_with, self.hidden_with, self.of_identical = shown_with, hidden_with, of_identical
+        self.shown_with, self.of_identical = shown_with, of_identical
         self.variant_of, self.sphere, self.twin = variant_of, sphere, twin
         self.is_word = not unit  # such as a material
 
@@ -359,10 +358,9 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "roll_energy": Quantity("E_roll", "J", "energy to roll by the angle", note=_TRAILING,
         definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26", shown_with=["rolling_angle"]),
     "roll_energy_quarter_turn": Quantity("E_roll(π/2)", "J", "energy to roll by 90 degrees", note=_TRAILING,
-        definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation", hidden_with=["rolling_angle"]),
+        definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation"),
     "roll_energy_half_turn": Quantity("E_roll(π)", "J", "energy to roll by 180 degrees", note=_TRAILING,
-        definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
-        hidden_with=["rolling_angle"]),
+        definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas"),
     "sticking_energy_paszun_dominik": Quantity("E_stick(1.07)", "J", "largest energy to stick, Paszun 08",
         definition="0.3290 P_cδ0 = 0.3985 F_cδ_c",
         reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation"),

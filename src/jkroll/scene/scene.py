@@ -306,7 +306,6 @@ class Scene:
             name not in stated
             and name not in self.law.omits
             and not (quantity.shown_with and stated.isdisjoint(quantity.shown_with))
-            and stated.isdisjoint(quantity.hidden_with)
         )
 
     # --- Plans --------------------------------------------------------------------------------------------------------
