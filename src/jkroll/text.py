@@ -212,10 +212,10 @@ def listed(texts: Iterable[str]) -> str:
     return f"{', '.join(others)} and {last}" if others else last
 
 
-def first_of(texts: Sequence[str], most: int) -> str:
+def first_of(texts: Sequence[str], most: int = 3) -> str:
     """Return the first of some texts as a list, and how many more there are.
 
-    >>> first_of(["a", "b", "c"], 3), first_of(["a", "b", "c"], 1)
+    >>> first_of(["a", "b", "c"]), first_of(["a", "b", "c"], 1)
     ('a, b, c', 'a and 2 more')
     """
     rest = len(texts) - most

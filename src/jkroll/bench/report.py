@@ -40,6 +40,7 @@ DIGITS = 60
 _STEP = Decimal("1e-20")  # of an input, relative, for a slope: its square is beyond the digits that are compared
 
 Way = Callable[..., Any]  # a function whose parameters are the paper's symbols
+Errors = tuple[float, float]  # of a way at the points of a region: their median and the largest, in ulp/(1 + κ)
 
 
 def inputs_of(way: Way) -> tuple[str, ...]:
@@ -245,13 +246,6 @@ FULL = Size(points=500, elements=100_000, repeats=5)
 QUICK = Size(points=50, elements=20_000, repeats=2)
 
 
-class Error(NamedTuple):
-    """The errors of a way at the points of a region, in ulp/(1 + κ)."""
-
-    median: float
-    worst: float
-
-
 class Row(NamedTuple):
     """One way to one quantity."""
 
@@ -259,12 +253,12 @@ class Row(NamedTuple):
     way: str
     cost: float  # ns a point
     cube_roots: float  # the same in cube roots of an array by numpy
-    errors: Mapping[str, Error]  # by region; none where the quantity has no points
+    errors: Mapping[str, Errors]  # by region; none where the quantity has no points
 
     @property
     def worst(self) -> float:
         """The largest error anywhere."""
-        return max(error.worst for error in self.errors.values())
+        return max(worst for _, worst in self.errors.values())
 
 
 # --- Points -----------------------------------------------------------------------------------------------------------
@@ -373,7 +367,7 @@ def _by_symbols(way: Way, arrays: Arrays) -> Any:
     return way(*(arrays[name] for name in inputs_of(way)))
 
 
-def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Error:
+def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Errors:
     """Return the errors of values, in units of the last place of the exact ones over 1 + κ; inf for no number."""
     ulps = [
         float(abs(Decimal(value) - exactly) / Decimal(math.ulp(exactly))) / (1 + condition)
@@ -381,7 +375,7 @@ def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Error:
         else math.inf
         for value, (exactly, condition) in zip(numpy.asarray(values).tolist(), exacts, strict=True)
     ]
-    return Error(median(ulps), max(ulps))
+    return median(ulps), max(ulps)
 
 
 def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, float]:

@@ -161,7 +161,6 @@ _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint",
 # --- Quantities -------------------------------------------------------------------------------------------------------
 
 _HEADS = ("name", "symbol", "unit", "option", "commands", "equation", "meaning")
-_MAX_NAMED = 3  # commands that are named; more of them are counted
 
 
 def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
@@ -259,6 +258,6 @@ def _write_quantity(name: str, out: TextIO) -> None:
     is_word = example and not record["option"]
     record["option"] = f"a word: {example}" if is_word else f"{record['option']} {example}".strip()
     record["unit"] = pretty(record["unit"])
-    record["commands"] = first_of(record["commands"], _MAX_NAMED) or f"any, with --quantities {name}"
+    record["commands"] = first_of(record["commands"]) or f"any, with --quantities {name}"
     texts = {key: text if isinstance(text, str) else ", ".join(text) for key, text in record.items()}
     _write_sheet(title, ((f"  {key.replace('_', ' ')}", text) for key, text in texts.items()), out)

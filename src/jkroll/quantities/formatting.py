@@ -10,7 +10,6 @@ from .values import Measured, Uncertain, ends_of
 
 DIGITS = 6  # significant, of a rounded value
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
-MAX_NAMES = 3  # of quantities in a sentence
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _FAR = 1e4  # ratio of values from which on each has a unit of its own
 _ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0
@@ -241,7 +240,7 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
 
 def first_symbols(names: list[str]) -> str:
     """Return the symbols of the first names of a list, and how many more there are."""
-    return first_of([*map(symbol_of, names)], MAX_NAMES)
+    return first_of([*map(symbol_of, names)])
 
 
 def symbol_beside(name: str, inputs: Collection[str]) -> str:

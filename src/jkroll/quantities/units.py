@@ -5,7 +5,7 @@ validated name, and only if the table below does not have it. Names in the table
 """
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Sequence
 from functools import cache, lru_cache
 from math import gcd
 from operator import add
@@ -259,9 +259,8 @@ def _term(text: str) -> Term:
     return name, int(power)
 
 
-def _product(terms: Iterable[Term]) -> Unit:
+def _product(terms: Sequence[Term]) -> Unit:
     """Multiply units to their powers."""
-    terms = list(terms)
     numerator, denominator, dimension = 1, 1, NUMBER
     for name, power in terms:
         unit = _in_table(name) or lookup(name)

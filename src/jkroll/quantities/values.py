@@ -45,11 +45,6 @@ class QuantityError(JkrollError):
         self.name, self.value, self.reason, self.remedy, self.place = name, value, reason, remedy, tuple(place)
         self.phrase = f"bad {name}"
 
-    @property
-    def is_bare(self) -> bool:
-        """True for a number without a unit where one is needed."""
-        return self.reason == NO_UNIT
-
     def problem(self) -> str:
         """Return what is wrong and, of a text, what to type instead, without the name and the value."""
         remedy = self.remedy or (f"expected {_expectation(self.name)}" if isinstance(self.value, str) else "")
@@ -330,9 +325,6 @@ def split_number(text: str) -> tuple[_Decimal, str]:
         raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
     if has_uncertainty(rest):
         raise BadUnit("has an uncertainty: give the value alone")
-    second = rest.lstrip(" -–—")
-    if second[:1].isdigit() and second != rest.lstrip(" "):
-        raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
     if exponent and len(exponent.lstrip("+-")) > 3:
         raise BadUnit("has an exponent of more than 3 digits")
     return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
@@ -360,19 +352,6 @@ def as_typed(text: str) -> str:
     for typed, as_written in _AS_WRITTEN.items():
         text = re.sub(typed, as_written, text)
     return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
-
-
-def _in_si(number: _Decimal, unit: Unit) -> float:
-    """Return the double nearest to a number with a unit, in SI units: Python rounds a division of integers once."""
-    (mantissa, exponent), (numerator, denominator, _) = number, unit
-    above, below = power_of_ten(exponent)
-    try:
-        value = mantissa * numerator * above / (denominator * below)
-    except OverflowError:
-        raise BadUnit("is too large for a double") from None
-    if mantissa and not value:
-        raise BadUnit("is too small for a double")
-    return value
 
 
 # --- Forms of an uncertainty ------------------------------------------------------------------------------------------
@@ -406,16 +385,27 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
         return _plus_minus(left, right, unit_in)
     left, is_range, right = text.partition(" to ")
     if is_range:
-        return _interval(_value(_with_unit_of(right, left), unit_in), _value(right, unit_in))
+        low, high = _value(_with_unit_of(right, left), unit_in), _value(right, unit_in)
+        if low >= high:
+            raise BadUnit("does not rise from its first end to its second")
+        return Interval(min(max(low, _to_15_digits(low / 2 + high / 2)), high), low, high)
     if re.search(r"[^\d\s]\s*\(", text):
         raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
     raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
 
 
 def _value(text: str, unit_in: _UnitIn) -> float:
-    """Read a number with a unit."""
-    number, unit = split_number(text)
-    return _in_si(number, unit_in(unit))
+    """Read a number with a unit, as the nearest double in SI units: Python rounds a division of integers once."""
+    (mantissa, exponent), unit = split_number(text)
+    numerator, denominator, _ = unit_in(unit)
+    above, below = power_of_ten(exponent)
+    try:
+        value = mantissa * numerator * above / (denominator * below)
+    except OverflowError:
+        raise BadUnit("is too large for a double") from None
+    if mantissa and not value:
+        raise BadUnit("is too small for a double")
+    return value
 
 
 def _with_unit_of(other: str, text: str) -> str:
@@ -441,13 +431,6 @@ def _measured(value: float, *sides: float) -> Measured:
     if min(sides) < 0:
         raise BadUnit("has a negative uncertainty")
     return Measured(value, *sides)
-
-
-def _interval(low: float, high: float) -> Interval:
-    """Return a range, with the value in its middle."""
-    if low >= high:
-        raise BadUnit("does not rise from its first end to its second")
-    return Interval(min(max(low, _to_15_digits(low / 2 + high / 2)), high), low, high)
 
 
 def _to_15_digits(number: float) -> float:
@@ -499,14 +482,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     if NOMENCLATURE[name].unit == "1" and "," in text and re.fullmatch(_LIST_OR_NUMBER, text.strip()):
         remedy = "a list of numbers without a unit has decimal points, as in 1.0,5.0, and a number has no comma"
         raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
-    items = text.split(",")
-    try:
-        return [_spread(item, name) for item in items]
-    except QuantityError as error:
-        if error.is_bare and len(items) > 1:
-            reason = "has a comma where a number has a point, or a number without a unit"
-            raise QuantityError(name, text, reason) from None
-        raise
+    return [_spread(item, name) for item in text.split(",")]
 
 
 def _spread(text: str, name: str) -> Spread:

@@ -46,7 +46,6 @@ DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as 
 STATUS = "status"  # the column of reasons
 ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
-_MAX_NAMES = 3  # of quantities in a clause
 _NO_DOUBTS: Counter[int] = Counter()
 _NO_ALTERNATIVES: Mapping[str, Sequence[str]] = {}  # which can be pickled
 _BY = "_by_"  # between a quantity and the kind of what may stand in its place, in a key
@@ -517,7 +516,7 @@ def _is_side(name: str) -> bool:
 
 def first_names(names: list[str]) -> str:
     """Return the first names of a list, and how many more there are."""
-    return first_of(names, _MAX_NAMES)
+    return first_of(names)
 
 
 def worded(reasons: Reasons, named: Callable[[list[str]], str] = first_names) -> str:

@@ -18,7 +18,7 @@ from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
 from ..quantities.units import is_in_table
-from ..quantities.values import QuantityError, unit_of, value_of
+from ..quantities.values import NO_UNIT, QuantityError, unit_of, value_of
 from ..text import ascii_text, composed, first_of, listed, quoted, shown
 from . import words
 from .cells import Column, has_no_value, is_number
@@ -331,7 +331,7 @@ def _kind(cell: str, name: str) -> str:
     try:
         value_of(cell, name)
     except QuantityError as error:
-        return _NO_UNIT if error.is_bare else _UNIT if unit_for(cell.strip("[]() "), name) else ""
+        return _NO_UNIT if error.reason == NO_UNIT else _UNIT if unit_for(cell.strip("[]() "), name) else ""
     return _VALUE
 
 
