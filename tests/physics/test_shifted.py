@@ -24,7 +24,7 @@ def test_the_strip_without_load_meets_griffiths_criterion() -> None:
 
 
 def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
-    view, along = figure_2(known_materials(), ()).panels
+    view, along = figure_2(known_materials()).panels
     circle, behind, ahead = view.curves
     a = solve("contact_radius", material="quartz", radius=2e-8)
     np.testing.assert_allclose(np.hypot(circle.x + 2e-10, circle.y), a, rtol=1e-12)
@@ -40,7 +40,7 @@ def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
 
 
 def test_fig_9_says_how_far_the_half_strips_are_off() -> None:
-    drawn = figure_9(known_materials(), ())
+    drawn = figure_9(known_materials())
     remarks = plain(" ".join(drawn.remarks))
     ratio = re.search(r"lower by (\d\.\d+)", remarks)
     assert ratio

@@ -31,11 +31,12 @@ from jkroll.text import wrapped
 from relative import approx
 
 pytest.importorskip("matplotlib")
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.text import Text
 
-from jkroll.pictures.page import FINE, bands_of, figure_of, levels_of, line_of, settings
+from jkroll.pictures.page import FINE, figure_of, levels_of, line_of, settings
 from jkroll.pictures.picture import DARK, PAPER, STYLES, Style
 
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -217,9 +218,7 @@ def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
 
 @pytest.mark.parametrize("style", [PAPER, DARK])
 def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
-    greys = [
-        0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue, _ in bands_of(style)(np.linspace(0, 1, 9))
-    ]
+    greys = [0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in map(to_rgb, style.bands)]
     steps = np.diff(greys)
     assert (steps < -0.01).all() or (steps > 0.01).all()
     ink = int(style.ink[1:3], 16) / 255
@@ -343,7 +342,7 @@ def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
     if name in PAPER_MAPS:
         _, page = in_a_column(name)
     else:
-        drawn = PROFILES[name](known_materials(), ()) if name in PROFILES else contact_of_quartz()
+        drawn = PROFILES[name](known_materials()) if name in PROFILES else contact_of_quartz()
         with settings(PAPER):
             page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
     caption = page.texts[-1]

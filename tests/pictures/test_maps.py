@@ -14,8 +14,7 @@ import pytest
 from harness import Run
 from jkroll import known_materials, solve
 from jkroll.pictures.figures import paper_map
-from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over
-from jkroll.pictures.terminal import shown
+from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over, shown
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.doubts import LIMITS
 from jkroll.scene.scene import Scene

@@ -26,9 +26,6 @@ from .questions import Question
 _LOSING = frozenset({"restitution", "sticking_speed"})
 _RAISING = frozenset({"surface_energy", "work_of_adhesion", "hamaker", "viscous_time"})
 
-# The properties of a material that an inferred input takes the place of.
-_REPLACED = {"work_of_adhesion": ("surface_energy",)}
-
 
 class Inferred(Answer):
     """The answer that unknowns have the values at which quantities have their measured values.
@@ -138,11 +135,11 @@ def _of_both(values: Mapping[str, float], scene: Scene) -> str:
 def _unused(name: str, quantities: Sequence[str], scene: Scene) -> list[Note]:
     """Return a note on each property of a material in whose place an inferred value stands in a scene."""
     used = scene.data_used(scene.inputs_of(*quantities))
+    replaced = "surface_energy" if name == "work_of_adhesion" else name
     return [
-        Note("more", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
+        Note("more", f"{NOMENCLATURE[replaced].symbol.rstrip('1')} of {material.name} is not used")
         for material, _ in scene.materials
-        for each in _REPLACED.get(name, (name,))
-        if each in material.properties and (material, each) not in used
+        if replaced in material.properties and (material, replaced) not in used
     ]
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from itertools import starmap
 from math import erfc, hypot, sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
@@ -324,16 +323,14 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
     )
     for kind, lead, told, most in kinds:
         if rows := tally.with_doubts(told):
-            texts = [*starmap(_with_meaning, tally.counted(told))]
+            texts = [
+                f"{code} {number} ({MEANINGS[code]})" if code in MEANINGS else f"{code} {number}"
+                for code, number in tally.counted(told)
+            ]
             yield Note(kind, f"{lead} in {rows} of {tally.rows} rows ({where}): {first_of(texts, most)}")
     for rows, first, words in tally.gaps.values():
         others = f", likewise {rows - 1} more" if rows > 1 else ""
         yield Note("caveat", f"{words}: row {first}{others}")
-
-
-def _with_meaning(code: str, rows: int) -> str:
-    """Return the code of a doubt with its number of rows, and its meaning if that is told."""
-    return f"{code} {rows} ({MEANINGS[code]})" if code in MEANINGS else f"{code} {rows}"
 
 
 class OfRows:

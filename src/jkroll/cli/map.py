@@ -9,8 +9,8 @@ import numpy
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
 from ..output.writers import text_output, whole_file, write_columns
-from ..pictures.figures import FIGURE_NAMES, PANELS, PROFILES, curves_of_contact, options_of, paper_map
-from ..pictures.picture import STYLES, Axis, Picture, evaluate
+from ..pictures.figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
+from ..pictures.picture import STYLES, Axis, Picture, evaluate, say_texts, write_picture
 from ..pictures.request import PlotRequest, picture_of
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
@@ -69,15 +69,21 @@ def run_figure(call: Call) -> int:
     check_picture(call, call.target)
     name = call.subject
     if name not in FIGURE_NAMES:
-        given = f"{quoted(name)} is not a figure with data" if name else "figure needs a name"
-        raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
-    options = {"--mark": call.mark, "--plain": call.plain, "--as-printed": call.as_printed}
-    if idle := [option for option, value in options.items() if value and option not in options_of(name)]:
-        raise BadRequest(f"figure {name} takes no {idle[0]}")
-    materials, marks = call.materials, marks_of(call.mark)
-    if name in PROFILES:
-        return _deliver(PROFILES[name](materials, marks), (), call)
-    return _deliver(paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain), (), call)
+        mistake = f"{quoted(name)} is not a figure with data" if name else "figure needs a name"
+        raise BadRequest(f"{mistake}; there are {', '.join(FIGURE_NAMES)}")
+    declared, materials, marks = PAPER_MAPS.get(name), call.materials, [*filter(None, call.mark.split(","))]
+    idle = {
+        "--mark": call.mark and name in PROFILES,
+        "--plain": call.plain and declared is None,
+        "--as-printed": call.as_printed and not (declared and declared.printed),
+    }
+    if given := [option for option, is_idle in idle.items() if is_idle]:
+        raise BadRequest(f"figure {name} takes no {given[0]}")
+    if declared is not None:
+        drawn = paper_map(name, materials, marks, as_printed=call.as_printed, is_plain=call.plain)
+    else:
+        drawn = PROFILES[name](materials) if name in PROFILES else figure_laws(materials, marks)
+    return _deliver(drawn, (), call)
 
 
 def draw_contact(call: Call) -> int:
@@ -103,11 +109,8 @@ def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
     if call.target is not None:
         draw_into(call.target, drawn, call)
         if call.data != "-" and not call.quiet:
-            for text in filter(None, (drawn.title, *drawn.caption, *drawn.remarks)):
-                say_wrapped(plain(text), sys.stdout)
+            say_texts([drawn.title, *drawn.caption, *drawn.remarks], sys.stdout)
     elif call.data != "-":
-        from ..pictures.terminal import write_picture
-
         write_picture(drawn, sys.stdout)
     sys.stdout.flush()
     if not call.quiet:
@@ -194,7 +197,8 @@ def map_request(call: Call) -> PlotRequest:
         raise BadRequest(f"{count} pairs are more than {most}")
     scenes = tuple((_distinction(scene, call), scene) for scene in call.sweep.scenes())
     limits = () if call.plain else LIMITS
-    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), call.materials, limits)
+    marks = [*filter(None, call.mark.split(","))]
+    return PlotRequest(quantity, x, y, scenes, marks, call.materials, limits)
 
 
 def _distinction(scene: Scene, call: Call) -> str:
@@ -205,8 +209,3 @@ def _distinction(scene: Scene, call: Call) -> str:
     several = [name for name, text in call.values.items() if "," in text or ":" in text]
     parts += [f"{symbol(name)} = {amount(name, scene.stated[name])}" for name in several]
     return ", ".join(parts)
-
-
-def marks_of(text: str) -> tuple[str, ...]:
-    """Return the marks of a list."""
-    return tuple(filter(None, text.split(",")))

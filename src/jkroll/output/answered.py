@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.answer import Answer, Result
-from ..answers.questions import QUESTIONS, Question, question_about
+from ..answers.questions import QUESTIONS, question_about
 from ..materials.library import Material, Materials
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import other_law
@@ -261,17 +261,12 @@ def answer(
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
             raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays")
-    scene = Scene(described, *materials_of(material, material2, materials), model=model)
-    answered = Answer(_question(wanted), scene)
+    if not isinstance(wanted, Iterable):
+        raise UnknownQuantity(str(wanted))
+    is_command = isinstance(wanted, str) and wanted in QUESTIONS
+    text = wanted if isinstance(wanted, str) else ",".join(map(str, wanted))
+    question = QUESTIONS[text] if is_command else question_about(text)
+    answered = Answer(question, Scene(described, *materials_of(material, material2, materials), model=model))
     if answered.failure is not None and answered.has_no_headline:
         raise answered.failure
     return Answered(answered)
-
-
-def _question(wanted: str | Iterable[str]) -> Question:
-    """Return the question of a command, or of quantities."""
-    if isinstance(wanted, str) and wanted in QUESTIONS:
-        return QUESTIONS[wanted]
-    if not isinstance(wanted, Iterable):
-        raise UnknownQuantity(str(wanted))
-    return question_about(wanted if isinstance(wanted, str) else ",".join(map(str, wanted)))

@@ -234,10 +234,8 @@ def _groups() -> dict[str, list[str]]:
         **{
             f"of sphere {side}": [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == side] for side in (1, 2)
         },
-        "input of DEM": [name for name, quantity in OF_DEM.items() if quantity.example],
         "input": [name for name, quantity in NOMENCLATURE.items() if quantity.example],
         **{f"jkroll {command}": question.quantities for command, question in QUESTIONS.items()},
-        "of its break": [name for name in NOMENCLATURE if name.endswith(("_at_pull_off", "_at_fold"))],
         "of DEM": (*OF_DEM, "time_step"),
         "limit": [limit.name for limit in LIMITS],
         "of Maugis' law": OF_MAUGIS,

@@ -35,7 +35,6 @@ from .request import DRAWN_LIMITS, PlotRequest, fixed_inputs, inputs_as_texts, m
 POINTS = 401
 AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
-_OF_MOMENT = Question(("yield_moment",), ("yield_moment",))
 # The models of the moment without load, in as few words as a legend below a panel has room for.
 _OF_MOMENTS = {
     "yield_moment": "exact",
@@ -175,7 +174,7 @@ def curves_of_contact(
     fixed: dict[str, None] = {}
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)
     if is_one:
-        about = _OF_MOMENT if panel == "moment" else OF_CURVE
+        about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else OF_CURVE
         notes |= dict.fromkeys(note.text for note in Answer(about, scenes[0]).doubts())
     for scene in scenes:
         of_law = [name for name in names if not _lacking(scene, name)]
@@ -273,12 +272,8 @@ def paper_map(
         PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits, printed=printed)
     )
     dashed = (f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.",) if printed else ()
-    return Picture(
-        f"Fig. {name}: {symbol(declared.quantity)}",
-        drawn.panels,
-        (*drawn.caption, *dashed),
-        (*drawn.remarks, declared.remark),
-    )
+    title, remarks = f"Fig. {name}: {symbol(declared.quantity)}", (*drawn.remarks, declared.remark)
+    return Picture(title, drawn.panels, (*drawn.caption, *dashed), remarks)
 
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
@@ -286,7 +281,7 @@ def paper_map(
 SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
 
 
-def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
+def figure_2(materials: Materials) -> Picture:
     """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
     scene = Scene(SIZE, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
@@ -337,7 +332,7 @@ def _halves(word: str, a: float, shift: float, of_half: Callable[[Any, float], A
         yield Curve(f"{word} ⟦a {sign} ξ⟧", x, of_half(x, size), 1 if sign == "+" else 2, is_dashed=True)
 
 
-def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
+def figure_9(materials: Materials) -> Picture:
     """Return Fig. 9: the pressure of a cylinder on a rigid plane, symmetric and shifted, exact and simplified."""
     quartz = materials["quartz"].properties
     modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
@@ -404,17 +399,5 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
 
 # --- All of them ------------------------------------------------------------------------------------------------------
 
-# Figures of curves.
-PROFILES: Mapping[str, Callable[[Materials, Sequence[str]], Picture]] = {
-    "2": figure_2,
-    "9": figure_9,
-    "laws": figure_laws,
-}
-FIGURE_NAMES = tuple(sorted({*PAPER_MAPS, *PROFILES}))
-
-
-def options_of(name: str) -> Sequence[str]:
-    """Return the options that a figure takes."""
-    if name in PROFILES:
-        return ("--mark",) if name == "laws" else ()
-    return ("--mark", "--plain", "--as-printed") if PAPER_MAPS[name].printed else ("--mark", "--plain")
+PROFILES: Mapping[str, Callable[[Materials], Picture]] = {"2": figure_2, "9": figure_9}  # which take no options
+FIGURE_NAMES = (*sorted({*PAPER_MAPS, *PROFILES}), "laws")

@@ -201,7 +201,7 @@ def _draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: in
     values = scaled(field.quantity)
     mask = numpy.ma.getmaskarray(values)
     heights = [float(scale(level)) for level in levels_of(field)]
-    colours = bands_of(style)(numpy.linspace(0, 1, len(heights) + 1))
+    colours = LinearSegmentedColormap.from_list("", style.bands)(numpy.linspace(0, 1, len(heights) + 1))
     axes.contourf(across, up, values, levels=[values.min() - 1, *heights, values.max() + 1], colors=colours)
     keys: list[Any] = []
     for region in field.regions:
@@ -233,11 +233,6 @@ def levels_of(field: Field) -> list[float]:
     if field.is_log:
         ticks = ticker.LogLocator(subs=(1, 2, 5) if high < 1e3 * low else (1,), numticks=_CONTOURS)
     return [float(f"{value:.12g}") for value in ticks.tick_values(low, high) if low <= value <= high]
-
-
-def bands_of(style: Style) -> Any:
-    """Return the colours between the lowest number of a field, 0, and the highest, 1."""
-    return LinearSegmentedColormap.from_list("", style.bands)
 
 
 def _draw_curves(axes: Any, panel: Panel, style: Style, letters: int) -> list[Any]:
