@@ -62,9 +62,6 @@ class BadRow(JkrollError):
 
     exit_code = 1
 
-    def __init__(self, line: int, status: str) -> None:
-        super().__init__(line, status)
-        self.line, self.status = line, status
-
     def __str__(self) -> str:
-        return f"line {self.line}: {self.status}"
+        line, status = self.args
+        return f"line {line}: {status}"

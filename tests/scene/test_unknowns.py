@@ -286,7 +286,7 @@ def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
         (["gamma", "young"], {"stiffness": 1e3}, "is not a quantity and its value for each input"),
         ("gamma", MEASURED, "is not a quantity and its value for each input"),
         (["gamma", "young"], {"P_c": 3e-7, "pull_off_force": 3e-7}, "P_c and pull_off_force are one quantity"),
-        (["gamma", "young"], {"P_c": "300±20 nN", "stiffness": [1e3]}, "stands beside an uncertain value"),
+        (["gamma", "young"], {"P_c": "300±20 nN", "stiffness": [1e3]}, "is more than one scene"),
     ],
 )
 def test_wrong_arguments_are_refused_in_words(wanted: Any, measured: dict[str, Any], words: str) -> None:

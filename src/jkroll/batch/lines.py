@@ -187,7 +187,8 @@ class Delimited:
             if not line.strip(self.blanks):
                 continue
             if len(row) != width:
-                odd[len(rows)] = problem or _of_other_width(len(row), width)
+                size, noun = "short" if len(row) < width else "long", "cell" if len(row) == 1 else "cells"
+                odd[len(rows)] = problem or f"row is {size}: {len(row)} {noun} for {width}"
                 padded = (row or [line]) + [""] * (width - max(len(row), 1))
                 rest = self.separator.join(padded[width - 1 :])  # with what is too much
                 cells = [*padded[: width - 1], rest]
@@ -219,11 +220,6 @@ def _problem(error: str) -> str:
 def _is_formula(cell: str) -> bool:
     """Return whether a spreadsheet may take a cell of text for a formula."""
     return cell.startswith(("=", "+", "-", "@", "\t", "\r")) and not _NUMBER.fullmatch(cell)
-
-
-def _of_other_width(count: int, width: int) -> str:
-    size, cells = "short" if count < width else "long", "cell" if count == 1 else "cells"
-    return f"row is {size}: {count} {cells} for {width}"
 
 
 def tabbed(block: bytes) -> bytes:

@@ -17,6 +17,7 @@ from itertools import chain, islice
 from time import monotonic
 from typing import Any, BinaryIO, NamedTuple
 
+from ..answers.notes import about_idle, about_left_out, about_rows, given_of_kinds
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
 from ..output.writers import WRITERS, columns_of, whole_file, written
 from ..quantities.formatting import Format, amount
@@ -74,24 +75,20 @@ def run(path: str, job: Job) -> int:
             flag = "--resume" if job.resume else "--dask"
             raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
         tally, code = convert_one(path, job), 0
-    if not job.quiet:
-        _say_notes(tally, job)
+    job.say(_notes(tally, job.asked.infer))
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)
 
 
-def _say_notes(tally: Tally, job: Job) -> None:
-    """Say on stderr what was inferred, and in how many rows numbers are in doubt, or cells empty."""
-    from ..answers.notes import about_rows
-
+def _notes(tally: Tally, unknown: str) -> Iterator[str]:
+    """Iterate over lines on what was inferred, and in how many rows numbers are in doubt, or cells empty."""
     if tally.inferred:
-        say_wrapped(_summary(job.asked.infer, tally), sys.stderr)
+        yield _summary(unknown, tally)
     notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT}")]
-    for note in notes[:MAX_NOTES]:
-        say_wrapped(note.line, sys.stderr)
+    yield from (note.line for note in notes[:MAX_NOTES])
     if (more := len(notes) - MAX_NOTES) > 0:
-        say(f"note: column {STATUS} has {more} more kinds of gaps", sys.stderr)
+        yield f"note: column {STATUS} has {more} more kinds of gaps"
 
 
 def _summary(name: str, tally: Tally) -> str:
@@ -115,8 +112,6 @@ def _about(table: Table) -> Iterator[str]:
     They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
     enters no error bar.
     """
-    from ..answers.notes import about_idle, about_left_out, given_of_kinds
-
     every, idle = given_of_kinds(table.kinds, judges=table.wanted.doubts)
     if assumed := [text for name, text in every.items() if name not in table.given]:
         yield f"assumed: {', '.join(assumed)}"
@@ -212,7 +207,8 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
                 tally = tally.plus(block.tally)
                 progress.show(file.share_read(tally.rows), tally.rows)
     except BadRow as error:
-        raise BadRow(line + 1 + error.line, error.status) from None
+        place, status = error.args
+        raise BadRow(line + 1 + place, status) from None
     finally:
         progress.clear()
     return tally

@@ -37,11 +37,6 @@ class Worker:
         self.process.start()
         end.close()
 
-    def ask(self, question: Any) -> None:
-        """Send a question."""
-        with suppress(ConnectionError):  # a process that was ended is noticed by its answer
-            self.connection.send(question)
-
     def answer(self) -> Any:
         """Return the answer to the last question, or raise its error; LostWorker if the process was ended."""
         try:
@@ -105,7 +100,8 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[An
         for worker, question in zip(cycle(workers), questions, strict=False):
             if len(at_work) == count:
                 yield at_work.popleft().answer()
-            worker.ask(question)
+            with suppress(ConnectionError):  # a process that was ended is noticed by its answer
+                worker.connection.send(question)
             at_work.append(worker)
         for worker in at_work:
             yield worker.answer()

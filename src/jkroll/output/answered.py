@@ -10,7 +10,7 @@ from ..materials.library import Material, Materials
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
-from ..quantities.values import QuantityError, Uncertain, is_uncertain, middle
+from ..quantities.values import Uncertain, is_uncertain, middle
 from ..scene.scene import Scene
 from ..text import json_text, say, spelled
 
@@ -255,12 +255,10 @@ def answer(
     >>> print(*found.doubts)
     P_c = 14–15 nN by Maugis' law, better here than JKR (Tabor parameter 0.14, z0 = 200–400 pm): --model maugis
     """
-    from ..scene.solver import in_si, materials_of
+    from ..scene.solver import in_si, materials_of, refuse_arrays
 
     described, _ = in_si(given)
-    for name, value in described.items():
-        if not (isinstance(value, float) or is_uncertain(value)):
-            raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays")
+    refuse_arrays(described)
     if not isinstance(wanted, Iterable):
         raise UnknownQuantity(str(wanted))
     is_command = isinstance(wanted, str) and wanted in QUESTIONS

@@ -47,11 +47,10 @@ STATUS = "status"  # the column of reasons
 ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 _NO_DOUBTS: Counter[int] = Counter()
-_NO_ALTERNATIVES: Mapping[str, Sequence[str]] = {}  # which can be pickled
 _BY = "_by_"  # between a quantity and the kind of what may stand in its place, in a key
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
 Gaps = tuple[int, int, str]  # rows with one status: their number, the first, counted from 1, and its reasons in full
-_NO_GAPS: Mapping[str, Gaps] = {}  # which can be pickled
+_NONE: Mapping[str, Any] = {}  # which can be pickled
 
 
 class Wanted:
@@ -66,7 +65,7 @@ class Wanted:
         sides: Mapping[str, Collection[str]] | None = None,
         doubts: bool = True,  # whether limits are judged
         # By kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
-        alternatives: Mapping[str, Sequence[str]] = _NO_ALTERNATIVES,
+        alternatives: Mapping[str, Sequence[str]] = _NONE,
     ) -> None:
         self.names, self.named, self.inputs, self.sides = names, named, inputs, sides
         self.doubts, self.alternatives = doubts, alternatives
@@ -539,7 +538,7 @@ class Tally(NamedTuple):
 
     rows: int = 0
     failed: int = 0
-    gaps: Mapping[str, Gaps] = _NO_GAPS  # rows with empty cells, by their status
+    gaps: Mapping[str, Gaps] = _NONE  # rows with empty cells, by their status
     doubts: Counter[int] = _NO_DOUBTS  # rows, by the bits of their doubts
     inferred: tuple[Any, ...] = ()  # the values of the unknown of a table, in parts
     said: tuple[str, ...] = ()  # of each table as a whole

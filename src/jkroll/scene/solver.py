@@ -142,10 +142,10 @@ def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
 
 
 def refuse_arrays(described: Mapping[str, Any]) -> None:
-    """Raise QuantityError for an array beside an uncertain value: arrays have no uncertainty."""
+    """Raise QuantityError for an array, where values have uncertainties or one scene is described."""
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
-            raise QuantityError(name, "an array", "stands beside an uncertain value, which takes single values")
+            raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays without uncertainty")
 
 
 def with_uncertainties(
