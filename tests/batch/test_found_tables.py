@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from harness import Ran, Run
-from jkroll.batch.lines import DELIMITERS, Delimited, tabbed
+from jkroll.batch.files import DELIMITERS, Delimited, tabbed
 from jkroll.errors import BadTable
 from jkroll.quantities.values import QuantityError, Uncertain
 from jkroll.rows.cells import Column

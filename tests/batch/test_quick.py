@@ -9,8 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from jkroll.answers.questions import quantities_named
-from jkroll.batch.files import SEPARATORS
-from jkroll.batch.lines import Delimited, as_lines
+from jkroll.batch.files import SEPARATORS, Delimited, as_lines
 from jkroll.batch.run import Converted, Converter
 from jkroll.materials.library import known_materials
 from jkroll.rows import cells

@@ -1,24 +1,40 @@
-"""Files of tables: their formats and compressions, and the input as blocks of whole records.
+"""Files of tables: their formats and compressions, the input as blocks of whole records, and formats of lines.
 
 A format is named by the end of a file's name, or by `--format`. Blocks are cut at the same places in every run.
+
+The records of CSV, TSV and NDJSON are lines. What passes through keeps its bytes; blank lines are left out. A block of
+cells without a quote is cut at its separators. One with a quote is read by the csv module, which knows the lines of
+each record. A quote that is not closed, or a cell too many or too few, spoils its own line only.
 """
 
+from __future__ import annotations
+
+import csv
 import gzip
+import io
+import json
 import os
+import re
 import stat
 import sys
 import zlib
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
-from io import BufferedReader, FileIO
-from itertools import chain
+from itertools import chain, compress, islice, takewhile
 from typing import Any, BinaryIO, NamedTuple
 
+import orjson
+
 from ..errors import BadRequest, BadTable, missing_extra
+from ..output.writers import Lines, Objects, in_quotes
+from ..rows.cells import cell_of, cells_of
 from ..rows.columns import BLOCK
+from ..rows.header import is_input, meaning_of
+from ..rows.table import Records, Table
+from ..rows.words import MATERIALS
 from ..text import ending, quoted, say
-from .lines import DELIMITERS, MAX_RECORD, Delimited, Ndjson, tabbed
 
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
@@ -27,6 +43,16 @@ COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
 CHUNK = 1 << 20  # bytes read at a time
 FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
 BOM = b"\xef\xbb\xbf"
+MAX_RECORD = 1 << 24  # bytes
+SAMPLE = 200  # rows that decide how a table is read
+DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
+_BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
+_COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
+_MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
+_OPEN = "a quote is not closed"
+_MISQUOTED = "a quote is not closed, or text stands behind it"
+_CARRIAGE_RETURN = "a carriage return stands outside quotes"
+_NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 # --- Formats ----------------------------------------------------------------------------------------------------------
 
@@ -137,7 +163,7 @@ class Input:
         """Open it; `-` is stdin. Raises BadTable."""
         self.path, self.rows = path, 0  # as many as a format says that there are
         try:
-            self.file = BufferedReader(FileIO(0 if path == "-" else path, closefd=path != "-"), CHUNK)
+            self.file = io.BufferedReader(io.FileIO(0 if path == "-" else path, closefd=path != "-"), CHUNK)
         except OSError as error:
             raise BadTable(f"{quoted(path)}: {error.strerror}") from None
         self.begun = os.fstat(self.file.fileno())
@@ -215,3 +241,330 @@ def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
             return text + b"\n" if text and not text.endswith(b"\n") else text
         text += piece
     return text
+
+
+# --- Lines of cells ---------------------------------------------------------------------------------------------------
+
+csv.field_size_limit(MAX_RECORD)  # 128 KiB unless it is raised
+
+Record = tuple[int, int, list[str], str]  # its first line, that behind it, its cells, or why it has none
+
+
+class Delimited:
+    """A table of cells with a separator between them."""
+
+    def __init__(self, separator: str, *, excel_safe: bool = False) -> None:
+        """`excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula."""
+        self.separator, self.excel_safe = separator, excel_safe
+        self.blanks = " \t\r\n".replace(separator, "")  # a line of these is no record
+        self.has_decimal_commas = False
+
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole records at the beginning of a text."""
+        end = text.rfind(b"\n") + 1
+        if b'"' not in text:
+            return end
+        lines = as_lines(text[:end])
+        last = next((start for start, *_, problem in self.records(lines) if problem == _OPEN), len(lines))
+        return sum(map(len, lines[:last]))
+
+    def records(self, lines: Sequence[str]) -> Iterator[Record]:
+        """Iterate over records. Their cells have a character for each byte. A line that is no record has none."""
+        start = 0
+        while start < len(lines):
+            reader, begin = csv.reader(lines[start:], delimiter=self.separator, strict=True), start
+            try:
+                for cells in reader:
+                    stop = begin + reader.line_num
+                    yield start, stop, cells, ""
+                    start = stop
+            except csv.Error as error:
+                yield start, start + 1, [], _problem(str(error))
+                start += 1
+
+    def _line(self, cells: Iterable[str]) -> str:
+        """Return the line of some cells, in quotes where they need them."""
+        return self.separator.join(in_quotes(cell, self.separator) for cell in cells)
+
+    def _safe(self, cells: Sequence[str], line: str) -> str:
+        """Return the line of some cells as it is written."""
+        if not (self.excel_safe and any(map(_is_formula, cells))):
+            return line
+        return self._line(f"'{cell}" if _is_formula(cell) else cell for cell in cells)
+
+    # --- The header ---------------------------------------------------------------------------------------------------
+
+    def begin(self, block: bytes, is_read: Callable[[str], bool] = is_input) -> int:
+        """Read the beginning of a table; return the number of bytes up to the end of the header. Raises BadTable.
+
+        `block`: the first one; `is_read`: tells of a header whether its column is one of those that are read.
+        """
+        lines = as_lines(block)
+        self.preamble = self._preamble(lines, is_read)
+        below = lines[self.preamble :] or [""]
+        below[0] = _COMMENT.sub("", below[0])
+        records = self.records(below)
+        _, stop, cells, problem = next(records)
+        line = "".join(below[:stop])
+        self.names = self._names(cells, line, problem)
+        self.header = self._safe(cells, line).rstrip("\r\n").encode(_BYTES)
+        self.lines = self.preamble + stop
+        whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
+        self.sample = [[*map(_text, row)] for row in whole]
+        if self.separator != ",":
+            read = compress(zip(*self.sample, strict=True), map(is_read, self.names))
+            self.has_decimal_commas = has_decimal_commas(read, is_of_semicolons=self.separator == ";")
+        if self.has_decimal_commas:
+            self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
+        end = "\r\n" if line.endswith("\r\n") else "\n"
+        self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
+        return sum(map(len, lines[: self.lines]))
+
+    def _preamble(self, lines: Sequence[str], is_read: Callable[[str], bool]) -> int:
+        """Return the number of lines above the header: comments, and the separator as a spreadsheet has it in sep=;.
+
+        The last of them that names columns that are read is the header, unless the line below all of them names some.
+        """
+        count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
+        for place in (count, *reversed(range(count))):
+            text = _text(_COMMENT.sub("", "".join(lines[place : place + 1]))).strip()
+            if any(is_read(cell.strip('"')) for cell in text.split(self.separator)):
+                return place
+        return count
+
+    def _names(self, cells: Sequence[str], line: str, problem: str) -> tuple[str, ...]:
+        """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
+        if problem == _CARRIAGE_RETURN:
+            raise BadTable("the lines end in carriage returns alone; save the table with line feeds")
+        if not line.strip(self.blanks):
+            raise BadTable("the table has no header; begin with a line of the columns' names")
+        text, *names = map(_text, (line.strip(), *(cells or [line])))
+        if "\0" in text or "\ufffd" in text:  # which stands for what is not UTF-8
+            remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
+            raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
+        if not any(map(is_input, names)):
+            self._check_separator(text, len(names))
+        if problem:
+            raise BadTable(f"header: {problem}")
+        return tuple(names)
+
+    def _check_separator(self, line: str, count: int) -> None:
+        """Refuse a header that another separator divides into inputs; blanks into two at least."""
+        for word, mark in DELIMITERS.items():
+            is_blank = mark == " "
+            cells = line.replace('"', "").split(None if is_blank else mark)
+            if mark != self.separator and (count == 1 or not is_blank) and sum(map(is_input, cells)) > is_blank:
+                raise BadTable(f"header: {quoted(line)} has {word}s between its columns; write --delimiter {word}")
+
+    # --- Rows ---------------------------------------------------------------------------------------------------------
+
+    def read(self, text: bytes, table: Table) -> Records:
+        """Return whole records, taken apart."""
+        records = self._cut(text, table.places) or self._read(text, table.places)
+        return _with_decimal_points(records) if self.has_decimal_commas else records
+
+    def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
+        """Cut lines without quotes that have the right width at their separators; None if there are others."""
+        width, separator = len(self.names), self.separator.encode()
+        if b'"' in text or self.excel_safe:
+            return None
+        if b"\r" in text:  # to search for two bytes takes 100 times as long
+            text = text.replace(b"\r\n", b"\n")
+        if b"\r" in text or not text.endswith(b"\n"):
+            return None
+        lines = text.split(b"\n")
+        lines.pop()
+        cells = text.replace(b"\n", separator + b"\n" + separator).split(separator)
+        # Behind each line's last cell, and there only, stands a line feed.
+        if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
+            return None
+        columns = {name: cells[place : -1 : width + 1] for name, place in places.items()}
+        return Records(lines, columns, {}, range(len(lines)), len(lines))
+
+    def _read(self, text: bytes, places: Mapping[str, int]) -> Records:
+        """Read records of any kind."""
+        width = len(self.names)
+        before: list[bytes] = []
+        rows: list[list[str]] = []
+        odd: dict[int, str] = {}
+        starts: list[int] = []
+        lines = as_lines(text)
+        for start, stop, row, problem in self.records(lines):
+            line, cells = "".join(lines[start:stop]).rstrip("\r\n"), row
+            if not line.strip(self.blanks):
+                continue
+            if len(row) != width:
+                size, noun = "short" if len(row) < width else "long", "cell" if len(row) == 1 else "cells"
+                odd[len(rows)] = problem or f"row is {size}: {len(row)} {noun} for {width}"
+                padded = (row or [line]) + [""] * (width - max(len(row), 1))
+                rest = self.separator.join(padded[width - 1 :])  # with what is too much
+                cells = [*padded[: width - 1], rest]
+                line = self._line(cells)
+            starts.append(start)
+            before.append(self._safe(cells, line).encode(_BYTES))
+            rows.append(cells)
+        columns = {name: [row[place].encode(_BYTES) for row in rows] for name, place in places.items()}
+        return Records(before, columns, odd, starts, len(lines))
+
+
+def as_lines(text: bytes) -> list[str]:
+    """Return the lines of a text with their ends, a character for each byte."""
+    return io.StringIO(text.decode(_BYTES), newline="\n").readlines()
+
+
+def _text(cell: str) -> str:
+    """Return a cell with a character for each byte as text."""
+    return cell.encode(_BYTES).decode("utf-8", "replace")
+
+
+def _problem(error: str) -> str:
+    """Return the words for an error of the csv module."""
+    if error.startswith(("unexpected end", "field larger")):
+        return _OPEN
+    return _CARRIAGE_RETURN if error.startswith("new-line") else _MISQUOTED
+
+
+def _is_formula(cell: str) -> bool:
+    """Return whether a spreadsheet may take a cell of text for a formula."""
+    return cell.startswith(("=", "+", "-", "@", "\t", "\r")) and not _NUMBER.fullmatch(cell)
+
+
+def tabbed(block: bytes) -> bytes:
+    """Return a block with tabs in place of blanks. Raises BadTable for quotes, as blanks would divide a cell."""
+    if b'"' in block:
+        raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
+    lines = _MARK.sub(rb"\1", block).split(b"\n")
+    return b"\n".join(b"\t".join(line.split()) for line in lines)
+
+
+# --- Decimal commas ---------------------------------------------------------------------------------------------------
+
+_NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
+_MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
+_UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
+_POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
+
+
+def has_decimal_commas(columns: Iterable[Iterable[str]], *, is_of_semicolons: bool) -> bool:
+    """Return whether the numbers of columns have decimal commas. Raises BadTable for those that may be of thousands.
+
+    A mark that stands in a number more than once is of thousands or of a list, and decides nothing. Where nothing
+    decides, points are decimal, but may be of thousands between semicolons.
+
+    >>> has_decimal_commas([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], is_of_semicolons=False)
+    True
+    """
+    marks, unclear = Counter[str](), list[str]()
+    for cells in columns:
+        for whole, mark, fraction in _MARKED.findall(";".join(filter(_NUMERIC.match, cells))):
+            if _UNCLEAR.fullmatch(whole + mark + fraction):
+                unclear.append(whole + mark + fraction)
+            elif mark not in whole:
+                marks[mark] += 1
+    if marks[","] != marks["."]:
+        return marks[","] > marks["."]
+    for number in unclear:
+        if "," in number or is_of_semicolons:
+            digits = number.replace(",", "").replace(".", "")
+            raise BadTable(
+                f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
+            )
+    return False
+
+
+def _with_decimal_points(records: Records) -> Records:
+    """Return records with decimal points in place of commas. A number with a point spoils its row."""
+    cells = {name: column for name, column in records.cells.items() if name not in MATERIALS}
+    odd = dict(records.odd)
+    for column in cells.values():
+        for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:
+            text = quoted(column[row].decode("utf-8", "replace"))
+            remedy = "write numbers without marks of thousands"
+            odd.setdefault(row, f"{text} has a point, and this table has decimal commas: {remedy}")
+    points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
+    return records._replace(cells={**records.cells, **points}, odd=odd)
+
+
+# --- NDJSON -----------------------------------------------------------------------------------------------------------
+
+Object = dict[str, Any]
+
+
+class Ndjson:
+    """A table whose lines are JSON objects; the names in the first of them are the columns."""
+
+    preamble = lines = 0  # there is no header
+    header = b""
+    writer = Objects()
+
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole lines."""
+        return text.rfind(b"\n") + 1
+
+    def begin(self, block: bytes, is_read: Callable[[str], bool] = bool) -> int:  # noqa: ARG002
+        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable."""
+        lines = [line for line in block.split(b"\n")[:SAMPLE] if line.strip()]
+        if not lines:
+            raise BadTable("the table is empty")
+        first = _object(lines[0])
+        if not first:
+            raise BadTable("the first line is not a JSON object with members")
+        if name := _twice(lines[0], first):
+            raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
+        self.names = tuple(first)
+        objects = [*filter(None, map(_object, lines))]
+        self.sample = [[cell_of(row.get(name)) for name in first] for row in objects]
+        return 0
+
+    def read(self, text: bytes, table: Table) -> Records:
+        """Return whole lines, taken apart."""
+        every = text.split(b"\n")
+        starts = [place for place, line in enumerate(every) if line.strip()]
+        lines = [every[place] for place in starts]
+        objects = [*map(_object, lines)]
+        problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
+        odd = {row: problem for row, problem in enumerate(problems) if problem}
+        rows = [members or {} for members in objects]
+        cells = {name: cells_of([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
+        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
+
+    def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
+        """Return why a line is no row; an empty text if it is one.
+
+        It is none without an object, with a member twice, or with an input or result that the first line lacks.
+        """
+        if members is None:
+            return "is not a JSON object"
+        if name := _twice(line, members):
+            return f"has {quoted(name)} twice"
+        asked = table.asked
+        for name in members.keys() - self.names:
+            cells = [cell_of(members[name])]
+            if name in table.added or meaning_of(name, cells, asked.stated, asked.measured).name:
+                return f"has {quoted(name)}, which the first line does not have"
+        return ""
+
+
+def _beginning(line: bytes, members: Object | None) -> bytes:
+    """Return the object of a line without its end; one that holds the line as a text where it is no object."""
+    if members is None:
+        return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
+    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
+
+
+def _object(line: bytes) -> Object | None:
+    """Return the object that a line holds by itself, or None."""
+    with suppress(orjson.JSONDecodeError):
+        value = orjson.loads(line)
+        return value if isinstance(value, dict) else None
+    return None
+
+
+def _twice(line: bytes, members: Object) -> str:
+    """Return the name of a member that stands twice in the object of a line; orjson keeps the last one."""
+    if line.count(b":") == len(members):  # each has a colon
+        return ""
+    with suppress(RecursionError):
+        counts = Counter(name for name, _ in json.loads(line, object_pairs_hook=list))
+        return next((name for name, count in counts.items() if count > 1), "")
+    return ""

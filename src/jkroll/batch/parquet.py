@@ -14,8 +14,7 @@ from ..rows.cells import cell_of, cells_of
 from ..rows.columns import BLOCK, DOUBT, STATUS
 from ..rows.table import Records, Table
 from ..text import quoted, shown
-from .files import Input
-from .lines import SAMPLE
+from .files import SAMPLE, Input
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, about

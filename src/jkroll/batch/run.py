@@ -27,8 +27,7 @@ from ..rows.header import check_inputs, understood
 from ..rows.table import Asked, Table, TableBlock
 from ..scene.doubts import EVERY_DOUBT
 from ..text import listed, quoted, say, say_wrapped
-from .files import Input, compressed, format_of_name, input_format, lines_of, output_format
-from .lines import Delimited, Ndjson
+from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, lines_of, output_format
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 ALONE = 4  # blocks that this process converts before it starts others
