@@ -57,11 +57,10 @@ class BadTable(JkrollError):
 class BadRow(JkrollError):
     """Error raised for the first row that fails, with `--strict`.
 
-    Its line is counted from the beginning of the block, or of the table.
+    Its arguments are the line, counted from the beginning of the block or of the table, and the reason.
     """
 
     exit_code = 1
 
     def __str__(self) -> str:
-        line, status = self.args
-        return f"line {line}: {status}"
+        return "line {}: {}".format(*self.args)

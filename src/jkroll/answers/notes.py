@@ -346,7 +346,7 @@ class OfRows:
     def watch(self, blocks: "Iterable[Columns]") -> "Iterator[Columns]":
         """Iterate over columns, and count what is to be said of them."""
         for columns in blocks:
-            self.tally, self._told = self.tally.plus(self.tally.of(columns, first_symbols)), columns.told
+            self.tally, self._told = self.tally.plus(self.tally.of(columns, symbol_of)), columns.told
             yield columns
 
     def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:

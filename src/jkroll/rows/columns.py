@@ -513,19 +513,14 @@ def _is_side(name: str) -> bool:
     return name not in NOMENCLATURE and name not in (ROW, UNCERTAINTY)
 
 
-def first_names(names: list[str]) -> str:
-    """Return the first names of a list, and how many more there are."""
-    return first_of(names)
-
-
-def worded(reasons: Reasons, named: Callable[[list[str]], str] = first_names) -> str:
-    """Return reasons in full; `named` returns quantities in words, by default their names."""
+def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
+    """Return reasons in full; `word_of` returns the word of a quantity, by default its name."""
     if (error := lack(reasons)) is not None:
         return str(error)
     of_values = {name: error for name, error in reasons.items() if name in NOMENCLATURE}
     of_sides = {name.rpartition("_")[0]: error for name, error in reasons.items() if _is_side(name)}
-    clauses = [f"{named(names)}: {reason}" for names, reason in grouped(of_values)]
-    clauses += [f"{named(names)}: {NO_END}{reason}" for names, reason in grouped(of_sides)]
+    groups = [*grouped(of_values), *((names, NO_END + reason) for names, reason in grouped(of_sides))]
+    clauses = [f"{first_of([*map(word_of, names)])}: {reason}" for names, reason in groups]
     clauses += [str(reasons[UNCERTAINTY])] if UNCERTAINTY in reasons else []
     return "; ".join(clauses)
 
@@ -544,12 +539,12 @@ class Tally(NamedTuple):
     said: tuple[str, ...] = ()  # of each table as a whole
 
     @classmethod
-    def of(cls, columns: Columns, named: Callable[[list[str]], str] = first_names) -> "Tally":
-        """Return the counts of some rows; `named` as `worded` has it."""
+    def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
+        """Return the counts of some rows; `word_of` as `worded` has it."""
         rows: dict[str, list[int]] = {}
         for row, status in sorted(columns.status.items()):
             rows.setdefault(status, []).append(row)
-        reasons = {status: worded(columns.reasons[places[0]], named) for status, places in rows.items()}
+        reasons = {status: worded(columns.reasons[places[0]], word_of) for status, places in rows.items()}
         gaps = {status: (len(places), places[0] + 1, reasons[status]) for status, places in rows.items()}
         return cls(len(columns), len(columns.failed), gaps, Counter(as_list(columns.doubts)))
 

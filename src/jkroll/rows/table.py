@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 
 _NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row yet
 
-Cells = Sequence[Sequence[str]]  # of the first rows
-
 
 class Asked(NamedTuple):
     """The request of a table: what options give to all of its rows, and what is wanted of these."""
@@ -62,7 +60,7 @@ class Table:
     What a row gives itself comes first.
     """
 
-    def __init__(self, columns: Header, rows: Cells, asked: Asked) -> None:
+    def __init__(self, columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> None:
         """`rows`: the first ones. Raises BadTable, or an error of the options."""
         self.columns, self.places, self.asked = columns, columns.places, asked
         inputs, known = asked.inputs, asked.known
