@@ -33,8 +33,7 @@ MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of 
 ALONE = 4  # blocks that this process converts before it starts others
 WAIT, PAUSE = 0.5, 0.1  # seconds before progress is shown, and between two times
 WIDTH = 60  # of the line of progress, in characters
-MAX_NOTES = 6  # about rows, at the end
-MAX_LINES = 6  # about many tables, that are said at the end
+MAX_NOTES = 6  # about rows, or about many tables, at the end
 LITTLE = 1 << 19  # bytes of files that a process converts in the time in which another one starts
 DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
 
@@ -278,7 +277,7 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
     if not job.quiet:
         if kept := len(pairs) - len(left):
             say(f"note: {kept} of {len(pairs)} files are newer than their tables and were kept", sys.stderr)
-        for line, count in Counter(tally.said).most_common(MAX_LINES):
+        for line, count in Counter(tally.said).most_common(MAX_NOTES):
             say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
     for (table, _), outcome in zip(left, outcomes, strict=True):
         if outcome.problem:
