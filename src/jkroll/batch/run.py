@@ -17,7 +17,6 @@ from itertools import chain, islice
 from time import monotonic
 from typing import Any, BinaryIO, NamedTuple
 
-from ..answers.notes import about_idle, about_left_out, about_rows, given_of_kinds
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
 from ..output.writers import WRITERS, columns_of, whole_file, written
 from ..quantities.formatting import Format, amount
@@ -81,6 +80,8 @@ def run(path: str, job: Job) -> int:
 
 def _notes(tally: Tally, unknown: str) -> Iterator[str]:
     """Iterate over lines on what was inferred, and in how many rows numbers are in doubt, or cells empty."""
+    from ..answers.notes import about_rows
+
     if tally.inferred:
         yield _summary(unknown, tally)
     notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT}")]
@@ -110,6 +111,8 @@ def _about(table: Table) -> Iterator[str]:
     They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
     enters no error bar.
     """
+    from ..answers.notes import about_idle, about_left_out, given_of_kinds
+
     every, idle = given_of_kinds(table.kinds, judges=table.wanted.doubts)
     if assumed := [text for name, text in every.items() if name not in table.given]:
         yield f"assumed: {', '.join(assumed)}"
