@@ -325,6 +325,9 @@ def split_number(text: str) -> tuple[_Decimal, str]:
         raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
     if has_uncertainty(rest):
         raise BadUnit("has an uncertainty: give the value alone")
+    second = rest.lstrip(" -–—")
+    if second[:1].isdigit() and second != rest.lstrip(" "):
+        raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
     if exponent and len(exponent.lstrip("+-")) > 3:
         raise BadUnit("has an exponent of more than 3 digits")
     return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
@@ -482,7 +485,14 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     if NOMENCLATURE[name].unit == "1" and "," in text and re.fullmatch(_LIST_OR_NUMBER, text.strip()):
         remedy = "a list of numbers without a unit has decimal points, as in 1.0,5.0, and a number has no comma"
         raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
-    return [_spread(item, name) for item in text.split(",")]
+    items = text.split(",")
+    try:
+        return [_spread(item, name) for item in items]
+    except QuantityError as error:
+        if error.reason == NO_UNIT and len(items) > 1:
+            reason = "has a comma where a number has a point, or a number without a unit"
+            raise QuantityError(name, text, reason) from None
+        raise
 
 
 def _spread(text: str, name: str) -> Spread:
