@@ -207,6 +207,7 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
                 line += block.lines
                 tally = tally.plus(block.tally)
                 progress.show(file.share_read(tally.rows), tally.rows)
+                del block  # which the next one would wait beside
     except BadRow as error:
         place, status = error.args
         raise BadRow(line + 1 + place, status) from None
