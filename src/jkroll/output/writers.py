@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from io import TextIOWrapper
 from math import isnan
-from typing import Any, BinaryIO, TextIO
+from typing import Any, BinaryIO, TextIO, cast
 
 from ..errors import BadRequest
 from ..quantities.formatting import Format, in_words, pretty
@@ -208,11 +208,21 @@ def _in_words(name: str, column: Any) -> Any:
 def columns_of(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
     """Return the columns of results, in their units and with their digits, and of remarks."""
     status = [*map(columns.status.get, range(len(columns)))] if columns.reasons else None
-    doubts = [codes(bits) or None for bits in as_list(columns.doubts)] if DOUBT in remarks else None
-    of_remarks = [doubts if name == DOUBT else status for name in remarks]
+    of_remarks = [_codes(columns) if name == DOUBT else status for name in remarks]
     if isinstance(columns.numbers, list) or any(map(form.changes, columns.wanted.names)):
         return [*_formatted(columns, form), *of_remarks]
     return [columns.numbers, *of_remarks]
+
+
+def _codes(columns: Columns) -> list[str | None]:
+    """Return the codes of the doubts of rows."""
+    if isinstance(columns.doubts, list):
+        return [codes(bits) or None for bits in columns.doubts]
+    import numpy
+
+    distinct, places, _ = columns.distinct_doubts
+    texts = numpy.array([codes(bits) or None for bits in distinct.tolist()], dtype=object)
+    return cast(list[str | None], texts[places].tolist())
 
 
 def _formatted(columns: Columns, form: Format) -> Iterator[Any]:

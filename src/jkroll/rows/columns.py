@@ -321,6 +321,21 @@ class Columns:
         return {row: phrases[id(reasons)] for row, reasons in self.reasons.items()}
 
     @cached_property
+    def distinct_doubts(self) -> tuple[Any, Any, Any]:
+        """The doubts that differ, as an array of bits, the place of each row's among them, and their numbers of rows."""
+        import numpy
+
+        return numpy.unique(self.doubts, return_inverse=True, return_counts=True)
+
+    @property
+    def counted_doubts(self) -> Counter[int]:
+        """The numbers of rows, by the bits of their doubts."""
+        if isinstance(self.doubts, list):
+            return Counter(self.doubts)
+        distinct, _, counts = self.distinct_doubts
+        return Counter(dict(zip(distinct.tolist(), counts.tolist(), strict=True)))
+
+    @cached_property
     def failed(self) -> list[int]:
         """The rows without a contact, or without any value but alternatives."""
         return [
@@ -546,7 +561,7 @@ class Tally(NamedTuple):
             rows.setdefault(status, []).append(row)
         reasons = {status: worded(columns.reasons[places[0]], word_of) for status, places in rows.items()}
         gaps = {status: (len(places), places[0] + 1, reasons[status]) for status, places in rows.items()}
-        return cls(len(columns), len(columns.failed), gaps, Counter(as_list(columns.doubts)))
+        return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""
