@@ -77,13 +77,15 @@ def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FOR
 def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
     """Iterate over the doors that do not refuse what cannot be rows. A table does so row by row."""
     said = str(error).partition(": ")[2] or str(error)  # behind the name of an input, which the prompt has as typed
+    refusals: set[str] = set()
     for form in ("--json", "--csv", "ndjson"):
         try:
             printed(run, ask, form, by_arrays=True)
             yield f"{form} does not refuse: {error}"
         except Refused as other:
-            if said not in str(other) and not _lacks(str(other)):  # of two mistakes one is said
-                yield f"{form}: {error} and {other}"
+            refusals.add(str(other))
+    if len(refusals) > 1 or not all(said in other or _lacks(other) for other in refusals):
+        yield f"{error} and {refusals}"  # a single pair is told first what it lacks
     try:
         found = of_table(run, sheet_of(ask))
     except Refused as other:

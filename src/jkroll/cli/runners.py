@@ -8,7 +8,6 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from itertools import islice
-from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.notes import OfRows, lines_of
@@ -57,14 +56,17 @@ def run_question(call: Call) -> int:
 def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: "Callable[[Any], Answer]") -> int:
     """Write what is asked, as rows or as answers; return the exit code. `answer`: returns that of a row."""
     count = len(sweep)
-    is_one = count == 1 and call.kind in ("plain", "table") and call.target is None
+    single = answer(next(sweep.scenes())) if count == 1 else None
+    if single is not None and call.kind != "explain" and single.failure is not None and single.has_no_headline:
+        raise single.failure
+    is_one = single is not None and call.kind in ("plain", "table") and call.target is None
     if not is_one and call.kind not in ("json", "explain", "cite"):
-        return _write_rows(call, sweep, question, form, answer)
+        return _write_rows(call, sweep, question, form, single)
     if count > sweep.most_answers:
         raise BadRequest(f"--{call.kind}: {count} pairs are more than {sweep.most_answers}; --csv writes any number")
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # what is wrong with rows is raised before one is written
-    return _write_answers(call, map(answer, sweep.scenes()), count, form)
+    return _write_answers(call, map(answer, sweep.scenes()) if single is None else [single], count, form)
 
 
 def check_format(call: Call) -> None:
@@ -87,8 +89,8 @@ def question_of(call: Call, usual: Question) -> Question:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answer: "Callable[[Any], Answer]") -> int:
-    """Write a row for each scene; return the exit code."""
+def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, single: "Answer | None") -> int:
+    """Write a row for each scene; return the exit code. `single`: the answer of the only one."""
     is_shown = call.kind == "table" and call.target is None and len(sweep) <= sweep.most_in_table
     if call.kind == "bare":
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
@@ -99,13 +101,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, answ
         elif is_shown and len(sweep.models) == 1:
             wanted = wanted.with_alternatives(sweep.kinds, question.headline)
     blocks = sweep.columns(wanted, one_by_one=is_shown)
-    if len(sweep) == 1:
-        row = next(blocks)
-        headline = [name for name in question.headline if name in wanted.places and name not in sweep.spreads]
-        if row.failed and all(isnan(row.column(name)[0]) for name in headline):
-            raise row.failure(0)
-        blocks = iter([row])
-    single = answer(next(sweep.scenes())) if len(sweep) == 1 and not call.quiet else None
+    single = None if call.quiet else single
     return _write_columns(call, wanted, OfRows(sweep.noted(wanted)), blocks, form, is_table=is_shown, single=single)
 
 
@@ -159,8 +155,6 @@ def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Fo
     def watched() -> "Iterator[Answer]":
         for answer in answers:
             if answer.failure is not None:
-                if count == 1 and call.kind != "explain" and answer.has_no_headline:
-                    raise answer.failure
                 failures.append(answer.failure)
             yield answer
 

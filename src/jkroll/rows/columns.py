@@ -322,7 +322,7 @@ class Columns:
 
     @cached_property
     def distinct_doubts(self) -> tuple[Any, Any, Any]:
-        """The doubts that differ, as an array of bits, the place of each row's among them, and their numbers of rows."""
+        """The bits of doubts that differ, the place of each row's among them, and the number of rows of each."""
         import numpy
 
         return numpy.unique(self.doubts, return_inverse=True, return_counts=True)
@@ -343,10 +343,6 @@ class Columns:
             for row, reasons in self.reasons.items()
             if lack(reasons) is not None or all(isnan(self.column(name)[row]) for name in self.wanted.names)
         ]
-
-    def failure(self, row: int) -> JkrollError:
-        """Return why a row fails: the lack of a contact, or else its first reason."""
-        return lack(self.reasons[row]) or next(iter(self.reasons[row].values()))
 
 
 def as_list(column: Any) -> list[Any]:
