@@ -9,7 +9,7 @@ import pytest
 from harness import Run
 from jkroll import solve
 from jkroll.output.exports import PROGRAMS
-from jkroll.physics.motion import ALL_STICK
+from jkroll.physics.motion import STICKS_FROM
 from relative import approx
 
 NUMBER = r"([-+.e\d]+)"
@@ -379,4 +379,4 @@ def test_grains_that_stick_at_every_speed_in_dust_simulation(run: Run, words: st
     assert said in run(f"export dust-simulation {words}").err
     names = ("contact_modulus", "contact_radius", "reduced_mass")
     modulus, radius, mass = solve(names, material="quartz", radius=246.4e-9).values()
-    assert 1.25e-11 / 0.17**2 * math.sqrt(modulus * radius / mass) == approx(ALL_STICK, rel=1e-3)
+    assert 1.25e-11 / 0.17**2 * math.sqrt(modulus * radius / mass) == approx(STICKS_FROM, rel=1e-3)

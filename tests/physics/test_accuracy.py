@@ -17,7 +17,7 @@ from jkroll import NOMENCLATURE, physics, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, shifted
 from jkroll.physics.accuracy import accuracy_of
-from jkroll.physics.motion import LARGEST
+from jkroll.physics.motion import FITTED_UP_TO
 from jkroll.scene.wiring import formula_of, parameters_of
 from reference import (
     BOUND,
@@ -193,7 +193,10 @@ def _damped(random: Random) -> Iterator[tuple[str, Any]]:
         ("pull_off_force_dmt", 1e-12, 1e3), ("poisson_ratio", 1e-6, 0.5), ("poisson_ratio2", 1e-6, 0.5),
     ):  # fmt: skip
         yield name, log_uniform(random, low, high)
-    yield "viscosity_number", random.choice([log_uniform(random, 1e-20, LARGEST), random.uniform(0, LARGEST), LARGEST])
+    yield (
+        "viscosity_number",
+        random.choice([log_uniform(random, 1e-20, FITTED_UP_TO), random.uniform(0, FITTED_UP_TO), FITTED_UP_TO]),
+    )
 
 
 @cache

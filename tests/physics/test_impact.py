@@ -9,7 +9,7 @@ import pytest
 from harness import Run
 from jkroll import infer, solve
 from jkroll.physics.any_law import pull_off_force_rough
-from jkroll.physics.motion import ALL_STICK, LARGEST, sticking_speed_viscous
+from jkroll.physics.motion import FITTED_UP_TO, STICKS_FROM, sticking_speed_viscous
 from jkroll.scene.failures import Failure, MissingInput
 from relative import approx
 
@@ -42,7 +42,7 @@ def slowest_that_parts(viscosity: float) -> float:
     return float(found.y_events[0][0][1])
 
 
-@pytest.mark.parametrize("viscosity", [1e-6, 1e-3, 0.03, 0.1, 0.27, 0.45, 0.6, 0.66, 0.68, LARGEST])
+@pytest.mark.parametrize("viscosity", [1e-6, 1e-3, 0.03, 0.1, 0.27, 0.45, 0.6, 0.66, 0.68, FITTED_UP_TO])
 def test_sticking_speed_with_damping_by_the_equation_of_motion(viscosity: float) -> None:
     unit = {"sticking_energy": 1.0, "reduced_mass": 2.0}
     ratio = slowest_that_parts(viscosity) / slowest_that_parts(0.0)
@@ -111,7 +111,7 @@ def test_damping_of_grains_that_always_stick_is_refused() -> None:
         solve("sticking_speed", **QUARTZ, poisson_ratio=0.0, viscous_time=viscous_time)
     with pytest.raises(MissingInput, match="Maugis–Dugdale"):
         solve("sticking_speed", **QUARTZ, viscous_time=viscous_time, model="maugis")
-    assert LARGEST < ALL_STICK
+    assert FITTED_UP_TO < STICKS_FROM
 
 
 def test_viscous_time_of_a_measured_sticking_speed() -> None:

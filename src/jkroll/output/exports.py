@@ -9,7 +9,7 @@ from math import pi
 from typing import NamedTuple
 
 from ..errors import BadRequest, JkrollError
-from ..physics.motion import ALL_STICK
+from ..physics.motion import STICKS_FROM
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
@@ -266,9 +266,9 @@ def dust_simulation_material(scene: Scene) -> str:
 def _about_dust_simulation(scene: Scene) -> tuple[str, str]:
     """Return the notes on a material file: its lines, and which grains stick at every speed."""
     ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
-    largest = amount("radius", scene["radius"] * (ratio / ALL_STICK) ** (6 / 7), Format(digits=3))
+    largest = amount("radius", scene["radius"] * (ratio / STICKS_FROM) ** (6 / 7), Format(digits=3))
     sticks = f"with this viscous time all grains below {largest} stick at every speed"
-    number = f"their T* = (T_vis/ν²)√(E*a0/m) is above {ALL_STICK:.4f}; here it is {significant(ratio, 3)}"
+    number = f"their T* = (T_vis/ν²)√(E*a0/m) is above {STICKS_FROM:.4f}; here it is {significant(ratio, 3)}"
     fitted = "the viscous time is fitted to measured sticking at a size: fit yours"
     return _ABOUT_DUST_SIMULATION, f"viscous damping: {sticks}: {number}; {fitted}"
 

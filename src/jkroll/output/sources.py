@@ -42,8 +42,7 @@ def docstring_fields(formula: Any) -> dict[str, str]:
 
     text = cleandoc(formula.__doc__ or "").partition(">>>")[0].rstrip()
     paragraphs = text.split("\n\n")
-    # A formula that stands alone below the summary sets the margin itself.
-    place = next((n for n, paragraph in enumerate(paragraphs) if paragraph.startswith(" ")), len(paragraphs) - 1)
+    place = next(place for place, paragraph in enumerate(paragraphs) if paragraph.startswith(" "))
     fields = {"summary": " ".join(paragraphs[:place]), "formula": paragraphs[place]}
     fields |= re.findall(rf"^({'|'.join(_SECTIONS)}):(.*(?:\n +.*)*)", text, re.MULTILINE)
     return {field: " ".join(words.split()) for field, words in fields.items()}

@@ -95,11 +95,13 @@ def hysteresis_moment(*, zone_radius: Length, reduced_radius: Length, adhesion_h
 
 
 def adhesion_hysteresis_of_fraction(*, hysteresis_fraction: Number, work_of_adhesion: SurfaceEnergy) -> SurfaceEnergy:
-    """Return the hysteresis of adhesion that is a part of the work of adhesion.
+    """Return the hysteresis of adhesion from its fraction of the work of adhesion.
 
         Δw = (Δw/w) w
 
     hysteresis_fraction  [1]  > 0, ≤ 1
+
+    Source:   Definition of the fraction.
     """
     return hysteresis_fraction * work_of_adhesion
 

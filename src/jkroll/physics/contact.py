@@ -198,7 +198,10 @@ def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Lengt
 def pull_off_force_ratio(*, pull_off_force: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Number:
     """Return the pull-off force in units in which laws of attraction are compared: 3/2 for JKR, 2 for DMT.
 
-    P_c/(πwR)
+        P_c/(πwR)
+
+    Source:   Maugis 1992, whose unit of loads it is.
+    Valid:    Any law of attraction.
     """
     return pull_off_force / (pi * work_of_adhesion * reduced_radius)
 

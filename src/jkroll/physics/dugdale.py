@@ -66,7 +66,7 @@ def span(transition: FloatOrArray, ring: Shape) -> FloatOrArray:
     return 1 / (half + sqrt(half * half + transition / 2 * g1(ring)))
 
 
-def half_width(transition: FloatOrArray) -> FloatOrArray:
+def span_at_fold_apart(transition: FloatOrArray) -> FloatOrArray:
     """Return b = 8λ/3π, which is T at the fold of spheres that do not touch."""
     return 8 / (3 * pi) * transition
 
@@ -76,7 +76,7 @@ def span_apart(transition: FloatOrArray, approach: FloatOrArray) -> FloatOrArray
 
     c²/2 − bc = δ + 2/(πλ); fixed grips hold the larger root.
     """
-    b = half_width(transition)
+    b = span_at_fold_apart(transition)
     square = b * b + 2 * (approach + 2 / (pi * transition))
     return b + sqrt(at_least(square, 0.0))
 
@@ -100,15 +100,15 @@ def unloaded_radius(transition: FloatOrArray, ring: Shape, span: FloatOrArray) -
 
 def approach_apart(transition: FloatOrArray, span: FloatOrArray) -> FloatOrArray:
     """Return δ of spheres that attract without contact."""
-    b = half_width(transition)
+    b = span_at_fold_apart(transition)
     return span * (span / 2 - b) - 2 / (pi * transition)
 
 
 def stiffness_ratio(ring: Shape, q: FloatOrArray) -> FloatOrArray:
     """Return dP/dδ over that of a flat punch of radius T: v without attraction, 0 at pull-off, −∞ at the fold."""
     give = ring.g3 - q * ring.h
-    at_fold = absolute(give) <= _ROUNDING * ring.g3  # as near as doubles come, where the sign is chance
-    return where(at_fold, -math.inf, (ring.v * ring.g3 - q * ring.d) / where(at_fold, 1.0, give))
+    is_fold = absolute(give) <= _ROUNDING * ring.g3  # as near as doubles come, where the sign is chance
+    return where(is_fold, -math.inf, (ring.v * ring.g3 - q * ring.d) / where(is_fold, 1.0, give))
 
 
 def energy(transition: FloatOrArray, ring: Shape, span: FloatOrArray, approach: FloatOrArray) -> FloatOrArray:
@@ -156,7 +156,7 @@ def fold_ratio(transition: FloatOrArray) -> FloatOrArray:
 def lowest_approach(transition: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
     """Return δ at the fold, in contact or apart, from its v."""
     ring = Shape(least)
-    apart = approach_apart(transition, half_width(transition))
+    apart = approach_apart(transition, span_at_fold_apart(transition))
     return where(least == 0, apart, approach(transition, ring, span(transition, ring)))
 
 
@@ -171,10 +171,10 @@ def unloaded_ratio(transition: FloatOrArray) -> FloatOrArray:
 
 
 def _step_to(transition: FloatOrArray, ring: Shape, q: FloatOrArray, growth: FloatOrArray) -> FloatOrArray:
-    """Return v after a step of Newton's method towards the v whose state of some kind belongs to λ.
+    """Return v after a step of Halley's method towards the v of an extreme, or of no load, at λ.
 
-    λ = ¾qT with T³ = 8/(3q(G1 + 2qG2)) is the one that has this state at v; `q` is what makes it of its kind, and
-    `growth` is d ln q/dv. Of λ over that one the cube is known, of which a step of Halley's method takes the root.
+    `q` is that of such a state at this v (at pull-off vG3/D), and `growth` is d ln q/dv. This v is the solution at
+    another λ, with λ³ = 9q²/(8(G1 + 2qG2)), as λ = ¾qT and T³ = 8/(3q(G1 + 2qG2)).
     """
     v, n = ring.v, ring.n
     g = g1(ring) + 2 * q * ring.g2

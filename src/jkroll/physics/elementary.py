@@ -48,7 +48,7 @@ def cbrt(value: FloatOrArray) -> FloatOrArray:
 def ln(value: FloatOrArray) -> FloatOrArray:
     """Return the natural logarithm, −∞ of 0 and of what is below it."""
     if isinstance(value, NUMBER):
-        return math.log(value) if value > 0 else value if math.isnan(value) else -math.inf
+        return -math.inf if value <= 0 else math.log(value)
     import numpy
 
     with numpy.errstate(divide="ignore"):

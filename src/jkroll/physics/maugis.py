@@ -172,11 +172,10 @@ def approach_maugis_at_load(
     Valid:    Contact.
     """
     depth = cohesive_stress / contact_modulus * zone_span
-    narrow = at_least(edge_ratio, 1.0)
-    of_load = 3 / 4 * load / (contact_modulus * zone_span * narrow)
-    of_narrow = of_load + depth * (3 / 2 * (narrow + 1 / narrow) * arctan(1 / narrow) - 1 / 2)
+    v = at_least(edge_ratio, 1.0)
+    by_load = 3 / 4 * load / (contact_modulus * zone_span * v) + depth * (3 / 2 * (v + 1 / v) * arctan(1 / v) - 1 / 2)
     a = edge_ratio * zone_span
-    return where(edge_ratio > 1, of_narrow, a * a / reduced_radius - 2 * depth)
+    return where(edge_ratio > 1, by_load, a * a / reduced_radius - 2 * depth)
 
 
 def load_maugis(
@@ -400,7 +399,7 @@ def state_energy_maugis(
     Valid:    Quasi-static.
     """
     ring = dugdale.Shape(edge_ratio)
-    return _of_state(transition_parameter, ring, zone_span / length_unit_maugis) * energy_unit_maugis
+    return _state_energy(transition_parameter, ring, zone_span / length_unit_maugis) * energy_unit_maugis
 
 
 def well_energy_maugis(
@@ -413,7 +412,8 @@ def well_energy_maugis(
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
     """
-    return -_of(transition_parameter, unloaded_edge_ratio) * energy_unit_maugis  # stationary in v, as dΦ = P dδ
+    energy = _contact_energy(transition_parameter, unloaded_edge_ratio)  # stationary in v, as dΦ = P dδ
+    return -energy * energy_unit_maugis
 
 
 def pull_off_work_maugis(
@@ -426,7 +426,9 @@ def pull_off_work_maugis(
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     """
-    fold, unloaded = (_of(transition_parameter, ratio) for ratio in (edge_ratio_at_fold, unloaded_edge_ratio))
+    fold, unloaded = (
+        _contact_energy(transition_parameter, edge_ratio) for edge_ratio in (edge_ratio_at_fold, unloaded_edge_ratio)
+    )
     return (fold - unloaded) * energy_unit_maugis
 
 
@@ -467,13 +469,12 @@ def sticking_energy_maugis(
     Valid:    Quasi-static; no other loss.
     """
     small = at_most(transition_parameter, dugdale.JUMP_WITHOUT_CONTACT)
-    b = dugdale.half_width(small)
-    apart = (
-        17 / 24 * pi * energy_unit_maugis * small * b * b * b * b
-    )  # in this order, no product underflows before the result
-    met = _held_to(transition_parameter, -2 / (pi * transition_parameter), edge_ratio_at_fold)
-    fold = _of(transition_parameter, edge_ratio_at_fold)
-    return where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, (fold - met) * energy_unit_maugis)
+    b = dugdale.span_at_fold_apart(small)
+    # In this order, no product underflows before the result.
+    apart = 17 / 24 * pi * energy_unit_maugis * small * b * b * b * b
+    jumped = _energy_at_approach(transition_parameter, -2 / (pi * transition_parameter), edge_ratio_at_fold)
+    fold = _contact_energy(transition_parameter, edge_ratio_at_fold)
+    return where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, (fold - jumped) * energy_unit_maugis)
 
 
 def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -> Energy:
@@ -486,21 +487,21 @@ def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -
     return -pull_off_force * fold_approach_maugis
 
 
-def _of(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
+def _contact_energy(transition: FloatOrArray, edge_ratio: FloatOrArray) -> FloatOrArray:
     """Return Φ of a contact, or at the fold of spheres that do not touch, dimensionless."""
     ring = dugdale.Shape(edge_ratio)
-    span = where(ring.v > 0, dugdale.span(transition, ring), dugdale.half_width(transition))
-    return _of_state(transition, ring, span)
+    span = where(ring.v > 0, dugdale.span(transition, ring), dugdale.span_at_fold_apart(transition))
+    return _state_energy(transition, ring, span)
 
 
-def _of_state(transition: FloatOrArray, ring: dugdale.Shape, span: FloatOrArray) -> FloatOrArray:
+def _state_energy(transition: FloatOrArray, ring: dugdale.Shape, span: FloatOrArray) -> FloatOrArray:
     """Return Φ of a state, in contact or apart, dimensionless."""
     touching = dugdale.approach(transition, ring, span)
     approach = where(ring.v > 0, touching, dugdale.approach_apart(transition, span))
     return dugdale.energy(transition, ring, span, approach)
 
 
-def _held_to(transition: FloatOrArray, approach: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
+def _energy_at_approach(transition: FloatOrArray, approach: FloatOrArray, least: FloatOrArray) -> FloatOrArray:
     """Return Φ at an approach, dimensionless, in contact or apart; `least` is v at the fold."""
     fold = dugdale.lowest_approach(transition, least)
     ring = dugdale.Shape(dugdale.ratio_at_approach(transition, approach, least, fold))

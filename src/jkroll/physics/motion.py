@@ -216,16 +216,16 @@ def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> E
 
 # --- Viscous damping of codes for dust: a force 2(T_vis/ν²)E*a dδ/dt beside that of JKR -------------------------------
 
-ALL_STICK = 0.681745209228707968  # T* from which on spheres stick at every speed
-LARGEST = 0.6815  # T* up to which the approximation below was held against the equation of motion
+STICKS_FROM = 0.681745209228707968  # T* from which on spheres stick at every speed
+FITTED_UP_TO = 0.6815  # T* up to which the approximation below was held against the equation of motion
 
 # The cube root of the ratio of speeds is a quotient of polynomials of −ln(1 − T*/T_c); the coefficient of the highest
 # power first.
-_OVER = (
+_NUMERATOR = (
     0.00656377003078744, 0.13926479838105343, 1.2560552655575732, 13.353579642533976, 66.71381187636696,
     284.4669223705491, 551.1471822473276, 424.0239945815925, 140.03302074351527, 19.915339089884874, 1.0,
 )  # fmt: skip
-_UNDER = (
+_DENOMINATOR = (
     0.012643948318122239, 0.10560236313712765, 1.7809773703126632, 9.812847493179728, 56.20860934812392,
     239.30526460774885, 266.4482631170719, 108.99628658854968, 17.904318541991803, 1.0,
 )  # fmt: skip
@@ -262,9 +262,9 @@ def sticking_speed_viscous(*, sticking_energy: Energy, reduced_mass: Mass, visco
     Valid:    T* ≤ 0.6815; beyond, a float raises ValueError and an array holds NaN. Above T_c spheres stick at every
               speed. The damping is a quasi-static one, for T* well below 1.
     """
-    distance = -ln(1 - viscosity_number / ALL_STICK)
-    ratio = within(viscosity_number <= LARGEST, cube(_polynomial(_OVER, distance) / _polynomial(_UNDER, distance)))
-    return ratio * sqrt(2 * sticking_energy) / sqrt(reduced_mass)
+    distance = -ln(1 - viscosity_number / STICKS_FROM)
+    root = _polynomial(_NUMERATOR, distance) / _polynomial(_DENOMINATOR, distance)
+    return within(viscosity_number <= FITTED_UP_TO, cube(root)) * sqrt(2 * sticking_energy) / sqrt(reduced_mass)
 
 
 def _polynomial(coefficients: Sequence[float], value: FloatOrArray) -> FloatOrArray:

@@ -245,6 +245,7 @@ def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> 
 
         Bo = P_c/(m1 g)
 
+    Source:   Definition of the number.
     Valid:    A sphere that hangs from body 2.
     """
     return pull_off_force / (mass * gravity)

@@ -48,11 +48,11 @@ def half_circle_pressure(
     Source:   Eqs (15) and (16).
     Valid:    0 ≤ r < 𝒜, which is a + ξ behind the contact point and a − ξ ahead of it.
     """
-    of_circle = {"contact_radius_at_load": half_circle_radius}
-    of_solid = {**of_circle, "contact_modulus": contact_modulus}
-    hertz = hertz_pressure(**of_solid, reduced_radius=reduced_radius)
-    punch = boussinesq_pressure_at_approach(**of_solid, approach_at_load=approach_at_load, hertz_pressure=hertz)
-    return pressure(**of_circle, distance=distance, hertz_pressure=hertz, boussinesq_pressure=punch)
+    state = {"contact_radius_at_load": half_circle_radius, "contact_modulus": contact_modulus}
+    hertz = hertz_pressure(**state, reduced_radius=reduced_radius)
+    punch = boussinesq_pressure_at_approach(**state, approach_at_load=approach_at_load, hertz_pressure=hertz)
+    a = half_circle_radius
+    return pressure(distance=distance, contact_radius_at_load=a, hertz_pressure=hertz, boussinesq_pressure=punch)
 
 
 def unloaded_half_width(

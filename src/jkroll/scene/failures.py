@@ -222,9 +222,9 @@ def _fold(given: Given) -> Any:
 
 
 def _fitted(_: Given) -> float:
-    from ..physics.motion import LARGEST  # most answers are of contacts at rest
+    from ..physics.motion import FITTED_UP_TO  # most answers are of contacts at rest
 
-    return LARGEST
+    return FITTED_UP_TO
 
 
 # Between pull-off and the fold, by the stiffness or by the distance from pull-off.
