@@ -23,7 +23,7 @@ from jkroll.bench.report import (
     QUICK,
     REGIONS,
     Row,
-    each,
+    as_rows,
     exact,
     measure,
     picture_of,
@@ -89,7 +89,7 @@ def test_the_closed_form_of_other_programs_has_no_number_where_spheres_are_press
 def test_two_conditions_agree() -> None:
     """κ in the load, by the package's decimals and by the tests' mpmath."""
     names = ("contact_radius_at_load", "stiffness", "yield_moment")
-    for point in each(regions(10)["ordinary"]):
+    for point in as_rows(regions(10)["ordinary"]):
         given = {
             **{name: point[name] for name in ("radius", "radius2", "yield_displacement", "load")},
             "density": 1.0,

@@ -161,9 +161,3 @@ def test_kinds_are_named() -> None:
 )
 def test_the_quantity_that_a_word_is_likely_to_mean(word: str, meant: str | None) -> None:
     assert nearest(word) == meant
-
-
-def test_only_names_that_would_be_taken_are_offered() -> None:
-    assert nearest("E", ["radius", "youngs_modulus"]) == "youngs_modulus"
-    assert nearest("R", ["radius", "youngs_modulus"]) == "radius"
-    assert nearest("rolling_force", ["radius", "youngs_modulus"]) is None

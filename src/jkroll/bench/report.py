@@ -319,9 +319,10 @@ def _at(sizes: Arrays, approach_ratio: Any, load_ratio: Any = None) -> Arrays:
     return {**points, "pull_off_force": force, "load": numpy.maximum(load_ratio * force, -force)}
 
 
-def each(points: Arrays) -> list[dict[str, float]]:
+def as_rows(points: Arrays) -> list[dict[str, float]]:
     """Return the points as dictionaries of floats."""
-    return [dict(zip(points, row, strict=True)) for row in zip(*(v.tolist() for v in points.values()), strict=True)]
+    columns = (column.tolist() for column in points.values())
+    return [dict(zip(points, row, strict=True)) for row in zip(*columns, strict=True)]
 
 
 # --- Errors and times -------------------------------------------------------------------------------------------------
@@ -351,13 +352,13 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, r
     given = {
         region: {name: arrays[name] for name in names} for region, arrays in points.items() if names <= arrays.keys()
     }
-    exacts = {region: [exact(quantity, point) for point in each(arrays)] for region, arrays in given.items()}
+    exacts = {region: [exact(quantity, point) for point in as_rows(arrays)] for region, arrays in given.items()}
     ways: dict[str, Way] = {DEFAULT: ours, **{name: partial(_by_symbols, way) for name, way in others.items()}}
     many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
-    few = each(given["ordinary"])
+    few = as_rows(given["ordinary"])
     runs = {name: partial(way, many) for name, way in ways.items()} | {FLOATS: lambda: [*map(ours, few)]}
     counts = dict.fromkeys(ways, size.elements) | {FLOATS: len(few)}
-    ways[FLOATS] = lambda arrays: [*map(ours, each(arrays))]
+    ways[FLOATS] = lambda arrays: [*map(ours, as_rows(arrays))]
     for name, time in _best(runs, size.repeats).items():
         errors = {region: _error(ways[name](arrays), exacts[region]) for region, arrays in given.items()}
         yield Row(quantity, name, time / counts[name], time / counts[name] / root, errors)
@@ -425,8 +426,10 @@ def machine() -> str:
 
 
 def _in_full(row: Row) -> list[Cell]:
+    """Return the cells of a row with all digits; a cell without a number is None."""
     errors = [number for region in REGIONS for number in row.errors.get(region, (math.nan, math.nan))]
-    return [row.quantity, row.way, row.cost, row.cube_roots, *(e if math.isfinite(e) else None for e in errors)]
+    cells = [error if math.isfinite(error) else None for error in errors]
+    return [row.quantity, row.way, row.cost, row.cube_roots, *cells]
 
 
 def _in_short(row: Row) -> list[Cell]:

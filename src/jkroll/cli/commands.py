@@ -179,12 +179,12 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option, ...]:
     The properties of a material are taken by every command, but shown only where they are used. Of all inputs, those of
     the report are shown.
     """
-    from ..quantities.laws import LAWS, differs
+    from ..quantities.laws import LAWS, varies_by_law
     from ..scene.wiring import depends_on
 
     of_results = quantities or QUESTIONS["report"].quantities
     depends = depends_on(of_results, LAWS)
-    if any(map(differs, depends_on(of_results))):
+    if any(map(varies_by_law, depends_on(of_results))):
         depends |= {"model"}
     names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if not quantities or name in depends)))
     shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
@@ -375,11 +375,8 @@ def _rows(options: Iterable[Option]) -> list[Row]:
             typed = f"{', '.join(reversed(option.flags))} {option.metavar}".rstrip()
             rows.setdefault(option.sentence(), []).append(typed)
     named = {*re.findall(r"--?[a-z][a-z0-9-]*", " ".join(rows))}
-    shown = [
-        (", ".join(own), text)
-        for text, flags in rows.items()
-        if (own := [flag for flag in flags if flag.split()[0] not in named])
-    ]
+    unnamed = {text: [flag for flag in flags if flag.split()[0] not in named] for text, flags in rows.items()}
+    shown = [(", ".join(flags), text) for text, flags in unnamed.items() if flags]
     further = [option.flag for option in options if option.hidden and option.flag not in named]
     return [*shown, *([(", ".join(further), "")] if further else [])]
 

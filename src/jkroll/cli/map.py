@@ -139,7 +139,8 @@ def _write_data(drawn: Picture, path: str) -> None:
             if (field := panel.field) is not None:
                 x, y = numpy.meshgrid(panel.x.values(), panel.y.values())
                 values = evaluate(field.scene, field.quantity, panel.x, panel.y)
-                write_columns((*heads, header(field.quantity)), [each.ravel() for each in (x, y, values)], "csv", out)
+                columns = [numbers.ravel() for numbers in (x, y, values)]
+                write_columns((*heads, header(field.quantity)), columns, "csv", out)
             else:
                 names = [plain(curve.text) for curve in panel.curves for _ in curve.x]
                 x, y = (numpy.concatenate([getattr(curve, side) for curve in panel.curves]) for side in ("x", "y"))

@@ -287,7 +287,7 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
         remedy = "a negative value follows the option that takes it: --load -5nN"
         return BadRequest(f"{quoted(flag)} begins with a hyphen, as options do; {remedy}")
     flags = flags_of(command)
-    everywhere = {each: option for taker in COMMANDS.values() for each, option in taker.flags().items()}
+    everywhere = {known: option for taker in COMMANDS.values() for known, option in taker.flags().items()}
     problem = f"no such option {quoted(flag)}"
     if flag in everywhere:
         problem, flags = f"{command or 'jkroll without a command'} takes no {quoted(flag)}", {}
@@ -306,8 +306,8 @@ def _meant(flag: str, flags: Mapping[str, Option]) -> str | None:
     name = flag.lstrip("-").replace("-", "_").casefold()
     if option := _option(f"--{flag.lstrip('-')}", flags):
         return option.flag
-    of_names = {option.name: spelling for spelling, option in flags.items()}
-    if meant := of_names.get(QUANTITY_SYNONYMS.get(name, "")):
+    spellings = {option.name: spelling for spelling, option in flags.items()}
+    if meant := spellings.get(QUANTITY_SYNONYMS.get(name, "")):
         return meant
     known = {spelling.lstrip("-").replace("-", "_"): spelling for spelling in flags}
     begun = [word for word in known if name and word.startswith(name)]

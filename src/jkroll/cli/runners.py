@@ -133,10 +133,11 @@ def _write_columns(
     lines = notes.lines(has_table=is_table, quiet=call.quiet) if single is None else lines_of(single, has_head=is_table)
     for line in lines:
         say_wrapped(line, sys.stderr)
-    return _failed(call, notes.tally.failed, notes.tally.rows)
+    return _exit_code(call, notes.tally.failed, notes.tally.rows)
 
 
-def _failed(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
+def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
+    """Return the exit code of rows, and print how many failed, or the error of a single one."""
     if not failed:
         return 0
     options = [NOMENCLATURE[name].option for name in call.inputs]
@@ -170,12 +171,12 @@ def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Fo
         elif call.kind == "cite":
             from ..output.sources import write_citations, write_methods
 
-            write = write_methods if call.tex else write_citations
-            write((answer.explained for answer in watched()), out)
+            write_sources = write_methods if call.tex else write_citations
+            write_sources((answer.explained for answer in watched()), out)
         else:
             _write_answer(call, next(watched()), out, form)
         out.flush()
-    return _failed(call, len(failures), count, failures[0] if failures else None)
+    return _exit_code(call, len(failures), count, failures[0] if failures else None)
 
 
 def _output(target: str | None) -> AbstractContextManager[TextIO]:
@@ -263,10 +264,10 @@ def run_export(call: Call) -> int:
     from ..answers.notes import about_middles, every_line
     from ..output.exports import PROGRAMS
 
-    said = call.subject.casefold()
-    program = next((each for name, each in PROGRAMS.items() if said in (name, each.title.casefold())), None)
+    word = call.subject.casefold()
+    program = next((known for name, known in PROGRAMS.items() if word in (name, known.title.casefold())), None)
     if program is None:
-        guess = closest(said, PROGRAMS) or next(iter(PROGRAMS))
+        guess = closest(word, PROGRAMS) or next(iter(PROGRAMS))
         raise BadRequest(f"export: which program, {', '.join(PROGRAMS)}? Write jkroll export {guess} quartz 100nm")
     if (count := len(call.sweep)) != 1:
         raise BadRequest(f"export takes one pair of spheres, not {count}")
@@ -286,7 +287,7 @@ def run_export(call: Call) -> int:
             say_wrapped(line, sys.stderr)
     else:
         for line in notes:
-            say("\n".join(f"# {part}" for part in wrapped(ascii_text(line), WIDTH_OF_EXPORT, 2)), sys.stdout)
+            say("\n".join(f"# {text}" for text in wrapped(ascii_text(line), WIDTH_OF_EXPORT, 2)), sys.stdout)
     return 0
 
 
@@ -343,8 +344,8 @@ def run_batch(call: Call) -> int:
             raise BadRequest(f"--{name} is empty")
     infer, measured = _unknown_and_measured(call)
     explicit, offered = quantities_named(call.quantities) if call.quantities else ([], EVERYTHING)
-    of_rows = {name: value for name, value in call.settings.items() if name in Asked._fields}
-    of_files = {name: value for name, value in call.settings.items() if name not in of_rows}
+    settings_of_rows = {name: value for name, value in call.settings.items() if name in Asked._fields}
+    settings_of_files = {name: value for name, value in call.settings.items() if name not in settings_of_rows}
     asked = Asked(
         call.inputs,
         call.materials,
@@ -354,9 +355,9 @@ def run_batch(call: Call) -> int:
         measured=measured,
         doubt=not call.no_doubt,
         alternatives=call.alternatives,
-        **of_rows,
+        **settings_of_rows,
     )
-    return run(call.subject, Job(asked, target=call.target or "-", quiet=call.quiet, **of_files))
+    return run(call.subject, Job(asked, target=call.target or "-", quiet=call.quiet, **settings_of_files))
 
 
 def _unknown_and_measured(call: Call) -> tuple[str, str]:

@@ -249,10 +249,10 @@ def answer(
     NoResult
         There is no contact, or no result at all. A single result without a value has a reason instead.
 
-    >>> found = answer("pull-off", material="quartz", radius="100 nm")
-    >>> str(found["pull_off_force"]), found["P_c"].unit
+    >>> answered = answer("pull-off", material="quartz", radius="100 nm")
+    >>> str(answered["pull_off_force"]), answered["P_c"].unit
     ('11.781 nN', 'N')
-    >>> print(*found.doubts)
+    >>> print(*answered.doubts)
     P_c = 14–15 nN by Maugis' law, better here than JKR (Tabor parameter 0.14, z0 = 200–400 pm): --model maugis
     """
     from ..scene.solver import in_si, materials_of, refuse_arrays

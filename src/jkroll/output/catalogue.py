@@ -44,7 +44,7 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
 def _write_rows(chosen: Sequence[Material], out: TextIO, kind: str) -> None:
     """Write a row for each material, with the columns of uncertainties that any of them has."""
     bars = [(name, bar) for material in chosen for name, bar in material.uncertainties.items()]
-    sides = {name: {side for of, bar in bars if of == name for side in bar.sides} for name in PROPERTIES}
+    sides = {name: {side for owner, bar in bars if owner == name for side in bar.sides} for name in PROPERTIES}
     columns = Wanted(PROPERTIES, sides=sides)
     rows: list[list[Cell]] = []
     for material in chosen:
@@ -63,7 +63,7 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
         for name in PROPERTIES
     )
     write_table([Column("material", [material.name for material in chosen], is_right=False)], [*values], out)
-    say(f"\n{_OF_ONE}", out)
+    say(f"\n{_IN_FULL}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
@@ -75,20 +75,20 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     rows: dict[str, list[tuple[str, str, str]]] = {}
     without: dict[str, list[str]] = {}
     for material, energy in zip(chosen, energies, strict=True):
-        of_set = rows.setdefault(material.title, [(material.title, "", "")])
+        rows_of_set = rows.setdefault(material.title, [(material.title, "", "")])
         if "surface_energy" in material.properties:
             method = material.origins.get("surface_energy", {}).get("method", "")
-            of_set.append((f"  {material.name}", energy, re.split("[:;,]", method)[0] or _keys(material)))
+            rows_of_set.append((f"  {material.name}", energy, re.split("[:;,]", method)[0] or _keys(material)))
         else:
             without.setdefault(material.title, []).append(material.name)
     for title, names in without.items():
         rows[title].append(("  with --gamma", "–", ", ".join(names)))
     heads = ("material", head, "method or reference")
-    write_texts(heads, [row for of_set in rows.values() for row in of_set], out)
-    say(f"\n{_OF_ONE}; find some: jkroll materials WORD", out)
+    write_texts(heads, [row for rows_of_set in rows.values() for row in rows_of_set], out)
+    say(f"\n{_IN_FULL}; find some: jkroll materials WORD", out)
 
 
-_OF_ONE = "in full: jkroll materials NAME"
+_IN_FULL = "in full: jkroll materials NAME"
 
 
 def _keys(material: Material) -> str:
@@ -187,7 +187,7 @@ def quantity_as_object(name: str) -> dict[str, Any]:
     quantity, formula = NOMENCLATURE[name], formula_of(name)
     fields = docstring_fields(formula) if formula else {}
     words = words_of([name])
-    with_words = [other for other in without_variants(list(NOMENCLATURE)) if has_words(other, words)]
+    related = [other for other in without_variants(list(NOMENCLATURE)) if has_words(other, words)]
     return {
         "name": name,
         "symbol": quantity.symbol,
@@ -206,7 +206,7 @@ def quantity_as_object(name: str) -> dict[str, Any]:
         "note": quantity.note,
         "variant_of": quantity.variant_of,
         "variants": [other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name],
-        "see_also": [other for other in with_words if other != name],
+        "see_also": [other for other in related if other != name],
     }
 
 

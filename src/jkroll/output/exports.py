@@ -195,16 +195,17 @@ def liggghts_input(scene: Scene) -> str:
     return _LIGGGHTS.format(
         force=scene["pull_off_force"],
         wall="; type 2 is the wall" if _is_at_wall(scene) else "",
-        moduli=_words(moduli),
-        ratios=_words(ratios),
+        moduli=_spaced(moduli),
+        ratios=_spaced(ratios),
         types=len(moduli),
-        densities=_words(map(_energy_density, pairs)),
+        densities=_spaced(map(_energy_density, pairs)),
         steps=f"# timestep {min(steps):.12g}: {_TWENTIETH}\n" if steps else "",
         rayleigh=_rayleigh(grains.values()),
     )
 
 
-def _words(numbers: Iterable[float]) -> str:
+def _spaced(numbers: Iterable[float]) -> str:
+    """Return numbers as a text, each behind a blank."""
     return "".join(f" {number:.12g}" for number in numbers)
 
 
@@ -259,7 +260,7 @@ def dust_simulation_material(scene: Scene) -> str:
     """Return the material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
     name, grain = _grain(scene, "dust-simulation", "has the shear strength G/4π², and takes no other")
     gamma, modulus, ratio, density, lag = grain
-    numbers = _words((100 * scene["radius"], density / 1000, 1000 * gamma, ratio, 10 * modulus, 100 * lag))
+    numbers = _spaced((100 * scene["radius"], density / 1000, 1000 * gamma, ratio, 10 * modulus, 100 * lag))
     return "\n".join(("MATERIAL_FILE_VERSION_1_4", name, *numbers.split(), *_DAMPING, "1", "1", "1", ""))
 
 
@@ -276,7 +277,7 @@ def _about_dust_simulation(scene: Scene) -> tuple[str, str]:
 def dust_collider_material(scene: Scene) -> str:
     """Return a material of a command file of Paulemaule/DustCollider, in SI units."""
     name, grain = _grain(scene, "dust-collider", "has a shear strength of its own, and takes no other")
-    return _DUST_COLLIDER.format(name, _words(grain))
+    return _DUST_COLLIDER.format(name, _spaced(grain))
 
 
 # --- The registry -----------------------------------------------------------------------------------------------------

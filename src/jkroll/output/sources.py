@@ -151,12 +151,12 @@ class Sources:
         self.names = [result.name for result in answer.results if result.value is not None]
         formulas = answer.scene.formulas_to(*self.names)
         self.equations = {equation for name in formulas if (equation := NOMENCLATURE[name].equation)}
-        between = answer.scene.replace(model=BETWEEN)
-        rests_on_law = any(uses_law(between, name) for name in between.possible(self.names))
+        by_maugis = answer.scene.replace(model=BETWEEN)
+        rests_on_law = any(uses_law(by_maugis, name) for name in by_maugis.possible(self.names))
         known = references()
         self.law = [known[answer.scene.law.name]] if rests_on_law else []
-        named = [NOMENCLATURE[name].reference for name in self.names]
-        self.conventions = [entry for of_name in named for words, entry in known.items() if words in of_name]
+        cited = [NOMENCLATURE[name].reference for name in self.names]
+        self.conventions = [entry for reference in cited for words, entry in known.items() if words in reference]
         used = answer.scene.data_used(answer.inputs)
         self.data = [entry for material, name in used for entry in material.sources_of(name)]
 
@@ -238,11 +238,11 @@ def _values(answer: Answer) -> str:
         if name in omitted:
             continue
         quantity = NOMENCLATURE[name]
-        stands = "" if quantity.is_word else f"{symbol(name)} = "
+        lead = "" if quantity.is_word else f"{symbol(name)} = "
         meaning = quantity.sentence + ("; assumed" if name in answer.assumed else "")
         used = answer.scene.data_used([name])
         data = [entry for material, of_material in used for entry in material.sources_of(of_material)]
-        texts.append(as_latex(f"{stands}{amount(name, value)} ({meaning})") + _cite(data))
+        texts.append(as_latex(f"{lead}{amount(name, value)} ({meaning})") + _cite(data))
     return f"Values used: {', '.join(texts)}."
 
 

@@ -63,8 +63,8 @@ class Lines:
             cells = [before[place]] if before else []
             cells += [self._cells(column, lead, place) for column, lead in zip(columns, leads, strict=False)]
             pieces = [self.end] * ((len(cells) + 1) * len(cells[0]))
-            for each, column in enumerate(cells):
-                pieces[each :: len(cells) + 1] = column
+            for number, column in enumerate(cells):
+                pieces[number :: len(cells) + 1] = column
             strips.append(b"".join(pieces))
         return b"".join(strips)
 
@@ -168,7 +168,7 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
 
 def divided(columns: Sequence[Any]) -> list[Any]:
     """Return columns one by one, of which several may be in an array together."""
-    return [each for column in columns for each in (column if getattr(column, "ndim", 1) > 1 else [column])]
+    return [single for column in columns for single in (column if getattr(column, "ndim", 1) > 1 else [column])]
 
 
 def length(column: Any) -> int:
@@ -208,10 +208,10 @@ def _in_words(name: str, column: Any) -> Any:
 def columns_of(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
     """Return the columns of results, in their units and with their digits, and of remarks."""
     status = [*map(columns.status.get, range(len(columns)))] if columns.reasons else None
-    of_remarks = [_codes(columns) if name == DOUBT else status for name in remarks]
+    texts = [_codes(columns) if name == DOUBT else status for name in remarks]
     if isinstance(columns.numbers, list) or any(map(form.changes, columns.wanted.names)):
-        return [*_formatted(columns, form), *of_remarks]
-    return [columns.numbers, *of_remarks]
+        return [*_formatted(columns, form), *texts]
+    return [columns.numbers, *texts]
 
 
 def _codes(columns: Columns) -> list[str | None]:

@@ -63,7 +63,7 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
                 points.append(Mark(_NO_LOAD if name == EQUILIBRIUM else name, x, y))
     if loads is not None:
         least = min(float(curve.y.min()) for curve in curves)
-        curves = [part for part in (clipped(curve, *loads) for curve in curves) if part.y.size > 1]
+        curves = [curve for curve in (clipped(curve, *loads) for curve in curves) if curve.y.size > 1]
         points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
         if not curves:
             raise Failure(BEYOND_PULL_OFF, numbers=(loads.high, least))
@@ -177,11 +177,11 @@ def curves_of_contact(
         about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else OF_CURVE
         notes |= dict.fromkeys(note.text for note in Answer(about, scenes[0]).doubts())
     for scene in scenes:
-        of_law = [name for name in names if not _lacking(scene, name)]
+        held = [name for name in names if not _lacking(scene, name)]
         unloaded = scene.replace(load=0.0)
-        inputs = [name for name in unloaded.inputs_of(*of_law) if name not in varied]
+        inputs = [name for name in unloaded.inputs_of(*held) if name not in varied]
         fixed |= dict.fromkeys(inputs_as_texts(unloaded, inputs))
-        notes |= dict.fromkeys(notes_on(scene, unloaded, inputs, of_law))
+        notes |= dict.fromkeys(notes_on(scene, unloaded, inputs, held))
     return Picture("", panels, fixed_inputs([*fixed])), tuple(notes)
 
 
@@ -286,8 +286,8 @@ def figure_2(materials: Materials) -> Picture:
     scene = Scene(SIZE, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
     state = values_of(scene, (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment"))
-    of_pair = {name: state[name] for name in moduli}
-    of_circle = {name: state[name] for name in AREA_AND_PRESSURES}
+    pair = {name: state[name] for name in moduli}
+    circle = {name: state[name] for name in AREA_AND_PRESSURES}
     a, shift = state["contact_radius_at_load"], float(scene["yield_displacement"])
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
     half = angle / 2 + numpy.pi
@@ -301,16 +301,16 @@ def figure_2(materials: Materials) -> Picture:
     point = Mark("contact point", 0.0, 0.0)
     view = Panel(x, y, outlines, (point,), "from above, rolling to the right", is_true_to_scale=True)
 
-    def of_half(position: Any, radius: float) -> Any:
+    def half_circle(position: Any, radius: float) -> Any:
         given = {"distance": abs(position), "approach_at_load": state["approach_at_load"]}
-        return half_circle_pressure(half_circle_radius=radius, **given, **of_pair)
+        return half_circle_pressure(half_circle_radius=radius, **given, **pair)
 
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
-    exact = exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **of_circle, **of_pair)
+    exact = exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **circle, **pair)
     curves = [
         Curve("exact", shifted, exact),
-        *_halves("half-circle", a, shift, of_half),
-        Curve("not shifted", centred, pressure(distance=abs(centred), **of_circle), 3),
+        *_halves("half-circle", a, shift, half_circle),
+        Curve("not shifted", centred, pressure(distance=abs(centred), **circle), 3),
     ]
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
     moments = [amount(name, state[name]) for name in ("yield_moment", "half_circles_moment")]
@@ -326,10 +326,13 @@ def figure_2(materials: Materials) -> Picture:
     return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks)
 
 
-def _halves(word: str, a: float, shift: float, of_half: Callable[[Any, float], Any]) -> Iterator[Curve]:
-    """Iterate over the pressures of two halves that meet at the contact point, of the contact behind it and ahead."""
+def _halves(word: str, a: float, shift: float, pressure_of: Callable[[Any, float], Any]) -> Iterator[Curve]:
+    """Iterate over the pressures behind the contact point and ahead of it, each that of half a symmetric contact.
+
+    `pressure_of` returns it for positions and the size of a half.
+    """
     for sign, size, x in (("+", a + shift, across(-a - shift, 0.0)), ("−", a - shift, across(0.0, a - shift))):
-        yield Curve(f"{word} ⟦a {sign} ξ⟧", x, of_half(x, size), 1 if sign == "+" else 2, is_dashed=True)
+        yield Curve(f"{word} ⟦a {sign} ξ⟧", x, pressure_of(x, size), 1 if sign == "+" else 2, is_dashed=True)
 
 
 def figure_9(materials: Materials) -> Picture:
@@ -349,8 +352,8 @@ def figure_9(materials: Materials) -> Picture:
     symmetric = Curve("exact, Eq (56)", centred, strip(centred, a))
     exact = Curve("exact, Eq (64)", shifted, strip(shifted + shift, a, shift))
     curves = [exact, *_halves("half-strip", a, shift, strip)]
-    of_shifted = {"contact_half_width": a, "yield_displacement": shift, **size}
-    moments = contact_point_moment(**of_shifted), half_strips_moment(**of_shifted)
+    shifted_strip = {"contact_half_width": a, "yield_displacement": shift, **size}
+    moments = contact_point_moment(**shifted_strip), half_strips_moment(**shifted_strip)
     shifted_by = amount("yield_displacement", shift)
     caption = (
         f"Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = {shifted_by}.",
@@ -378,8 +381,9 @@ _UNIT = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}  # in which forces a
 def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
     """Return the pull-off force over πwR against μ by JKR, DMT, Maugis and Lennard-Jones, with grains as marks."""
     tabor, near = _TABOR.values(), _LENNARD_JONES.values()
-    of_law = {"transition_parameter": transition_parameter(tabor_parameter=tabor)}
-    maugis = pull_off_force_maugis(edge_ratio_at_pull_off=edge_ratio_at_pull_off(**of_law), **of_law, **_UNIT)
+    transition = {"transition_parameter": transition_parameter(tabor_parameter=tabor)}
+    ratio = edge_ratio_at_pull_off(**transition)
+    maugis = pull_off_force_maugis(edge_ratio_at_pull_off=ratio, **transition, **_UNIT)
     ends = numpy.array([_TABOR.low, _TABOR.high])
     curves = (
         Curve("Maugis–Dugdale", tabor, maugis, 0),

@@ -256,14 +256,14 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
 
     The table has as many columns as fit the terminal.
     """
-    of_y = shown(panel.y, ROWS)[::-1]
-    heads_of_y, unit_of_y = panel.y.in_words(of_y.tolist(), DIGITS + 1)
+    y = shown(panel.y, ROWS)[::-1]
+    heads_of_y, unit_of_y = panel.y.in_words(y.tolist(), DIGITS + 1)
     for count in range(COLUMNS, 0, -1):
-        of_x = shown(panel.x, count)
-        heads, unit_of_x = panel.x.in_words(of_x.tolist(), DIGITS + 1)
-        here = field.scene.replace(**panel.x.inputs(of_x[None, :]), **panel.y.inputs(of_y[:, None]))
-        values = numpy.broadcast_to(values_of(here, [field.quantity])[field.quantity], (of_y.size, of_x.size))
-        cells, seen = _cells(field, here, values)
+        x = shown(panel.x, count)
+        heads, unit_of_x = panel.x.in_words(x.tolist(), DIGITS + 1)
+        scene = field.scene.replace(**panel.x.inputs(x[None, :]), **panel.y.inputs(y[:, None]))
+        values = numpy.broadcast_to(values_of(scene, [field.quantity])[field.quantity], (y.size, x.size))
+        cells, signs = _cells(field, scene, values)
         columns = [Column(quantity_of(panel.y.name).symbol, heads_of_y, is_right=False), *map(Column, heads, cells)]
         head, *rows = zip(*map(padded, columns), strict=True)
         if width_of(_GAP.join(head)) <= terminal_width():
@@ -271,23 +271,23 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
     say_texts([f"Down: {described(panel.y.name, unit_of_y)}. Across: {described(panel.x.name, unit_of_x)}."], out)
     say(_GAP.join(head).rstrip(), out)
     has_colours = out.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM", "dumb") != "dumb"
-    for (of_row, *texts), numbers in zip(rows, values, strict=True):
-        say(_GAP.join([of_row, *(_painted(field, texts, numbers) if has_colours else texts)]).rstrip(), out)
+    for (head_of_row, *texts), numbers in zip(rows, values, strict=True):
+        say(_GAP.join([head_of_row, *(_painted(field, texts, numbers) if has_colours else texts)]).rstrip(), out)
     gaps = [f"{NO_VALUE} no value"] if not numpy.isfinite(values).all() else []
-    say_texts([*(f"{region.sign} {region.text}" for region in field.regions if region.sign in seen), *gaps], out)
+    say_texts([*(f"{region.sign} {region.text}" for region in field.regions if region.sign in signs), *gaps], out)
 
 
-def _cells(field: Field, here: Scene, values: Any) -> tuple[list[list[str]], str]:
+def _cells(field: Field, scene: Scene, values: Any) -> tuple[list[list[str]], str]:
     """Return the columns of the values of a field, with signs where they are in a region, and all these signs."""
     known = numpy.isfinite(values)
     texts, signs = numpy.full((2, *values.shape), "", dtype=object)
     texts[~known] = NO_VALUE
     texts[known], _ = field.in_words(values[known].tolist(), DIGITS)
     for region in field.regions:
-        signs[known & numpy.broadcast_to(region.excess(here) > 0, values.shape)] += region.sign
-    for of_column, texts_of_column in zip(signs.T, texts.T, strict=True):
-        if width := max(map(len, of_column)):  # numbers stand below each other, whichever signs they have
-            texts_of_column += [f" {sign:{width}}" for sign in of_column]
+        signs[known & numpy.broadcast_to(region.excess(scene) > 0, values.shape)] += region.sign
+    for signs_of_column, texts_of_column in zip(signs.T, texts.T, strict=True):
+        if width := max(map(len, signs_of_column)):  # numbers stand below each other, whichever signs they have
+            texts_of_column += [f" {sign:{width}}" for sign in signs_of_column]
     return texts.T.tolist(), "".join(signs.ravel().tolist())
 
 

@@ -172,8 +172,8 @@ class Layer:
     def __init__(self, request: PlotRequest, text: str, scene: Scene, axes: Sequence[Axis]) -> None:
         """Evaluate the quantity of a request in a scene; `text`: the label of a curve."""
         self.text, self.given, self.quantity, self.axes = text, scene, (quantity := request.quantity), axes
-        at_an_end = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
-        self.scene = scene.replace(**at_an_end)  # what a quantity needs is the same all along an axis
+        drawn = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
+        self.scene = scene.replace(**drawn)  # at an end: what a quantity needs is the same all along an axis
         limits = touched(self.scene, [quantity], request.limits)
         every = judged(limits, over(scene, *axes), [quantity])  # at each point
         self.doubts = [doubt for doubt in every if doubt.error is None]
@@ -182,7 +182,7 @@ class Layer:
         inputs, used = self.scene.inputs_of(*names), self.scene.inputs_of(quantity)
         # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
         shown = [name for name in inputs if name in used or name != "load" or name in self.scene.given]
-        self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in at_an_end])
+        self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in drawn])
         remark = NOMENCLATURE[quantity].note
         self.unjudged = [f"Limits are not judged: {symbol(error.wanted)} {error.reason()}." for error in missing[:1]]
         self.notes = (

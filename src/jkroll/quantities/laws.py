@@ -225,11 +225,11 @@ def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[
 @cache
 def law_of(formula: str) -> str | None:
     """Return the only law that has some quantity by a formula; None if there is none, or several."""
-    laws = [model for model in LAWS if any(formula in routes for routes in routes_anywhere((model,)).values())]
+    laws = [model for model in LAWS if any(formula in formulas for formulas in routes_anywhere((model,)).values())]
     return laws[0] if len(laws) == 1 else None
 
 
 @cache
-def differs(name: str) -> bool:
+def varies_by_law(name: str) -> bool:
     """Return whether a law other than the default has a quantity by a formula of its own, or not at all."""
     return any(name in law.tables[ALWAYS] for law in LAWS.values())

@@ -69,13 +69,13 @@ def typeset(text: str) -> str:
     ('$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 m$^{-1}$', '$10^{6}$ to 1.5·$10^{7}$')
     """
 
-    def words(part: str) -> str:
-        part = re.sub(r"(?<![\w.])-(?=[\d.])", "−", part).replace("$", r"\$")
-        part = re.sub(r"\b1e(-?\d+)", r"$10^{\1}$", part)
-        part = _POWER_OF_TEN.sub(r"·$10^{\1}$", part)
-        return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(SUPERSCRIPTS)}}}$", part)
+    def typeset_words(words: str) -> str:
+        words = re.sub(r"(?<![\w.])-(?=[\d.])", "−", words).replace("$", r"\$")
+        words = re.sub(r"\b1e(-?\d+)", r"$10^{\1}$", words)
+        words = _POWER_OF_TEN.sub(r"·$10^{\1}$", words)
+        return re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(SUPERSCRIPTS)}}}$", words)
 
-    return _in_parts(text, words, str)
+    return _converted(text, typeset_words, str)
 
 
 def as_latex(text: str) -> str:
@@ -85,20 +85,20 @@ def as_latex(text: str) -> str:
     'radius \\& $R_{\\mathrm{c}}$ is 1~${\\mu}$m; ${\\gamma}$ is 2.5${\\times}10^{-5}$~J/m$^{2}$'
     """
 
-    def words(part: str) -> str:
-        escaped = with_units_joined(part).translate(_ESCAPED)
+    def escaped_words(words: str) -> str:
+        escaped = with_units_joined(words).translate(_ESCAPED)
         return _POWER_OF_TEN.sub(lambda match: rf"${{\times}}10^{{{int(match[1])}}}$", escaped)
 
-    return _in_parts(text, words, lambda formula: formula.translate(_COMMANDS))
+    return _converted(text, escaped_words, lambda formula: formula.translate(_COMMANDS))
 
 
-def _in_parts(text: str, words: Callable[[str], str], formula: Callable[[str], str]) -> str:
-    """Return a text whose words and whose formulas, in mathtext, went through a function each."""
-    parts = _FORMULA.split(text)
-    parts[::2] = map(words, parts[::2])
-    formulas = ("".join(map(_token, _TOKEN.finditer(part))) for part in parts[1::2])
-    parts[1::2] = (f"${formula(each)}$" if each else "" for each in formulas)
-    return "".join(parts)
+def _converted(text: str, words: Callable[[str], str], formula: Callable[[str], str]) -> str:
+    """Return a text whose words are converted by one function, and whose formulas, in mathtext, by another."""
+    pieces = _FORMULA.split(text)  # words and formulas in turn
+    pieces[::2] = map(words, pieces[::2])
+    formulas = ("".join(map(_token, _TOKEN.finditer(piece))) for piece in pieces[1::2])
+    pieces[1::2] = (f"${formula(mathtext)}$" if mathtext else "" for mathtext in formulas)
+    return "".join(pieces)
 
 
 def lines(text: str, letters: int) -> list[str]:
@@ -116,5 +116,5 @@ def _token(match: re.Match[str]) -> str:
     if not letter:
         return _SIGNS.get(match[0], match[0])
     subscript = rf"\mathrm{{{word}}}" if word and word.isascii() else word or (index or "").lstrip("_")
-    stands = _LETTERS.get(letter, letter) + (f"_{{{subscript}}}" if subscript else "")
-    return stands + ("{}^{*}" if star else "")  # clear of the letter's slant, which would leave a gap
+    indexed = _LETTERS.get(letter, letter) + (f"_{{{subscript}}}" if subscript else "")
+    return indexed + ("{}^{*}" if star else "")  # clear of the letter's slant, which would leave a gap

@@ -33,7 +33,7 @@ SIZE = Range(0.0, INFINITY, False, False, "must be positive: it is the size of a
 UP_TO_INFINITE = Range(0.0, INFINITY, False, True, "must be positive")
 POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing")
-PART = Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%")
+FRACTION = Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%")
 SEVERAL = Range(2.0, INFINITY, True, False, "must be at least 2")
 ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
@@ -301,8 +301,8 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "bond_number": Quantity("Bo", "1", "pull-off force over weight of sphere 1"),
     "adhesion_hysteresis": Quantity("Δw", "J/m^2", "work of adhesion as it opens less that as it closes",
         range=POSITIVE, option="--adhesion-hysteresis", example="5mJ/m2"),
-    "hysteresis_fraction": Quantity("Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion", range=PART,
-        option="--hysteresis-fraction", example="40%"),
+    "hysteresis_fraction": Quantity("Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion",
+        range=FRACTION, option="--hysteresis-fraction", example="40%"),
     "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
     "hysteresis_moment": Quantity("M_hyst", "N m", "moment by adhesion hysteresis"),
     "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
@@ -446,8 +446,8 @@ def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
     if word in names:
         return word
     plain = word.strip().lstrip("-").replace("-", "_")
-    for spelt in (plain, plain.casefold()):
-        for name in (spelt, OPTION_WORDS.get(spelt, "")):
+    for spelling in (plain, plain.casefold()):
+        for name in (spelling, OPTION_WORDS.get(spelling, "")):
             if name in names:
                 return name
     several = with_symbol(word, names)
@@ -462,15 +462,15 @@ def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
     symbol and is not looked for.
     """
     symbols = {name: NOMENCLATURE[name].symbol for name in names if not NOMENCLATURE[name].variant_of}
-    for alike in (str, _spelt):
+    for spelling_of in (str, _plain_spelling):
         for index in ("", "1"):
-            wanted = alike(word.strip()) + index
-            if names_of_symbol := [name for name, symbol in symbols.items() if symbol and alike(symbol) == wanted]:
-                return names_of_symbol
+            wanted = spelling_of(word.strip()) + index
+            if several := [name for name, symbol in symbols.items() if symbol and spelling_of(symbol) == wanted]:
+                return several
     return []
 
 
-def _spelt(symbol: str) -> str:
+def _plain_spelling(symbol: str) -> str:
     return ascii_text(symbol.casefold()).replace("_", "").replace(" ", "")
 
 
@@ -510,23 +510,22 @@ _WORDS_OF_OTHERS = {
 SYNONYMS = {name: words.partition("?")[0].split() for name, words in _WORDS_OF_OTHERS.items()}
 QUANTITY_SYNONYMS = {word: name for name, words in _WORDS_OF_OTHERS.items() for word in words.replace("?", "").split()}
 
-# from here on, a word may be meant for another: "moment" for "yield_moment", but not "restitution" for "friction"
+# Similarity from which on a word may mean another: "moment" "yield_moment", but "restitution" not "friction".
 ALIKE = 0.65
 
 
-def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
-    """Return the quantity among `names` that a word is likely to mean; None if there is none.
+def nearest(word: str) -> str | None:
+    """Return the quantity that a word is likely to mean; None if there is none.
 
     It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose
     name begins with the word, or else the one whose name or option resembles it most.
     """
-    meanings = {term: meant for term, meant in {**OPTION_WORDS, **QUANTITY_SYNONYMS}.items() if meant in names}
-    meanings |= {name: name for name in names}
+    meanings = {**OPTION_WORDS, **QUANTITY_SYNONYMS, **{name: name for name in NOMENCLATURE}}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
     letters = name.replace("_", "")
-    begun = (each for each in names if letters and each.replace("_", "").startswith(letters))
-    meant = next(iter(with_symbol(word, names)), None) or meanings.get(name) or next(begun, None)
-    return meant or meanings.get(closest(name, meanings, ALIKE) or "")
+    begun = (full for full in NOMENCLATURE if letters and full.replace("_", "").startswith(letters))
+    meaning = next(iter(with_symbol(word)), None) or meanings.get(name) or next(begun, None)
+    return meaning or meanings.get(closest(name, meanings, ALIKE) or "")
 
 
 class UnknownQuantity(JkrollError):

@@ -121,7 +121,7 @@ class Measured(Uncertain):
         if minus is None and plus is None:
             raise BadRequest("Measured: the uncertainty is missing; write Measured(0.025, 0.005)")
         given = (value, plus if minus is None else minus, minus if plus is None else plus)
-        self.value, below, above = (_checked_number("Measured", each) for each in given)
+        self.value, below, above = (_checked_number("Measured", number) for number in given)
         if min(below, above) < 0:
             raise BadRequest(f"Measured: {min(below, above)!r} is a negative uncertainty")
         self.sides = {"minus": below, "plus": above}
@@ -148,7 +148,7 @@ class Interval(Uncertain):
 
     def __init__(self, value: float, low: float, high: float) -> None:
         """Raise BadRequest for what is no number, for ends in the wrong order, and for a value outside them."""
-        self.value, low, high = (_checked_number("Interval", each) for each in (value, low, high))
+        self.value, low, high = (_checked_number("Interval", number) for number in (value, low, high))
         if not low <= self.value <= high:
             raise BadRequest(f"Interval: {self.value!r} does not lie in the range from {low!r} to {high!r}")
         self.sides = {"low": low, "high": high}

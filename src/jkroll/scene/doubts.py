@@ -533,9 +533,9 @@ def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMI
     return [limit for limit in concerned if limit.applies is None or limit.applies(scene, names)]
 
 
-def bits_of(found: Iterable[Doubt]) -> Any:
+def bits_of(several: Iterable[Doubt]) -> Any:
     """Return the codes of doubts as bits: a whole number, or an array for a scene of arrays."""
-    return reduce(or_, (doubt.bits for doubt in found), 0)
+    return reduce(or_, (doubt.bits for doubt in several), 0)
 
 
 def codes_of(bits: int) -> tuple[str, ...]:
