@@ -4,7 +4,6 @@ import gc
 import os
 import sys
 
-CANNOT_WRITE = 1
 SELDOM = 50_000  # new objects until the next search for cycles: what imports make is no garbage
 
 
@@ -24,11 +23,13 @@ def run() -> None:
         from .cli.process import main
 
     code = main()
+    from .errors import FAILED
+
     for stream in filter(None, (sys.stdout, sys.stderr)):
         try:
             stream.flush()
         except OSError:
-            code = code or CANNOT_WRITE
+            code = code or FAILED
     os._exit(code)  # everything is written, and an orderly shutdown of the interpreter would take a tenth of a call
 
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 ROWS_FAILED = 1  # exit code of a call that answered, though not for every row
+FAILED = 1  # exit code of a call that could not write, or met what nobody foresaw
 
 
 class JkrollError(Exception):

@@ -16,7 +16,6 @@ _ASCII = {
     "─": "-", "≤": "<=", "±": "+/-", "≈": "~", "→": "->", "∞": "inf",
 }  # fmt: skip
 
-
 LETTERS = {name: letter for letter, name in _ASCII.items() if len(name) > 1 and name.isalpha()}  # by their names
 
 

@@ -26,7 +26,7 @@ from jkroll.bench.report import (
     as_rows,
     exact,
     measure,
-    picture_of,
+    picture_of_bench,
     regions,
     write_bench,
 )
@@ -129,7 +129,7 @@ def test_what_is_written(kind: str) -> None:
 
 
 def test_a_plot_has_a_point_and_the_name_of_every_way() -> None:
-    panels = picture_of([*rows().values()]).panels
+    panels = picture_of_bench([*rows().values()]).panels
     for quantity, panel in zip(QUANTITIES, panels, strict=True):
         *ways, promise = panel.curves
         assert {curve.text for curve in ways} == {way for name, way in rows() if name == quantity}

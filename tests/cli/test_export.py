@@ -210,7 +210,7 @@ WHICH = f"export: which program, {_NAMES}? Write jkroll export lammps quartz 100
         ("liggghts quartz 100nm --young2 rigid", "export: liggghts needs a finite Young's modulus of each body"),
         (
             "dust-simulation quartz 100nm --shear-strength 1MPa",
-            "export: dust-simulation has the shear strength G/4π², and takes no other",
+            "export: dust-simulation has a shear strength of its own, and takes no other",
         ),
         (
             "dust-simulation quartz 100nm --approach 0.1nm",

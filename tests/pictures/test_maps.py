@@ -14,7 +14,7 @@ import pytest
 from harness import Run
 from jkroll import known_materials, solve
 from jkroll.pictures.figures import paper_map
-from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over, shown
+from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over, shown_values
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.doubts import LIMITS
 from jkroll.scene.scene import Scene
@@ -137,7 +137,7 @@ def test_materials_are_where_table_1_has_them() -> None:
     ],
 )
 def test_a_table_has_rounded_values_or_those_that_were_asked(axis: Axis, most: int, wanted: list[float]) -> None:
-    np.testing.assert_allclose(shown(axis, most), wanted, rtol=1e-3, atol=1e-20)
+    np.testing.assert_allclose(shown_values(axis, most), wanted, rtol=1e-3, atol=1e-20)
 
 
 def test_the_axis_of_a_flat_curve_does_not_enlarge_rounding_errors(run: Run) -> None:

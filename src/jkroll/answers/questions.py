@@ -62,35 +62,31 @@ _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
     tuple(name for each in _QUESTIONS.values() for name in each.quantities if name in (*each.headline, *_CONTRARY)),
 )
-QUESTIONS: Mapping[str, Question] = MappingProxyType(
-    {
-        **_QUESTIONS,
-        "report": _REPORT,
-        # Not in the report, which has one number for each quantity and no conventions.
-        "energies": _question(
-            "fold_energy pull_off_work break_energy_dust_simulation sticking_energy",
-            "fold_energy well_energy pull_off_work break_energy_dust_simulation pull_off_work_at_dead_load "
-            "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
-            "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
-            "sticking_speed_pencil_code",
-        ),
-        "impact": _question(
-            "restitution", "restitution sticking_speed viscosity_number lost_energy n_roll_after_impact"
-        ),
-        "resistances": _question(
-            "yield_force sliding_force twisting_moment",
-            "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "
-            "tangential_stiffness sliding_displacement sliding_force sliding_energy sliding_or_peeling_force "
-            "peeling_force peeling_radius twisting_stiffness twisting_angle twisting_moment twisting_energy",
-        ),
-        "aggregates": _question(
-            "restructuring_energy disruption_energy",
-            "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
-            "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
-            "compressive_strength tensile_strength",
-        ),
-    }
-)
+QUESTIONS: Mapping[str, Question] = {
+    **_QUESTIONS,
+    "report": _REPORT,
+    # Not in the report, which has one number for each quantity and no conventions.
+    "energies": _question(
+        "fold_energy pull_off_work break_energy_dust_simulation sticking_energy",
+        "fold_energy well_energy pull_off_work break_energy_dust_simulation pull_off_work_at_dead_load "
+        "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
+        "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
+        "sticking_speed_pencil_code",
+    ),
+    "impact": _question("restitution", "restitution sticking_speed viscosity_number lost_energy n_roll_after_impact"),
+    "resistances": _question(
+        "yield_force sliding_force twisting_moment",
+        "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "
+        "tangential_stiffness sliding_displacement sliding_force sliding_energy sliding_or_peeling_force "
+        "peeling_force peeling_radius twisting_stiffness twisting_angle twisting_moment twisting_energy",
+    ),
+    "aggregates": _question(
+        "restructuring_energy disruption_energy",
+        "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
+        "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
+        "compressive_strength tensile_strength",
+    ),
+}
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
 
 

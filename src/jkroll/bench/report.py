@@ -444,7 +444,7 @@ def _in_short(row: Row) -> list[Cell]:
 _NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # ulp: least error that is drawn, and an error as large as the value
 
 
-def picture_of(rows: Sequence[Row]) -> Picture:
+def picture_of_bench(rows: Sequence[Row]) -> Picture:
     """Return error against cost, a panel for each quantity."""
     panels = tuple(_panel(name, [*ways]) for name, ways in groupby(rows, lambda row: row.quantity))
     caption = (

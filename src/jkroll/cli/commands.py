@@ -3,7 +3,6 @@
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
-from types import MappingProxyType
 
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
@@ -66,7 +65,6 @@ _WITH = {
     "load": ", or --approach",
     "energy": ", or --energy-ratio, --speed",
 }
-
 
 MATERIALS = Option("file", "--materials", "Read your own materials as well", "FILE")
 NO_DOUBT = Option("no_doubt", "--no-doubt", "Omit the column of doubts")
@@ -199,7 +197,6 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option, ...]:
 
 Action = Callable[[], int]  # what a command line asks for; it returns the exit code
 
-
 JOBS = CONTACT, ROLLING, DUST, DEM, ALL, OTHERS = "Contact", "Rolling", "Dust", "DEM", "All", "Look up"
 
 
@@ -226,10 +223,10 @@ class Command:
 
 
 def _options_of_export() -> tuple[Option, ...]:
-    from ..output.exports import QUANTITIES, THRESHOLDS
+    from ..output.exports import THRESHOLDS, USUAL
 
     law = Option("model", "--model", "Law of attraction, jkr (the default) or dmt", "dmt")
-    inputs = (option for option in input_options(QUANTITIES + THRESHOLDS) if option.name != law.name)
+    inputs = (option for option in input_options(USUAL + THRESHOLDS) if option.name != law.name)
     return (*inputs, law, MATERIALS, QUIET)
 
 
@@ -294,7 +291,7 @@ _COMMANDS = (
     Command("bench", "Measure speed and error of each method.", "",
         lambda: BENCH, "runners:run_bench", "--quick --csv"),
 )  # fmt: skip
-COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for command in _COMMANDS})
+COMMANDS: Mapping[str, Command] = {command.name: command for command in _COMMANDS}
 
 
 def flags_of(name: str | None) -> dict[str, Option]:

@@ -16,13 +16,11 @@ from importlib import import_module
 from typing import Any
 
 from .. import __version__
-from ..errors import BadRequest, JkrollError
+from ..errors import FAILED, BadRequest, JkrollError
 from ..quantities.nomenclature import ALIKE, NOMENCLATURE, QUANTITY_SYNONYMS, named, nearest
 from ..text import closest, first_of, quoted, say, say_wrapped, shown
 from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of, help_of
 
-CANNOT_WRITE = 1
-UNFORESEEN = 1
 BROKEN_PIPE = 141
 
 # What others type, and what is certainly meant by it; the names and symbols of quantities are taken as options, too.
@@ -108,20 +106,20 @@ def _check(words: Iterable[str]) -> None:
 
 def report(error: Exception, words: Sequence[str]) -> int:
     """Print an error on stderr, in one line unless a terminal is narrower; return the exit code. `words`: as typed."""
+    code = FAILED
     if isinstance(error, JkrollError):
         from .call import worded
 
         typed = [word.partition("=")[0] for word in words]
         message, code = worded(error, typed[0] if typed else "", typed), error.exit_code
     elif isinstance(error, MemoryError):
-        message, code = "there is not enough memory; ask for fewer rows or points", CANNOT_WRITE
+        message = "there is not enough memory; ask for fewer rows or points"
     elif isinstance(error, OSError):
         file = f" {quoted(str(error.filename))}" if error.filename else ""
-        message, code = f"cannot write{file}: {error.strerror or error}", CANNOT_WRITE
+        message = f"cannot write{file}: {error.strerror or error}"
     else:
         problem = f"{type(error).__name__}: {shown(str(error))}"
         message = f"{problem}; this is a bug in jkroll: run it with {DEBUG.flag} to see where"
-        code = UNFORESEEN
     with suppress(OSError):
         say_wrapped(f"jkroll: {message}", sys.stderr)
     return code

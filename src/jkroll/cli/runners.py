@@ -402,10 +402,10 @@ def run_materials(call: Call) -> int:
 def run_quantities(call: Call) -> int:
     """List quantities, those that have some words, or one in full; return the exit code."""
     from ..output.catalogue import write_quantities
-    from ..output.manual import Hits, hits_of, quantities_named, write_hits
+    from ..output.manual import Hits, hits_of, quantities_meant, write_hits
 
     kind = call.kind
-    names = quantities_named(call.words)
+    names = quantities_meant(call.words)
     hits = Hits([], names, []) if names else hits_of(call.words, call.materials.materials.values())
     if hits.quantities:
         write_quantities(hits.quantities, sys.stdout, kind)
@@ -446,9 +446,9 @@ def run_bench(call: Call) -> int:
     from .map import check_picture, draw_into
 
     check_picture(call, call.plot, "--plot")
-    from ..bench.report import FULL, QUICK, picture_of, write_bench
+    from ..bench.report import FULL, QUICK, picture_of_bench, write_bench
 
     rows = write_bench(sys.stdout, call.kind, QUICK if call.quick else FULL)
     if call.plot is not None:
-        draw_into(call.plot, picture_of(rows), call)
+        draw_into(call.plot, picture_of_bench(rows), call)
     return 0

@@ -8,7 +8,7 @@ from ..answers.questions import QUESTIONS
 from ..materials.library import ORIGIN, Material
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty, symbol_beside
-from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, header
+from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, bracketed, header
 from ..rows.columns import Wanted
 from ..scene.doubts import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
@@ -221,11 +221,10 @@ def commands_of(name: str) -> tuple[str, ...]:
 
 
 def _quantity_table_row(name: str) -> list[str]:
-    """Return the cells of a list."""
+    """Return the cells of a quantity in a list."""
     quantity = NOMENCLATURE[name]
     variant = f", variant of {quantity.variant_of}" if quantity.variant_of else ""
-    unit = f" [{pretty(quantity.unit)}]" if quantity.unit not in ("", "1") else ""
-    return [name, quantity.symbol + unit, quantity.sentence + variant]
+    return [name, quantity.symbol + bracketed(pretty(quantity.unit)), quantity.sentence + variant]
 
 
 def _groups() -> dict[str, list[str]]:

@@ -20,7 +20,7 @@ SKIN = 0.2  # of the neighbor lists, in radii of the smaller sphere
 LEAST_SKIN = 0.4  # in δ0: as far as spheres in contact may be apart where the tension is largest
 NO_SLIP = 1e9  # a coefficient of friction with which nothing slips, where a law does not say at which force it does
 
-QUANTITIES = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
+USUAL = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
 THRESHOLDS = ("sliding_force", "twisting_stiffness", "twisting_moment")  # of JKR
 _STATED = ("work_of_adhesion", "yield_displacement", "load")
 
@@ -70,7 +70,7 @@ _REMARKS_ON = {  # by law
 def lammps_input(scene: Scene) -> str:
     """Return an input: coefficients of pairs of types or a wall, a time step, and what they stand on."""
     is_jkr = scene.law.is_default
-    names = (*QUANTITIES, *((*THRESHOLDS, "shear_strength") if is_jkr else ()), "contact_shear_modulus")
+    names = (*USUAL, *((*THRESHOLDS, "shear_strength") if is_jkr else ()), "contact_shear_modulus")
     values = {name: scene[name] for name in (*names, "density", "density2", *_STATED)}
     grains = _grains(scene)
     pairs = {f"pair_coeff {grain} {grain} {{}}": pair for grain, pair in grains.items()}
@@ -238,17 +238,17 @@ _DUST_COLLIDER = """\
 """
 
 
-def _grain(scene: Scene, program: str, strength: str) -> tuple[str, list[float]]:
+def _grain(scene: Scene, program: str) -> tuple[str, list[float]]:
     """Return the name of the material of grains, its γ, E, ν, density and ξ, all in SI units, for a program for dust.
 
-    Raises the reason why the program cannot have the scene; `strength`: its words for a given shear strength.
+    Raises the reason why the program cannot have the scene.
     """
     scene.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_state(scene, program)
     if not scene.is_identical:
         raise Failure(OF_IDENTICAL_SPHERES)
     if "shear_strength" in scene.given:
-        raise BadRequest(f"export: {program} {strength}")
+        raise BadRequest(f"export: {program} has a shear strength of its own, and takes no other")
     if scene["poisson_ratio"] == 0:
         raise BadRequest(f"export: {program} divides by Poisson's ratio, which is 0 here")
     names = ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")
@@ -258,8 +258,7 @@ def _grain(scene: Scene, program: str, strength: str) -> tuple[str, list[float]]
 
 def dust_simulation_material(scene: Scene) -> str:
     """Return the material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
-    name, grain = _grain(scene, "dust-simulation", "has the shear strength G/4π², and takes no other")
-    gamma, modulus, ratio, density, lag = grain
+    name, (gamma, modulus, ratio, density, lag) = _grain(scene, "dust-simulation")
     numbers = _spaced((100 * scene["radius"], density / 1000, 1000 * gamma, ratio, 10 * modulus, 100 * lag))
     return "\n".join(("MATERIAL_FILE_VERSION_1_4", name, *numbers.split(), *_DAMPING, "1", "1", "1", ""))
 
@@ -276,7 +275,7 @@ def _about_dust_simulation(scene: Scene) -> tuple[str, str]:
 
 def dust_collider_material(scene: Scene) -> str:
     """Return a material of a command file of Paulemaule/DustCollider, in SI units."""
-    name, grain = _grain(scene, "dust-collider", "has a shear strength of its own, and takes no other")
+    name, grain = _grain(scene, "dust-collider")
     return _DUST_COLLIDER.format(name, _spaced(grain))
 
 
@@ -294,10 +293,10 @@ class Program(NamedTuple):
 
 
 PROGRAMS: Mapping[str, Program] = {
-    "lammps": Program("LAMMPS", lammps_input, (*QUANTITIES, *THRESHOLDS), tuple(_REMARKS_ON)),
+    "lammps": Program("LAMMPS", lammps_input, (*USUAL, *THRESHOLDS), tuple(_REMARKS_ON)),
     "liggghts": Program("LIGGGHTS", liggghts_input, ("pull_off_force",)),
     "dust-collider": Program("DustCollider", dust_collider_material, ("pull_off_force", "yield_moment")),
     "dust-simulation": Program(
-        "DustSimulation", dust_simulation_material, (*QUANTITIES, *THRESHOLDS), about=_about_dust_simulation
+        "DustSimulation", dust_simulation_material, (*USUAL, *THRESHOLDS), about=_about_dust_simulation
     ),
 }

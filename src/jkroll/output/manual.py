@@ -26,7 +26,6 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("validation", "Measurements"): "stickiness sticking bouncing coefficient of restitution",
 }
 
-
 MAX_NAMED = 6  # quantities and materials in a list of what was found
 MAX_TEXT = 100  # columns of running text
 HISTORY = "changes"  # the page of what was, which is sought by its name alone
@@ -135,7 +134,7 @@ def materials_with(words: Sequence[str], materials: Iterable[Material]) -> list[
     ]
 
 
-def quantities_named(words: Sequence[str]) -> list[str]:
+def quantities_meant(words: Sequence[str]) -> list[str]:
     """Return the quantities that words stand for: all without words, one by name or symbol, or a list with commas."""
     if not words:
         return list(NOMENCLATURE)

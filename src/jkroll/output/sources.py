@@ -144,8 +144,8 @@ def references() -> dict[str, Mapping[str, str]]:
     return entries
 
 
-class Sources:
-    """The foundations of an answer's results: equations of the paper, references of the law, conventions and data."""
+class Cited:
+    """What is cited of an answer: equations of the paper, and references of the law, of conventions and of data."""
 
     def __init__(self, answer: Answer) -> None:
         self.names = [result.name for result in answer.results if result.value is not None]
@@ -155,26 +155,26 @@ class Sources:
         rests_on_law = any(uses_law(by_maugis, name) for name in by_maugis.possible(self.names))
         known = references()
         self.law = [known[answer.scene.law.name]] if rests_on_law else []
-        cited = [NOMENCLATURE[name].reference for name in self.names]
-        self.conventions = [entry for reference in cited for words, entry in known.items() if words in reference]
+        texts = [NOMENCLATURE[name].reference for name in self.names]
+        self.conventions = [entry for text in texts for words, entry in known.items() if words in text]
         used = answer.scene.data_used(answer.inputs)
         self.data = [entry for material, name in used for entry in material.sources_of(name)]
 
 
-def _with_sources(answers: Iterable[Answer]) -> Iterator[tuple[Answer, Sources]]:
-    """Iterate over the answers that have results, with their sources."""
+def _with_cited(answers: Iterable[Answer]) -> Iterator[tuple[Answer, Cited]]:
+    """Iterate over the answers that have results, each with what is cited of it."""
     for answer in answers:
-        if (sources := Sources(answer)).names:
-            yield answer, sources
+        if (cited := Cited(answer)).names:
+            yield answer, cited
 
 
 def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
     """Write BibTeX entries of this program, of the paper, with the equations used, and of the laws and data used."""
     equations: set[str] = set()
     others: dict[str, Mapping[str, str]] = {}
-    for _, sources in _with_sources(answers):
-        equations |= sources.equations
-        others |= {entry["key"]: entry for entry in (*sources.law, *sources.data, *sources.conventions)}
+    for _, cited in _with_cited(answers):
+        equations |= cited.equations
+        others |= {entry["key"]: entry for entry in (*cited.law, *cited.data, *cited.conventions)}
     program, paper, *_ = references().values()
     note = {"note": cited_equations(equations)} if equations else {}
     for entry in (program, {**paper, **note}, *others.values()):
@@ -210,21 +210,21 @@ def bibtex(entry: Mapping[str, str]) -> str:
 
 def write_methods(answers: Iterable[Answer], out: TextIO) -> None:
     """Write a paragraph for each answer: what was computed, by which equations, and from which values."""
-    for place, (answer, sources) in enumerate(_with_sources(answers)):
+    for place, (answer, cited) in enumerate(_with_cited(answers)):
         if place:
             say_wrapped("", out)
-        say_wrapped(f"{_computed(answer, sources)} {_values(answer)}", out, 0)
+        say_wrapped(f"{_computed(answer, cited)} {_values(answer)}", out, 0)
 
 
-def _computed(answer: Answer, sources: Sources) -> str:
+def _computed(answer: Answer, cited: Cited) -> str:
     """Return the sentence with the program, the equations, the laws and conventions, and the quantities."""
     program, paper, *_ = references().values()
     authors = f"Dominik \\& Tielens{_cite([paper])}"
-    equations = f"{cited_equations(sources.equations).replace('. ', '.~', 1)} of " if sources.equations else ""
+    equations = f"{cited_equations(cited.equations).replace('. ', '.~', 1)} of " if cited.equations else ""
     ways = [f"{equations}{authors}"]
-    ways += [f"the {answer.scene.law.title} theory{_cite(sources.law)}"] if sources.law else []
-    ways += [f"the conventions of{_cite(sources.conventions)}"] if sources.conventions else []
-    names = [name for name in answer.question.headline if name in sources.names] or sources.names
+    ways += [f"the {answer.scene.law.title} theory{_cite(cited.law)}"] if cited.law else []
+    ways += [f"the conventions of{_cite(cited.conventions)}"] if cited.conventions else []
+    names = [name for name in answer.question.headline if name in cited.names] or cited.names
     quantities = as_latex("; ".join(f"{NOMENCLATURE[name].sentence} ({symbol(name)})" for name in names))
     with_program = f"With jkroll {__version__}{_cite([program])}"
     return f"{with_program}, after {listed(ways)}, we computed for elastic spheres in adhesive contact: {quantities}."

@@ -278,12 +278,12 @@ def paper_map(
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
 
-SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
+SPHERES = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
 
 
 def figure_2(materials: Materials) -> Picture:
     """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
-    scene = Scene(SIZE, materials["quartz"])
+    scene = Scene(SPHERES, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
     state = values_of(scene, (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment"))
     pair = {name: state[name] for name in moduli}
@@ -339,7 +339,7 @@ def figure_9(materials: Materials) -> Picture:
     """Return Fig. 9: the pressure of a cylinder on a rigid plane, symmetric and shifted, exact and simplified."""
     quartz = materials["quartz"].properties
     modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
-    radius, shift = SIZE["radius"], float(Scene(SIZE).values["yield_displacement"])
+    radius, shift = SPHERES["radius"], float(Scene(SPHERES).values["yield_displacement"])
     size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
     a = float(unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size))
     size["load_constant"] = 0.0

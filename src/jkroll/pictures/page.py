@@ -20,7 +20,7 @@ from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-igno
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
-from ..quantities.formatting import PREFIXABLE, engineering, pretty
+from ..quantities.formatting import WITH_PREFIXES, engineering, pretty
 from ..quantities.markup import lines, typeset
 from .picture import (
     STYLES,
@@ -39,9 +39,9 @@ from .picture import (
     quantity_of,
 )
 
-SIZE = 8.6  # of letters in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
-LETTER = 0.42  # width of a letter over its size, on average
-POINTS = "os^Dv*"
+LETTER_SIZE = 8.6  # in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
+LETTER_WIDTH = 0.42  # width of a letter over its size, on average
+MARKERS = "os^Dv*"
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 _CONTOURS = 12
 FINE = 401  # points a side of a field, between which its lines are straight
@@ -80,7 +80,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     for panel, axes, letter in zip(drawn.panels, every, "abcdef", strict=False):
         _set_axes(axes, panel, inches / columns, _ASPECT if columns == 1 else _ASPECT_BESIDE)
         title = f"({letter}) {panel.title}" if count > 1 else panel.title
-        axes.set_title(typeset(title), loc="left" if count > 1 else "center", fontsize=SIZE)
+        axes.set_title(typeset(title), loc="left" if count > 1 else "center", fontsize=LETTER_SIZE)
         if panel.field is not None:
             drawings.append(_draw_field(axes, panel, panel.field, style, letters))
         else:
@@ -100,7 +100,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
 
 def _letters(inches: float) -> int:
     """Return the number of letters of a line that fit into a width."""
-    return int(0.97 * inches * 72 / (LETTER * SIZE))
+    return int(0.97 * inches * 72 / (LETTER_WIDTH * LETTER_SIZE))
 
 
 def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]) -> None:
@@ -122,11 +122,11 @@ def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]
 def settings(style: Style) -> Iterator[None]:
     """Use matplotlib's own settings, not the user's, with ours on top."""
     ours: dict[Any, Any] = {
-        "font.size": SIZE, "font.family": "STIXGeneral", "mathtext.fontset": "stix",
+        "font.size": LETTER_SIZE, "font.family": "STIXGeneral", "mathtext.fontset": "stix",
         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "hatch.linewidth": 0.35,
         "xtick.direction": "in", "ytick.direction": "in", "hatch.color": style.hatch,
         "xtick.major.pad": 5.0,  # clear of the lowest label of the other axis
-        "legend.frameon": False, "legend.fontsize": SIZE, "legend.labelspacing": 0.3, "legend.handlelength": 2.4,
+        "legend.frameon": False, "legend.fontsize": LETTER_SIZE, "legend.labelspacing": 0.3, "legend.handlelength": 2.4,
         "legend.borderpad": 0.0, "legend.borderaxespad": 0.3, "legend.handleheight": 1.0,
         "svg.hashsalt": "jkroll", "pdf.fonttype": 42,
     }  # fmt: skip
@@ -161,7 +161,7 @@ def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> Non
         is_long = axis.high > 50 * axis.low
         side.set_major_locator(ticker.LogLocator(subs=(1,) if is_long else (1, 2, 5), numticks=most))
         side.set_minor_formatter(ticker.NullFormatter())
-        if unit in PREFIXABLE:
+        if unit in WITH_PREFIXES:
             side.set_major_formatter(ticker.EngFormatter(pretty(unit)))
             unit = ""
     else:
@@ -250,7 +250,7 @@ def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
     """Return the look of the curve of a number, as matplotlib takes it. A curve of one point is a sign."""
     colour = style.lines[curve.colour % len(style.lines)]
     if len(curve.x) == 1:
-        return {"color": colour, "linestyle": "", "marker": POINTS[number % len(POINTS)], "markersize": 4}
+        return {"color": colour, "linestyle": "", "marker": MARKERS[number % len(MARKERS)], "markersize": 4}
     turn = number // len(DASHES)  # after which the colours come again, with other dashes
     dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": colour, "linestyle": dashes, "linewidth": 1.1}

@@ -11,7 +11,7 @@ import numpy
 from ..output.table import Column, padded, write_table
 from ..quantities.formatting import in_units
 from ..quantities.markup import plain
-from ..quantities.nomenclature import NOMENCLATURE, Quantity, header
+from ..quantities.nomenclature import NOMENCLATURE, Quantity, bracketed, header
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..text import say, say_wrapped, terminal_width, width_of
@@ -152,11 +152,6 @@ def described(name: str, unit: str = "") -> str:
     return quantity.sentence + (f", ⟦{quantity.symbol}⟧" if quantity.symbol else "") + bracketed(unit)
 
 
-def bracketed(unit: str) -> str:
-    """Return a unit as it stands behind a symbol, in brackets; empty for a number."""
-    return f" [{unit}]" if unit not in ("", "1") else ""
-
-
 def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
     """Return an axis that holds all finite values; logarithmic if it may be and they are of different orders."""
     known = numpy.concatenate([numpy.ravel(array) for array in values])
@@ -235,7 +230,7 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
     say_texts([*drawn.caption, *drawn.remarks], out)
 
 
-def shown(axis: Axis, most: int) -> Any:
+def shown_values(axis: Axis, most: int) -> Any:
     """Return at most so many values of an axis: its own if they are so few, else round ones, or equally spaced ones."""
     if 0 < axis.size <= most:
         return axis.values()
@@ -256,10 +251,10 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
 
     The table has as many columns as fit the terminal.
     """
-    y = shown(panel.y, ROWS)[::-1]
+    y = shown_values(panel.y, ROWS)[::-1]
     heads_of_y, unit_of_y = panel.y.in_words(y.tolist(), DIGITS + 1)
     for count in range(COLUMNS, 0, -1):
-        x = shown(panel.x, count)
+        x = shown_values(panel.x, count)
         heads, unit_of_x = panel.x.in_words(x.tolist(), DIGITS + 1)
         scene = field.scene.replace(**panel.x.inputs(x[None, :]), **panel.y.inputs(y[:, None]))
         values = numpy.broadcast_to(values_of(scene, [field.quantity])[field.quantity], (y.size, x.size))

@@ -171,7 +171,8 @@ class Layer:
 
     def __init__(self, request: PlotRequest, text: str, scene: Scene, axes: Sequence[Axis]) -> None:
         """Evaluate the quantity of a request in a scene; `text`: the label of a curve."""
-        self.text, self.given, self.quantity, self.axes = text, scene, (quantity := request.quantity), axes
+        quantity = request.quantity
+        self.text, self.given, self.quantity, self.axes = text, scene, quantity, axes
         drawn = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
         self.scene = scene.replace(**drawn)  # at an end: what a quantity needs is the same all along an axis
         limits = touched(self.scene, [quantity], request.limits)

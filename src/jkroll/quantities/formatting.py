@@ -17,7 +17,7 @@ _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
 _KNOWN = range(-12, 10)  # powers of ten whose prefix stands in a text; others stand as such
-PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
+WITH_PREFIXES = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
 class Format:
@@ -72,7 +72,7 @@ class Format:
     def are_far(self, name: str, values: Sequence[float | Uncertain]) -> bool:
         """Return whether values are so far apart that each is to have a unit of its own."""
         sizes = _sizes(values)
-        has_prefixes = name not in self.units and NOMENCLATURE[name].unit in PREFIXABLE
+        has_prefixes = name not in self.units and NOMENCLATURE[name].unit in WITH_PREFIXES
         return has_prefixes and bool(sizes) and sizes[-1] > _FAR * sizes[0]
 
     def in_unit(self, value: float | Uncertain, unit: tuple[str, Unit]) -> str:
@@ -104,7 +104,7 @@ def _power(value: float, unit: str, digits: int) -> int:
     """Return the power of ten of the multiple of a unit that suits a value, rounded to significant digits."""
     exponent = f"{value:.{digits - 1}e}".partition("e")[2]
     power = 3 * (int(exponent or 0) // 3)
-    return power if unit in PREFIXABLE and power in _PREFIXES else 0
+    return power if unit in WITH_PREFIXES and power in _PREFIXES else 0
 
 
 def significant(value: float, digits: int, *, zeros: bool = False) -> str:
@@ -226,7 +226,7 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
     >>> in_units("kg/m^3", [10.0, 1000.0], is_log=True), in_units("N", [-1e-8, 0.0, 1e-8], is_log=False)
     ((['10', '1000'], 'kg/m³'), (['-10', '0', '10'], 'nN'))
     """
-    if is_log and unit in PREFIXABLE:
+    if is_log and unit in WITH_PREFIXES:
         with_prefixes = (engineering(value, unit, digits) for value in values)
         return [f"{number} {pretty(shown)}" for number, shown in with_prefixes], ""
     largest = 0.0 if is_log else max(map(abs, values), default=0.0)

@@ -13,7 +13,6 @@ nomenclature takes the names of its formulas from the routes.
 
 from collections.abc import Mapping
 from functools import cache
-from types import MappingProxyType
 
 from ..errors import BadRequest
 from ..text import closest, quoted
@@ -169,7 +168,7 @@ _DMT = Law(
     omits=frozenset({"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt"}),
 )
 
-LAWS: Mapping[str, Law] = MappingProxyType({law.name: law for law in (_JKR, _MAUGIS, _DMT)})
+LAWS: Mapping[str, Law] = {law.name: law for law in (_JKR, _MAUGIS, _DMT)}
 DEFAULT_LAW = _JKR.name
 BETWEEN = _MAUGIS.name  # the law that holds between JKR and DMT
 

@@ -422,14 +422,18 @@ XI = "yield_displacement"  # decides on every rolling quantity
 PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
 
 
+def bracketed(unit: str) -> str:
+    """Return a unit as it stands behind a name or a symbol, in brackets; empty for a number and a word."""
+    return "" if unit in ("", "1") else f" [{unit}]"
+
+
 def header(name: str, unit: str | None = None) -> str:
     """Return the column header of a quantity: its name and, in brackets, a unit, by default its SI unit.
 
     >>> header("radius"), header("n_grav")
     ('radius [m]', 'n_grav')
     """
-    unit = NOMENCLATURE[name].unit if unit is None else unit
-    return name if unit in ("", "1") else f"{name} [{unit}]"
+    return name + bracketed(NOMENCLATURE[name].unit if unit is None else unit)
 
 
 # --- Words for quantities ---------------------------------------------------------------------------------------------

@@ -224,7 +224,7 @@ def value_of(text: str, name: str, unit: Unit | None = None) -> float | Uncertai
     if quantity.infinity and text.strip().lower() in (quantity.infinity, "inf", "infinity", "∞"):
         return INFINITY
     try:
-        value = _read(written(text), partial(_unit_in, dimension=dimension_of(quantity.unit), otherwise=unit))
+        value = _read(normalized_value(text), partial(_unit_in, dimension=dimension_of(quantity.unit), otherwise=unit))
     except BadUnit as error:
         raise _error_about(name, text, error) from None
     return checked(value, name, text)
@@ -249,10 +249,10 @@ _POWER_OF_TEN = r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([
 _TWO_POWERS = r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)"
 
 
-def written(text: str) -> str:
+def normalized_value(text: str) -> str:
     """Return a value with one spelling for signs, error bars and powers of ten. Raises a `BadUnit` for two readings.
 
-    >>> written("1.2×10⁻⁷ m"), written("1E−07"), written("(1.00+/-0.05)e-07")
+    >>> normalized_value("1.2×10⁻⁷ m"), normalized_value("1E−07"), normalized_value("(1.00+/-0.05)e-07")
     ('1.2e-7 m', '1E-07', '(1.00±0.05)e-07')
     """
     text = normalized(text).replace("+/-", "±").replace("+-", "±")
@@ -351,7 +351,7 @@ def as_typed(text: str) -> str:
     >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
     ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
     """
-    text = written(text)
+    text = normalized_value(text)
     for typed, as_written in _AS_WRITTEN.items():
         text = re.sub(typed, as_written, text)
     return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
