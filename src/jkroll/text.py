@@ -36,21 +36,21 @@ def ascii_text(text: str) -> str:
     return "".join(pieces).encode("ascii", "replace").decode()
 
 
-_RAISED = frozenset("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻₀₁₂₃₄₅₆₇₈₉")
-
-
 def composed(text: str) -> str:
-    """Return a text with letters and marks as one character, wide and square forms as usual ones; superscripts stay.
+    """Return a text with letters and marks as one character, wide forms as usual ones; superscripts and ① stay.
 
-    >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）")
-    ('1nm', 'Å', '1(m²)')
+    >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）"), composed("5①")
+    ('1nm', 'Å', '1(m²)', '5①')
     """
     if text.isascii():
         return text
-    from unicodedata import normalize
+    from unicodedata import category, decomposition, normalize
 
     letters = normalize("NFC", text)
-    return "".join(letter if letter in _RAISED else normalize("NFKC", letter) for letter in letters)
+    return "".join(
+        letter if category(letter) == "No" or decomposition(letter)[:3] in ("<su", "<ci") else normalize("NFKC", letter)
+        for letter in letters
+    )
 
 
 def _replace(error: UnicodeError) -> tuple[str, int]:

@@ -102,6 +102,8 @@ CELLS = {
     "1 000": None,
     "1e-7²": None,
     "1₀e-7": None,
+    **dict.fromkeys(("5①nm", "5⒈nm", "5⑴nm", "5ᵐ", "1\u202e2nm")),  # with marks of notes
+    "1×10⁻¹µm": 1e-7,
 }  # fmt: skip
 
 

@@ -119,7 +119,7 @@ SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+"
 _OF_POWERS = "0123456789-+⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
 
 
-_MICRO_INSIDE = r"[^\W\d_][µμ]"  # mµm was once the nanometre, and is a micrometre to pint
+_MICRO_INSIDE = r"[A-Za-zÅ][µμ]"  # mµm was once the nanometre, and is a micrometre to pint
 
 
 def normalized(text: str) -> str:

@@ -54,7 +54,10 @@ class _Split(NamedTuple):
     is_mangled: bool = False  # signs, or letters such as µ, may have become _ or .
 
 
-_SPELT = str.maketrans("’‘“”″∕⁄₀₁₂Ø⌀【〔「】〕」", '\'\'"""//012DD[[[]]]')
+_SPELT = str.maketrans(
+    "’‘“”″∕⁄₀₁₂Ø⌀【〔「⟨«‹】〕」⟩»›", '\'\'"""//012DD[[[[[[]]]]]]', "$\\\u00ad\u200b\u200c\u200d\u200e\u200f\ufeff"
+)
+_LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m], with the marks above
 # Where a unit may begin: behind a mark, which is the first group, or behind a gap.
 _CUT = re.compile(
     r"([\s_.-]*[,/:;|\[({<=@~–—•·]\s*(?:in[\s_.]+)?|\s+in\s+)"
@@ -94,11 +97,13 @@ def reading_of(text: str, measured: str = "") -> Reading:
 
 def _splits(text: str) -> Iterator[_Split]:
     """Iterate over words and what may be their units: none, and what stands behind each place where one may begin."""
+    for mark, plain in _LATEX.items():
+        text = re.sub(mark, plain, text)
     text = re.sub(_QUOTED, r"\2", " ".join(composed(text).translate(_SPELT).split()))
     yield _Split(text.strip(" _."), "")
     for cut in reversed([*_CUT.finditer(text)]):
         word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")
-        if word and (unit or cut[1]) and not re.search(r"[\[\](){}<>]", word):  # in brackets there may be none
+        if word and (unit or cut[1]) and not re.search(r"[\[({<][^\])}>]*$", word):  # in brackets there may be none
             is_mangled = not cut[1] and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
             yield _Split(word, unit, bool(cut[1]), is_mangled)
 
@@ -115,6 +120,8 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     units = ((each, unit_for(unit, each, is_explicit=is_explicit) if unit else "") for each in meaning.names)
     name, unit_text = next((pair for pair in units if pair[1] or not unit), ("", ""))
     if not name or (is_mangled and is_in_table(f"u{unit_text}")):  # µm may have become m
+        return None
+    if not is_symbol and f"{word}{unit}".isupper() and unit_text != unit_for(unit, name):  # pN may have become PN
         return None
     alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
     is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
@@ -156,21 +163,22 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
         if not meaning.names:
             return None  # another quantity
         name, is_shared = meaning.names[0], word in words.SHARED
+        names = [name, NOMENCLATURE[name].twin] if not is_slip and NOMENCLATURE[name].sphere == 1 else [name]
         if split.unit and word == key(split.word):
             tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
             is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
-            meant = [with_unit(name)] if split.unit[0].isalpha() else []
+            meant = [*map(with_unit, names)] if split.unit[0].isalpha() else []
             return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
-            is_last = unit_text and (is_slip or key(split.word).endswith(word))
-            names = [name, NOMENCLATURE[name].twin] if not is_slip and NOMENCLATURE[name].sphere == 1 else [name]
+            is_beside = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
             is_open = not meaning.problem and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
-            meant = [with_unit(each, unit_text if is_last else "UNIT") for each in names] if is_open else []
+            shown_unit = unit_text if unit_text and is_beside else "UNIT"
+            meant = [with_unit(each, shown_unit) for each in names if is_open]
             return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
     return None
 
@@ -244,9 +252,15 @@ class Header(NamedTuple):
         return " ".join([head, *([] if is_same else [f"from {_easy(text)}"]), *sources])
 
 
+def typed(text: str) -> str:
+    """Return a header as it is shown and typed: on one line, with plain blanks."""
+    return shown(" ".join(text.split()))
+
+
 def _easy(text: str) -> str:
-    """Return a header, in quotes if it has blanks besides that before a unit in brackets."""
-    return shown(text) if " " not in text.strip().replace(" [", "[") and "(" not in text else f'"{shown(text)}"'
+    """Return a header as it is shown, in quotes if it has blanks besides that before a unit in brackets."""
+    text = typed(text)
+    return text if " " not in text.replace(" [", "[") and "(" not in text else f'"{text}"'
 
 
 def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
@@ -257,7 +271,7 @@ def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
     """
     meanings: dict[str, str] = {}
     for text in texts:
-        head, is_pair, meaning = map(str.strip, text.rpartition("="))
+        head, is_pair, meaning = map(typed, text.rpartition("="))
         if not is_pair or not head:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
         reading = reading_of(meaning, measured)
@@ -285,7 +299,7 @@ def understood(
     `stated`: what `--column` writes in place of headers; `given`: the inputs of options; `measured`: a quantity that
     columns have besides inputs. Raises BadTable.
     """
-    for text in stated.keys() - {text.strip() for text in texts}:
+    for text in stated.keys() - {*map(typed, texts)}:
         known = first_of([*map(_easy, texts)], _MAX_SAID)
         raise BadTable(f"--column: the table has no column {quoted(text)}; it has {known}")
     heads = [meaning_of(text, [row[place] for row in rows], stated, measured) for place, text in enumerate(texts)]
@@ -315,7 +329,7 @@ def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measu
     """
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = next(iter(cells), "")
-    reading = reading_of(stated.get(text.strip(), text), measured)._replace(is_stated=text.strip() in stated)
+    reading = reading_of(stated.get(typed(text), text), measured)._replace(is_stated=typed(text) in stated)
     if reading.is_symbol and not reading.part:
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
         reading = Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
@@ -414,8 +428,9 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
 
 def _option(text: str, meaning: str) -> str:
     """Return the option that says what a column means, in the quotes of a shell."""
-    value = shown(f"{text.strip()}={meaning}")
-    return f'--column "{value}"' if "'" in value else f"--column '{value}'"
+    value = f"{typed(text)}={meaning}"
+    within = re.sub(r'([\\$`"])', r"\\\1", value)  # of double quotes
+    return f'--column "{within}"' if "'" in value else f"--column '{value}'"
 
 
 def check_inputs(header: Header, measured: str = "") -> None:

@@ -21,7 +21,7 @@ from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup, Numbers
 from .columns import BAD, SIDES, Wanted, groups
-from .header import Header, is_input, stated_meanings
+from .header import Header, is_input, stated_meanings, typed
 from .words import MATERIALS
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class Asked(NamedTuple):
 
     def is_read(self, text: str) -> bool:
         """Return whether a header may be that of an input, or of what was measured."""
-        return is_input(self.stated.get(text.strip(), text), self.measured)
+        return is_input(self.stated.get(typed(text), text), self.measured)
 
 
 class Table:

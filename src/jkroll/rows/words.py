@@ -11,14 +11,8 @@ from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
-SYMBOLS_TOO = {
-    "E": "energy",
-    "Er": "contact_modulus",
-    "W": "work_of_adhesion",
-    "SFE": "surface_energy",
-    "rad": "radius",
-    "vimp": "speed",
-}  # what symbols mean besides
+SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # what symbols mean besides
+SYMBOLS_TOO |= {"SFE": "surface_energy", "rad": "radius", "vimp": "speed"}
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
@@ -77,7 +71,7 @@ PARTS = {
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
 
-_WORD = re.compile(r"[^\W\d_][\w\s.'-]*")
+_WORD = re.compile(r"[^\W\d_](?:[\w\s.'-]*[\w\s.-])?")
 
 
 def key(word: str) -> str:
@@ -93,7 +87,7 @@ def key(word: str) -> str:
 def symbol_of(word: str) -> str:
     """Return a symbol with Greek letters spelt out; one that is spelt with a capital, such as Rho, is the same."""
     spelt = ascii_text(word).replace(" ", "").replace("_", "")
-    return spelt.lower() if spelt.rstrip("12") in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
+    return spelt.lower() if spelt.rstrip("12").title() in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
 
 
 @cache
@@ -198,7 +192,7 @@ def squeezed(text: str) -> str:
     ('mJm2', 'kgm3')
     """
     plain = text.translate(SUPERSCRIPTS).replace("µ", "u").replace("μ", "u")
-    return re.sub(r"[^\w±+]+|_+|(?<![^\W_])per(?![^\W_])", "", plain)
+    return re.sub(r"(?<=\w)[\s./*^·⋅∙•(){}–−-]+|_+|(?<![^\W_])per(?![^\W_])", "", plain)
 
 
 def fits(unit_text: str, name: str) -> bool:
