@@ -62,7 +62,7 @@ REFUSED = {
     "pull-off quartz 100nm --model maugus": "--model: 'maugus' is not one of jkr, maugis, dmt; did you mean maugis?",
     "export ligghts quartz 100nm": (
         "export: which program, lammps, liggghts, dust-collider, dust-simulation? "
-        "Write jkroll export liggghts quartz 100nm"
+        "Write jkroll export liggghts quartz 100nm; what other codes call γ is in jkroll guide dem"
     ),
     "pull-off quartz 100nm --model jkr,dmt,jkr": "--model: 'jkr,dmt,jkr' names a law more than once",
     "r-min 1e-170m": "radius: 1e-170 must lie between 1e-30 and 1e30 in SI units",
@@ -565,7 +565,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert run("yield-force quartz 3nm --bare --quiet").err == ""
     assert "the contact slides or peels off before it rolls" in run("yield-force quartz 0.5nm").err
     assert "Q/T_first = 3.8" in run("yield-force quartz 0.5nm --explain").out
-    assert "the contact springs back" in run("n-roll quartz 10nm --energy 1e-21J").err
+    assert "2/7 of the energy cannot begin rolling, n_roll has no" in run("n-roll quartz 10nm --energy 1e-21J").err
     r_min = json.loads(run("r-min 100nm --json").out)
     assert [one["name"] for one in r_min["validity"] if one["holds"]] == ["yield_angle", "r_min_over_radius"]
     not_checked = "not checked: xi-over-limit, xi-over-contact: need surface energy per surface"

@@ -208,7 +208,7 @@ BROKEN = {
     ),
     "[materials.a]\nnotes = { x = 'y' }": "'a' has a note on 'x', which it does not give",
     "title = 3": "title is not a text in quotes",
-    b"\xff\xfe": "is not TOML: 'utf-8' codec can't decode byte 0xff in position 0: invalid start byte",
+    b"\xff\xfe": "is not text in UTF-8: save it with this encoding",
     "x = '" + "y" * 200_001 + "'": "is larger than 64 kB",
 }
 

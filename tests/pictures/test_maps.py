@@ -83,7 +83,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     drawn, field = panel_of("8"), field_of("8")
-    (shaded,) = (region for region in field.regions if region.text.endswith("the contact springs back"))
+    (shaded,) = (region for region in field.regions if "cannot begin rolling" in region.text)
     excess = shaded.excess(over(field.scene, drawn.x, drawn.y))
     row = int(np.argmin(abs(np.log(drawn.y.values() / 1e-8))))
     inside = drawn.x.values()[excess[row] > 0]
@@ -174,19 +174,8 @@ def test_a_picture_fits_the_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, 
 
 
 @pytest.mark.parametrize("line", PICTURES)
-def test_colour_says_the_same_as_ascii(run: Run, monkeypatch: pytest.MonkeyPatch, line: str) -> None:
-    plain = run(line, terminal=True, encoding="ascii")
-    assert plain.out.isascii()
-    monkeypatch.setenv("TERM", "xterm-256color")
-    coloured = run(line, terminal=True)
-    is_map = not line.startswith("map") or "--y" in line
-    assert ("\x1b[" in coloured.out) is is_map
-    bare = re.sub("\x1b\\[[0-9;]*m", "", coloured.out)
-    assert max(map(len, bare.splitlines())) <= 80
-    monkeypatch.setenv("NO_COLOR", "1")
-    assert "\x1b" not in run(line, terminal=True).out
-    monkeypatch.delenv("NO_COLOR")
-    assert "\x1b" not in run(line).out  # in a pipe
+def test_a_picture_can_be_ascii(run: Run, line: str) -> None:
+    assert run(line, terminal=True, encoding="ascii").out.isascii()
 
 
 def test_a_map_is_a_table_of_its_values(run: Run) -> None:
@@ -198,16 +187,6 @@ def test_a_map_is_a_table_of_its_values(run: Run) -> None:
     values = dict(zip(heads[1:], rows[[row[0] for row in rows].index("20 mJ/m²")][1:], strict=True))
     wanted = solve("contact_radius", material="quartz", radius=5e-8, surface_energy=0.02)
     assert values["50 nm"] == f"{wanted * 1e9:.3g} nm"
-
-
-def test_numbers_of_a_map_are_coloured_by_value(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("TERM", "xterm-256color")
-    out = run("figure 3c", terminal=True).out
-    row = next(line for line in out.splitlines() if line.startswith("1 mm"))
-    last = next(line for line in out.splitlines() if line.startswith("1 nm"))
-    papers = [re.findall(r"48;5;(\d+)m", line) for line in (row, last)]
-    assert [len({*of_row}) for of_row in papers] == [1, 1]  # R_min does not depend on γ
-    assert papers[0][0] != papers[1][0]
 
 
 def test_curves_are_rows_of_their_values(run: Run) -> None:
@@ -315,7 +294,7 @@ def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
 def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
     """The radius up to which the law is inexact is that of single answers."""
     said = run("map contact_radius quartz --x radius=10nm:1mm").out
-    radius = re.search(r"R1 = 10 nm to (\d+) (nm|µm): JKR is off by more than 5 %", said)
+    radius = re.search(r"JKR is off by more than 5 % \(quartz, R1 = 10 nm to (\d+) (nm|µm)\)", said)
     assert radius is not None, said
     given = {"material": "quartz", "radius": float(radius[1]) * {"nm": 1e-9, "µm": 1e-6}[radius[2]]}
     assert apart("contact_radius", given) == approx(1.05, abs=0.002)
@@ -338,14 +317,14 @@ def test_where_a_law_is_farthest_off_has_a_value(run: Run) -> None:
 
 def test_a_doubt_of_a_whole_curve_has_no_range(run: Run) -> None:
     out = " ".join(run("map contact_radius quartz,iron --x radius=10nm:1um").out.split())
-    assert re.search(r" quartz, everywhere; iron, R1 = 10 nm to \S+ (nm|µm): JKR is off by more than 5 %\.", out)
+    assert re.search(r" JKR is off by more than 5 % \(quartz, everywhere; iron, R1 = 10 nm to \S+ (nm|µm)\)\.", out)
     assert "Everywhere JKR is off by more than 5 %." in run("map contact_radius quartz,iron --x radius=10nm:50nm").out
 
 
 def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
     """JKR's approach at pull-off crosses Maugis': between the stretches in which it is off, it is not."""
     out = " ".join(run("map approach_at_pull_off quartz --x radius=1nm:1mm").out.split())
-    said = re.search(r"R1 = 1 nm to (\d+) (nm|µm), (\d+) (nm|µm) to (\d+) (nm|µm): JKR is off by more than 5 %", out)
+    said = re.search(r"than 5 % \(quartz, R1 = 1 nm to (\d+) (nm|µm), (\d+) (nm|µm) to (\d+) (nm|µm)\)", out)
     assert said is not None, out
     sizes = [float(said[place]) * {"nm": 1e-9, "µm": 1e-6}[said[place + 1]] for place in (1, 3, 5)]
     assert sizes == sorted(sizes)
@@ -358,13 +337,13 @@ def test_the_stretches_of_a_doubt_have_the_gap_between_them(run: Run) -> None:
 
 def test_a_doubt_at_one_value_has_no_range(run: Run) -> None:
     out = " ".join(run("map contact_radius quartz --x radius=10nm:1um:3").out.split())
-    assert " quartz, R1 = 10 nm: a/z0 < 3: contact radius below 3 atoms." in out
+    assert " a/z0 < 3: contact radius below 3 atoms (quartz, R1 = 10 nm)." in out
 
 
 def test_a_curve_is_doubtful_only_where_it_is(run: Run) -> None:
     """Grains of which a is below 3 z0 do not hold 5 nN."""
     assert "a/z0" not in run("map contact-radius-at-load quartz --x radius=10nm:1um --load=-5nN").out
-    assert "R1 = 10 nm to 16 nm: a/z0 < 3" in run("map contact-radius quartz --x R1=10nm:1um").out
+    assert "3 atoms (quartz, R1 = 10 nm to 16 nm)" in run("map contact-radius quartz --x R1=10nm:1um").out
 
 
 def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
@@ -537,7 +516,7 @@ def test_a_symbol_does_not_run_into_the_sentence_before_it(run: Run) -> None:
 def test_curves_of_several_laws_have_no_equation_of_one(run: Run) -> None:
     ran = run("map pull-off quartz --x radius=1nm:1mm --model maugis,dmt")
     assert "Pull-off force, P_c." in ran.out
-    assert re.search(r"quartz, DMT, R1 = \S+ nm to 1 mm: DMT is off by more than 5 %\.", " ".join(ran.out.split()))
+    assert re.search(r"DMT is off by more than 5 % \(quartz, DMT, R1 = \S+ nm to 1 mm\)\.", " ".join(ran.out.split()))
 
 
 @pytest.mark.parametrize(
@@ -578,7 +557,7 @@ def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) 
     conditions = {
         code: f"{NOMENCLATURE[limit.name].symbol}{limit.sign[0]}"
         if limit.factor is None
-        else re.sub(r"\s", "", limit.consequence)
+        else re.sub(r"\s", "", limit.consequence.partition(";")[0])
         for limit in LIMITS
         for code in limit.codes.values()
     }
@@ -603,11 +582,11 @@ def test_limits_that_are_not_judged_are_told(run: Run, words: str) -> None:
 def test_a_limit_of_another_number_than_its_name_says_what_follows_alone(run: Run) -> None:
     """Roughness is judged by the smaller sphere, here the second one."""
     out = run("map pull-off quartz 10um --x radius2=100nm:1mm").out
-    assert re.search(r"R2 = \S+ µm to 1 mm: rough spheres had 1/2 to 1/100 of this", " ".join(out.split()))
+    assert re.search(r"rough spheres had 1/2 to 1/100 of this \(quartz, R2 = \S+ µm to 1 mm\)", " ".join(out.split()))
     assert "R1 > " not in out
 
 
 def test_a_caption_has_no_names_of_columns(run: Run) -> None:
     out = run("map n-roll quartz 10nm --x energy=1e-21J:1e-17J").out
-    assert "W0/W_yield < 3.5: with 2/7 of the energy the contact springs back." in " ".join(out.split())
+    assert "W0/W_yield < 3.5: 2/7 of the energy cannot begin rolling, n_roll has no meaning" in " ".join(out.split())
     assert "of n_roll" not in out

@@ -78,6 +78,7 @@ REFUSED = {
     "5.00(1) nm": "radius: '5.00(1) nm' has an uncertainty: give the value alone; expected a length such as 100nm",
     "5 nm = 6 nm": "radius: '5 nm = 6 nm' is not a number and a unit; expected a length such as 100nm",
     "5-6 nm": "radius: '5-6 nm' has two numbers; a range of which any value is possible is 20 to 30 mJ/m2",
+    "5..6 nm": "radius: '5..6 nm' has two numbers; a range of which any value is possible is 20 to 30 mJ/m2",
     "5 nm!": "radius: '5 nm!' is not a number and a unit; expected a length such as 100nm",
     "$5 nm": "radius: '$5 nm' does not begin with a number; expected a length such as 100nm",
     "1e1.5 nm": "radius: '1e1.5 nm' is not a number and a unit; expected a length such as 100nm",

@@ -121,8 +121,9 @@ def words(scene: Scene, *names: str) -> str:
 
 def test_words() -> None:
     assert words(of("quartz", ROLLED["radius"]), "yield_force") == (
-        "Q = 850–1200 pN by forces on SiO2 of 1 µm; ξ is assumed (--xi); adhesion alone can supply up to Q = 900 pN"
+        "Q = 850–1200 pN by forces on SiO2 of 1 µm; ξ is assumed (--xi); adhesion alone gives Q = 900 pN at most"
     )
+    assert words(of("quartz", ROLLED["radius"]), "r_min").endswith("adhesion alone gives R_min = 480 µm at least")
     scaled = words(of("quartz", 1e-7), "yield_force")
     assert "Q = 89–270 pN by forces on SiO2 of 1 µm (850–1200 pN), scaled to this size" in scaled
     assert words(of("ice-warm", 1e-6), "r_min") == "ξ is assumed (--xi): no ξ of ice-warm was measured"

@@ -258,7 +258,8 @@ def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
     (doubt,) = [each for each in found.validity if each.limit.name == "tabor_parameter"]
     assert (
         found.about(doubt)
-        == "Q = 40–48 pN by Maugis' law, better here than JKR (Tabor parameter 0.14, z0 = 200–400 pm): --model maugis"
+        == "Q = 40–48 pN by Maugis' law at equal ξ, better here than JKR (Tabor parameter 0.14, z0 = 200–400 pm): "
+        "--model maugis"
     )
     by_maugis = found.laws["yield_force"]
     assert by_maugis["value"] == approx(solve("yield_force", model="maugis", **QUARTZ))
@@ -305,10 +306,12 @@ def readings(scene: Scene, name: str) -> tuple[float, float]:
 
 def test_for_energies_below_a_jump_no_correction_is_named(run: Run) -> None:
     energies = run("energies quartz 100nm --explain").out
-    assert "neither JKR nor Maugis' law is exact here (Tabor parameter 0.14, z0 = 200–400 pm)\n" in energies
+    assert "neither JKR nor Maugis' law is exact (Tabor parameter 0.14, z0 = 200–400 pm)\n" in energies
     assert "the contact forms and opens smoothly" in energies
     sticking = run("energies quartz 100nm --quantities sticking_energy").err
-    assert "neither JKR nor Maugis' law is exact here" in sticking
+    assert "neither JKR nor Maugis' law is exact" in sticking
+    softer = run("contact 10um --gamma 30mJ/m2 --young 2.4GPa --poisson 0.4").err  # a and δ are the same by both laws
+    assert "U_stick = (3.9–4.2)e-15 J by Maugis' law, better here" in softer
     of_json = json.loads(run("energies quartz 100nm --json").out)["validity"]
     assert [one["holds"] for one in of_json if one.get("verdict") == "has_jump"] == [False]
     of_ice = json.loads(run("energies ice-warm 1um --json").out)["validity"]

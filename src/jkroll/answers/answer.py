@@ -303,7 +303,7 @@ class Answer(Evaluation):
         scene, known = self.scene, [*self.values]
         headline = [name for name in known if name in self.question.headline]
         if doubt.limit.factor is factor_of_law and doubt.is_exceeded:
-            return _about_law(doubt, scene, headline or known)
+            return _about_law(doubt, scene, headline, known)
         if doubt.limit.factor is factor_of_data and doubt.is_exceeded:
             rolled = rolling(headline, scene.law.name) or rolling(known, scene.law.name)
             return _about_displacement(scene, {name: self.others[DATA][name] for name in rolled[:MAX_TOLD]})
@@ -350,15 +350,17 @@ class Answer(Evaluation):
 # --- What stands in place of results, in words ------------------------------------------------------------------------
 
 
-def _about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
+def _about_law(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:
     """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law"."""
-    texts = {name: advised(scene, name) for name in names}
-    told = [f"{NOMENCLATURE[name].symbol} {text}" for name, text in texts.items() if text]
-    spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
+    spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"], digits=3)
     scale = f"(Tabor parameter {doubt.value:.2g}, z0 = {spacing})"
-    if not told:
-        return f"neither {scene.law.title} nor Maugis' law is exact here {scale}"
-    return f"{', '.join(told[:MAX_TOLD])} by Maugis' law, better here than {scene.law.title} {scale}: --model {BETWEEN}"
+    for names in (headline, known if not headline or doubt.value >= JUMP else ()):
+        texts = {name: advised(scene, name) for name in names}
+        if told := [f"{NOMENCLATURE[name].symbol} {text}" for name, text in texts.items() if text]:
+            at_displacement = " at equal ξ" if rolling(names, BETWEEN) and is_at_displacement(scene) else ""
+            law = f"Maugis' law{at_displacement}, better here than {scene.law.title}"
+            return f"{', '.join(told[:MAX_TOLD])} by {law} {scale}: --model {BETWEEN}"
+    return f"energies and speeds are rough here: neither {scene.law.title} nor Maugis' law is exact {scale}"
 
 
 def advised(scene: Scene, name: str) -> str:
@@ -388,11 +390,12 @@ def _about_displacement(scene: Scene, values: Mapping[str, Any]) -> str:
     """
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(value))}" for name, value in values.items() if value)
     text = f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi)"
-    most = at_most_measured(scene).numbers("hysteresis_ratio", "yield_force")
-    if len(most) < 2 or most["hysteresis_ratio"] <= 1:
+    most = at_most_measured(scene)
+    if not (ratio := most.numbers("hysteresis_ratio").get("hysteresis_ratio", 0.0)) > 1:
         return text
-    force = most["yield_force"] / most["hysteresis_ratio"]
-    return f"{text}; adhesion alone can supply up to Q = {span('yield_force', force, force)}"
+    name, end = next(iter(most.replace(**{XI: most[XI] / ratio}).numbers(*values).items()))
+    bound = "at most" if end < most[name] else "at least"
+    return f"{text}; adhesion alone gives {NOMENCLATURE[name].symbol} = {span(name, end, end)} {bound}"
 
 
 def _about_roughness(scene: Scene) -> str:

@@ -58,7 +58,7 @@ def _unseen(option: Option) -> Option:
 _WITH = {
     "material2": ", or --gamma2, --young2, --poisson2, --density2",
     "surface_energy": ", or --work-of-adhesion",
-    "youngs_modulus": ", with --poisson 0.3",
+    "youngs_modulus": ", or rigid, with --poisson 0.3",
     "yield_displacement": (
         ", decides the answer: jkroll guide measurements; or --adhesion-hysteresis, --hysteresis-fraction"
     ),

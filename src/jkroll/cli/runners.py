@@ -268,7 +268,8 @@ def run_export(call: Call) -> int:
     program = next((known for name, known in PROGRAMS.items() if word in (name, known.title.casefold())), None)
     if program is None:
         guess = closest(word, PROGRAMS) or next(iter(PROGRAMS))
-        raise BadRequest(f"export: which program, {', '.join(PROGRAMS)}? Write jkroll export {guess} quartz 100nm")
+        question = f"which program, {', '.join(PROGRAMS)}? Write jkroll export {guess} quartz 100nm"
+        raise BadRequest(f"export: {question}; what other codes call γ is in jkroll guide dem")
     if (count := len(call.sweep)) != 1:
         raise BadRequest(f"export takes one pair of spheres, not {count}")
     scene = next(call.sweep.scenes())

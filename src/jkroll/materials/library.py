@@ -144,6 +144,8 @@ def data_of(path: str) -> Mapping[str, Any]:
 
     try:
         return tomllib.loads(content.decode("utf-8-sig"))
+    except UnicodeDecodeError:
+        raise BadRequest("is not text in UTF-8: save it with this encoding") from None
     except (ValueError, RecursionError) as error:
         raise BadRequest(f"is not TOML: {shown(str(error))}") from None
 

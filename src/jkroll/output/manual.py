@@ -17,13 +17,15 @@ _ENDING = ".md"
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("dem", "Other programs, and damping"): "dissipation viscous coefficient of restitution",
     ("dem", "What other codes call γ"): "cohesion energy density",
-    ("energies", "Energies by convention"): "E_break E_roll stickiness sticking bouncing coefficient of restitution",
+    ("energies", "Energies by convention"): "E_break E_roll stickiness sticking bouncing rebound restitution",
+    ("energies", "Aggregates"): "agglomerates clusters fractal",
     ("measurements", "Rough and humid"): (
         "roughness asperities capillary meniscus humidity moisture water liquid wetting contact angle"
     ),
     ("models", "Between JKR and DMT"): "tabor parameter maugis law",
+    ("models", "Sliding, twisting, peeling"): "friction detachment resuspension",
     ("tables", "Sweeps"): "mixture of sizes pairs and a wall lists ranges",
-    ("validation", "Measurements"): "stickiness sticking bouncing coefficient of restitution",
+    ("validation", "Measurements"): "stickiness sticking bouncing rebound coefficient of restitution detachment",
 }
 
 MAX_NAMED = 6  # quantities and materials in a list of what was found

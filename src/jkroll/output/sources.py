@@ -116,7 +116,8 @@ def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     """Return a line with the symbol and value of an input or a step, and a remark beside it."""
     measure = scene.uncertainties.get(name) or scene[name]
     value = f"{NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
-    return f"    {value:22} {remark}"
+    beside = f" {remark}" if len(value) < _STEP_INDENT - 4 else f"\n{' ' * _STEP_INDENT}{remark}"
+    return f"    {value:{_STEP_INDENT - 5}}{beside}"
 
 
 def _formula_of(step: Plan) -> str:

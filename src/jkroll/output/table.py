@@ -10,7 +10,7 @@ from ..quantities.formatting import Format, amount, from_to, in_words, significa
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
-from ..quantities.values import Interval, of_sides
+from ..quantities.values import Interval, middle, of_sides
 from ..rows.columns import DOUBT, as_list
 from ..scene.doubts import DATA, OF_LAW, SIO2, codes_of, rolled_solid
 from ..text import say, say_wrapped, terminal_width, width_of
@@ -31,6 +31,7 @@ def head_of(law: str) -> str:
 _DIGITS = 4  # of a result on a terminal
 _OF_A_RANGE = 2  # of its ends
 _NONE = "–"
+_WITH_SPACING = f"with {NOMENCLATURE['atomic_spacing'].option}"  # in place of a number that needs it
 _SILENT = {"", _NONE, *(f"as {head_of(law)}" for law in LAWS)}  # cells that say no more than others
 _GAP = 2  # blanks between columns
 _LEAST_TEXT = 24  # of a text in several lines
@@ -102,15 +103,26 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     _write_inputs("", answer.measures, answer.assumed, out, form)
     others, law = _others(answer), head_of(answer.scene.law.name)
     rows = [["quantity", "symbol", "unit", law, *others]]
+    models: dict[str, float | Uncertain] = {}  # by SI unit: the last value to which a unit was suited
     for result in _results(answer):
         name, same = result.name, None if result.value is None else f"as {law}"
         values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
-        numbers = [value for value in values if value not in (None, same)]
-        unit, cells = _cells(name, values, form, numbers[:1])
-        texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), unit if numbers else ""]
+        if same and answer.scene.by_law.may_rest_on_spacing(name):
+            values = [_WITH_SPACING if value is None else value for value in values]
+        first = next((value for value in values if value is not None and not isinstance(value, str)), None)
+        si = NOMENCLATURE[name].unit
+        if first is not None and not (si in models and _is_near(name, first, models[si], form)):
+            models[si] = first
+        unit, cells = _cells(name, values, form, () if first is None else [models[si]])
+        texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), "" if first is None else unit]
         rows.append([*texts, *cells])
     words, symbols, units, *columns = columns_of(rows, texts=3)
     write_table([words, symbols], columns, out, trailing=[units], repeated=columns[:1])
+
+
+def _is_near(name: str, value: "float | Uncertain", model: "float | Uncertain", form: Format) -> bool:
+    """Return whether a value of a quantity is little below 1 in the unit of a model, beside which it can be read."""
+    return 0.25 <= abs(convert(middle(value), form.common_unit(name, [model])[1])) < 1
 
 
 def _results(answer: "Answer") -> "list[Result]":
@@ -157,7 +169,8 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     names = (name for name in columns.wanted.names if name not in inputs)
     results = [column for name in names for column in _result_columns(name, columns, form)]
     doubts = [_doubts(bits & columns.told) for bits in as_list(columns.doubts)]
-    results += [Column(DOUBT, doubts, is_right=False)] if any(doubts) else []
+    is_told = len({*doubts}) > 1 or (any(doubts) and noun == "pairs")  # those of all states of a pair are in its notes
+    results += [Column(DOUBT, doubts, is_right=False)] if is_told else []
     across = columns_of([(column.head, *column.cells) for column in (*leading, *results)], texts=1)
     if _size(across) <= terminal_width() + _GAP < _size([*leading, *results]):
         leading, results = across[:1], across[1:]

@@ -20,7 +20,7 @@ from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-igno
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
-from ..quantities.formatting import WITH_PREFIXES, engineering, pretty
+from ..quantities.formatting import WITH_PREFIXES, pretty
 from ..quantities.markup import lines, typeset
 from .picture import (
     STYLES,
@@ -40,6 +40,7 @@ from .picture import (
 )
 
 LETTER_SIZE = 8.6  # in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
+_TICK_DIGITS = 6  # at most
 LETTER_WIDTH = 0.42  # width of a letter over its size, on average
 MARKERS = "os^Dv*"
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
@@ -89,7 +90,7 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     if has_caption:
         box, height = figure.get_tightbbox(), figure.get_figheight()
         figure.text(0.5, (box.y1 + 2 * _GAP) / height, typeset(drawn.title), ha="center", va="bottom")
-        caption = "\n".join(lines(" ".join(drawn.caption), _letters(inches)))
+        caption = "\n".join(line for text in drawn.caption for line in lines(text, _letters(inches)))
         figure.text(0.015, (box.y0 - 2 * _GAP) / height, caption, va="top", linespacing=1.2)
     for panel, axes, (_, contours) in zip(drawn.panels, every, drawings, strict=False):
         taken = _label_marks(axes, panel.marks, style)
@@ -162,11 +163,11 @@ def _set_axis(axes: Any, axis: Axis, which: str, most: int, letters: int) -> Non
         side.set_major_locator(ticker.LogLocator(subs=(1,) if is_long else (1, 2, 5), numticks=most))
         side.set_minor_formatter(ticker.NullFormatter())
         if unit in WITH_PREFIXES:
-            side.set_major_formatter(ticker.EngFormatter(pretty(unit)))
+            side.set_major_formatter(lambda value, _: typeset(axis.in_words([value], _TICK_DIGITS)[0][0]))
             unit = ""
     else:
         end = max(abs(axis.low), abs(axis.high))
-        number, unit = engineering(end, unit, 15)
+        (number,), unit = axis.in_words([end], 15)
         scale = end / float(number)
         side.set_major_locator(ticker.MaxNLocator(min(most, 8), steps=[1, 2, 5, 10]))
         side.set_major_formatter(lambda value, _: f"{value / scale:.12g}".replace("-", "−"))

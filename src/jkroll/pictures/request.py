@@ -232,7 +232,7 @@ class Layer:
             return ""
         x, *others = self.axes
         if others:
-            return "In part of the map"
+            return "in part of the map"
         values, beyond = x.values()[self.known], is_beyond[self.known]
         edges = numpy.flatnonzero(numpy.diff(beyond, prepend=False, append=False)).reshape(-1, 2)
         ends = ([amount(x.name, values[end], _TWO) for end in (first, last - 1)] for first, last in edges)
@@ -304,7 +304,7 @@ def _sentences(told: Mapping[str, Iterable[Region]]) -> Iterator[str]:
             yield f"Everywhere {text}."
         else:
             each_place = (", ".join(filter(None, (label, place or "everywhere"))) for label, place in where.items())
-            yield f"{'; '.join(each_place)}: {text}."
+            yield f"{text} ({'; '.join(each_place)})."
 
 
 def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:

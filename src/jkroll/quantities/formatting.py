@@ -66,8 +66,7 @@ class Format:
         if not plain[0] or not sizes:
             return plain
         power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
-        unit = _PREFIXES[power] + si if power in _KNOWN else f"1e{power} {si}"
-        return pretty(unit), (*power_of_ten(power), ())
+        return pretty(_multiple(si, power)), (*power_of_ten(power), ())
 
     def are_far(self, name: str, values: Sequence[float | Uncertain]) -> bool:
         """Return whether values are so far apart that each is to have a unit of its own."""
@@ -89,15 +88,20 @@ def _sizes(values: Sequence[float | Uncertain]) -> list[float]:
     return sorted(abs(value) for value in middles if value and not isinf(value))
 
 
-def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
-    """Round a value to significant digits and choose a prefix for its unit.
+def _multiple(unit: str, power: int) -> str:
+    """Return the multiple of a unit by a power of ten: with a prefix that all know, else with the power itself."""
+    return _PREFIXES[power] + unit.removeprefix("1") if power in _KNOWN else f"1e{power} {unit}"
 
-    >>> engineering(1.1780972e-08, "N")
-    ('11.781', 'nN')
+
+def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
+    """Round a value to significant digits and choose a prefix for its unit, if there is one that all know.
+
+    >>> engineering(1.1780972e-08, "N"), engineering(2e-17, "J")
+    (('11.781', 'nN'), ('2e-17', 'J'))
     """
     power = _power(value, unit, digits)
-    number = convert(value, (*power_of_ten(power), ()))
-    return significant(number, digits), _PREFIXES[power] + ("" if unit == "1" else unit)
+    power = power if power in _KNOWN else 0
+    return significant(convert(value, (*power_of_ten(power), ())), digits), _multiple(unit, power)
 
 
 def _power(value: float, unit: str, digits: int) -> int:
@@ -161,16 +165,18 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
     return with_unit(*form.rounded(name, value))
 
 
-def span(name: str, low: float, high: float) -> str:
-    """Return the ends of a range with two digits for a sentence; one number where both are the same.
+def span(name: str, low: float, high: float, digits: int = 2) -> str:
+    """Return the ends of a range for a sentence, with one digit more where that tells them apart; else one number.
 
-    >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("atomic_spacing", 4e-10, 4e-10)
-    ('14–15 nN', '400 pm')
-    >>> span("well_energy", 1e-18, 3e-18)
-    '(1–3)e-18 J'
+    >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
+    ('14–15 nN', '397–400 nN')
+    >>> span("well_energy", 1e-18, 3e-18), span("atomic_spacing", 4e-10, 4e-10)
+    ('(1–3)e-18 J', '400 pm')
     """
     unit, scale = AS_USUAL.common_unit(name, [low, high])
-    return with_unit(from_to(convert(low, scale), convert(high, scale)), unit)
+    ends = convert(low, scale), convert(high, scale)
+    is_one = significant(ends[0], digits) == significant(ends[1], digits)
+    return with_unit(from_to(*ends, digits + 1 if is_one and low != high else digits), unit)
 
 
 def from_to(low: float, high: float, digits: int = 2) -> str:
@@ -235,7 +241,7 @@ def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, 
     without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
     digits = min(digits, DIGITS) if is_log else digits  # these are round, and may be large
     texts = [significant(convert(value, scale), digits) for value in without_errors]
-    return texts, pretty(_PREFIXES[power] + unit.removeprefix("1"))
+    return texts, pretty(_multiple(unit, power))
 
 
 def first_symbols(names: list[str]) -> str:

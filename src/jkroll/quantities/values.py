@@ -313,7 +313,7 @@ def _error_about(name: str, text: str, error: BadUnit) -> QuantityError:
 
 def split_number(text: str) -> tuple[_Decimal, str]:
     """Split a text into the number at its head and the unit after it."""
-    text = text.strip(" ")
+    text = text.strip(" ").replace("..", "…")
     match = _NUMBER.match(text)
     assert match is not None  # every part of the pattern is optional
     sign, whole, fraction, exponent = match.groups()
@@ -325,7 +325,7 @@ def split_number(text: str) -> tuple[_Decimal, str]:
         raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
     if has_uncertainty(rest):
         raise BadUnit("has an uncertainty: give the value alone")
-    second = rest.lstrip(" -–—")
+    second = rest.lstrip(" -–—…")
     if second[:1].isdigit() and second != rest.lstrip(" "):
         raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
     if exponent and len(exponent.lstrip("+-")) > 3:
@@ -489,8 +489,9 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     try:
         return [_spread(item, name) for item in items]
     except QuantityError as error:
-        if error.reason == NO_UNIT and len(items) > 1:
+        if error.reason == NO_UNIT and (len(items) > 1 or ":" in text):
             reason = "has a comma where a number has a point, or a number without a unit"
+            reason = reason if len(items) > 1 else "needs a unit at both ends"
             raise QuantityError(name, text, reason) from None
         raise
 

@@ -432,18 +432,18 @@ LIMITS = (
     *(
         Limit(
             "energy_over_yield", frozenset({turns}), "<=", {least: code},
-            f"with {energy} of the energy the contact springs back",
+            f"{energy} of the energy cannot begin rolling, {turned} has no meaning",
             ends_meaning=True,
         )
-        for turns, least, code, energy in (
-            ("n_roll", 7 / 2, "does-not-roll-sliding", "2/7"),
-            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "5/7"),
-            ("n_roll_energy_balance", 1.0, "does-not-roll", "all"),
+        for turns, turned, least, code, energy in (
+            ("n_roll", "n_roll", 7 / 2, "does-not-roll-sliding", "2/7"),
+            ("n_roll_after_impact", "n_imp", 7 / 5, "does-not-roll-after-impact", "5/7"),
+            ("n_roll_energy_balance", "n_bal", 1.0, "does-not-roll", "all"),
         )
     ),
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
-        "elastic spheres bounce off a held body 2 (v_stick, e: of a free pair), so that turns have no meaning",
+        "elastic spheres bounce off a held body 2 so fast, and turns have no meaning; v_stick, e: of a free pair",
         lambda scene, names: _is_stated(IMPACT)(scene, names) and (
             "viscous_time" not in scene.stated or bool(scene.possible(["sticking_speed"]))
         ),
@@ -456,7 +456,7 @@ LIMITS = (
     ),
     Limit(
         "tabor_parameter", _STICKING, "<", {JUMP: "sticking-unsure"},
-        "the contact forms and opens smoothly; adhesion alone loses almost no energy",
+        "the contact forms and opens smoothly; adhesion alone loses almost no energy, other losses decide what sticks",
         conclusion="has_jump",
     ),
     Limit(
@@ -476,11 +476,11 @@ LIMITS = (
     ),
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
-        "even a solid without flaws yields under less; no plasticity is modelled",
+        "more pressure than even a solid without flaws bears; no plasticity is modelled",
     ),
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
-        "contact too wide for the formulas",
+        "contact too wide for the formulas; their shape of a sphere is off by e_h at its edge",
     ),
 )  # fmt: skip
 
