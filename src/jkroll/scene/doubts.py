@@ -443,7 +443,7 @@ LIMITS = (
     ),
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
-        "elastic spheres bounce off a held body 2 so fast, and turns have no meaning; v_stick, e: of a free pair",
+        "at this energy elastic spheres bounce off a held body 2: turns have no meaning; v_stick, e: of a free pair",
         lambda scene, names: _is_stated(IMPACT)(scene, names) and (
             "viscous_time" not in scene.stated or bool(scene.possible(["sticking_speed"]))
         ),
