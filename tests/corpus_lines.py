@@ -46,7 +46,7 @@ class Line(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What a line did: exit code, streams, and files that are new or other than before."""
+    """The outcome of a line: exit code, streams, and files that are new or other than before."""
 
     code: int
     out: str

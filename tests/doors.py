@@ -45,7 +45,7 @@ class Refused(Exception):
 
 
 class Rows(NamedTuple):
-    """What a door answers: for each row its values, without the gaps, its doubts as bits, and the reasons of gaps.
+    """The answer of a door: for each row its values, without the gaps, its doubts as bits, and the reasons of gaps.
 
     Rows that arrays computed have the reasons of the first one that lacks the same.
     """

@@ -131,7 +131,7 @@ def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
 
 
 def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
-    """What the error of a formula is measured against: its value or, where two terms may cancel, the larger of them."""
+    """Return what the error of a formula is relative to: its value or, where two terms may cancel, the larger one."""
     return abs(_evaluate(TERMS[formula], arguments) if formula in TERMS else exact(formula, arguments))
 
 

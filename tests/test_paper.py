@@ -41,7 +41,7 @@ class Record(NamedTuple):
     disagrees: str = ""
 
     def computed(self) -> float:
-        """What comes out for the wanted product, or for its exponent."""
+        """Return the wanted product, or its exponent, as it is computed."""
         given = understood(self.given)
         result = product(self.wanted, given)
         if not self.exponent_of:
@@ -50,7 +50,7 @@ class Record(NamedTuple):
         return math.log2(product(self.wanted, doubled) / result)
 
     def admitted(self) -> Interval:
-        """The values that agree with what is printed."""
+        """Return the ends of the values that agree with what is printed."""
         if self.within:
             low, high = self.within
             return si(low), si(high)
@@ -66,7 +66,7 @@ class Record(NamedTuple):
 
 
 def si(text: str) -> float:
-    """SI value of a number and a unit."""
+    """Return the SI value of a number and a unit."""
     digits, _, unit = text.partition(" ")
     number = Fraction(digits)
     numerator, denominator, _ = parse_unit(unit) if unit not in ("", "1") else (1, 1, ())
@@ -74,24 +74,24 @@ def si(text: str) -> float:
 
 
 def half_a_unit_in_the_last_place(text: str) -> float:
-    """Half a unit in the last printed place, in SI: 0.005 for "0.17", 5e-7 for "50 um"."""
+    """Return half a unit in the last printed place, in SI: 0.005 for "0.17", 5e-7 for "50 um"."""
     digits, _, unit = text.partition(" ")
     last_place = int(Decimal(digits).as_tuple().exponent)
     return si(f"5e{last_place - 1} {unit}")
 
 
 def around(middle: float, margin: float) -> Interval:
-    """The values within a margin of the middle."""
+    """Return the ends of a margin around a middle."""
     return middle - margin, middle + margin
 
 
 def is_product(text: str) -> bool:
-    """Whether a text names a quantity or a formula, and so is not a number with a unit."""
+    """Return whether a text names a quantity or a formula, and so is not a number with a unit."""
     return any(factor.partition("^")[0] in NAMES for factor in text.split())
 
 
 def product(text: str, given: Given) -> float:
-    """SI value of a product such as "4 pi radius^3 / 3"."""
+    """Return the SI value of a product such as "4 pi radius^3 / 3"."""
     result = 1.0
     sign = 1
     for factor in text.split():
@@ -104,7 +104,7 @@ def product(text: str, given: Given) -> float:
 
 
 def value(name: str, given: Given) -> float:
-    """SI value of a quantity, of a formula, of what only a formula takes, of pi, or of a number."""
+    """Return the SI value of a quantity, of a formula, of what only a formula takes, of pi, or of a number."""
     if name in NOMENCLATURE:
         return float(solve(name, **{key: given[key] for key in given if key in NOMENCLATURE}))
     if name in FORMULAS:
@@ -116,7 +116,7 @@ def value(name: str, given: Given) -> float:
 
 
 def understood(texts: Mapping[str, str]) -> Given:
-    """What is given: texts that `solve` reads; else SI values, those of products from what stands before them."""
+    """Return what is given: texts that `solve` reads; else SI values, of products from what stands before them."""
     given: dict[str, Any] = {}
     for name, text in texts.items():
         if is_product(text):
@@ -135,7 +135,7 @@ EMPTY_CELLS = [record for _, record in RECORDS if record.printed == EMPTY_CELL]
 
 
 def disagreement(record: Record) -> list[pytest.MarkDecorator]:
-    """The mark of a number that must not come back. An error while computing it is no disagreement."""
+    """Return the mark of a number that must not come back. An error while computing it is no disagreement."""
     return [pytest.mark.xfail(strict=True, raises=AssertionError, reason=record.disagrees)] if record.disagrees else []
 
 

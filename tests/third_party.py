@@ -119,7 +119,7 @@ class Spheres:
 
 
 def bisect(below: Callable[[float], bool], low: float, high: float) -> float:
-    """Where a condition that holds at the lower end stops to hold, from above."""
+    """Return the upper end of an interval in which a condition stops to hold that holds at its lower end."""
     for _ in range(60):
         middle = (low + high) / 2
         low, high = (middle, high) if below(middle) else (low, middle)
@@ -134,7 +134,7 @@ def frequency(samples: list[float], interval: float) -> float:
 
 
 def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool = False) -> tuple[float, ...]:
-    """What LAMMPS does, and by jkroll Eq (40), Eq (41) and that without slip.
+    """The motion in LAMMPS, and by jkroll Eq (40), Eq (41) and that without slip.
 
     A held body 2 is next to infinitely dense.
 

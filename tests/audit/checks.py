@@ -45,7 +45,7 @@ class Check(NamedTuple):
 
     @property
     def numbers(self) -> tuple[float, float]:
-        """What is printed, and what follows; of several numbers, those that differ most."""
+        """Return what is printed, and what follows; of several numbers, those that differ most."""
         pairs = zip(_terms(self.printed), _terms(self.follows), strict=True)
         return max(pairs, key=lambda pair: _difference(*pair))
 

@@ -61,7 +61,7 @@ def test_no_table_keeps_descriptors(run: Run, grains: list[str]) -> None:
 
 
 def times(directory: str) -> dict[str, int]:
-    """When the tables of a directory were written."""
+    """Return when the tables of a directory were written."""
     return {path.name: path.stat().st_mtime_ns for path in Path(directory).glob("*.csv")}
 
 

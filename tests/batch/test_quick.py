@@ -56,7 +56,7 @@ def converter(dialect: str, end: str, *, excel_safe: bool) -> Converter:
 
 
 def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Converted:
-    """What becomes of a block of rows."""
+    """Return a block of rows, converted."""
     return converter(dialect, end, excel_safe=excel_safe).converted(text)
 
 

@@ -209,7 +209,7 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
 
 
 class Taken(NamedTuple):
-    """What a run took: seconds by the clock and of all processors, and megabytes of all processes at their highest."""
+    """The cost of a run: seconds by the clock and of all processors, and the most megabytes of all processes."""
 
     clock: float
     processor: float

@@ -269,9 +269,9 @@ def test_free_spheres_do_not_vibrate_beyond_pull_off() -> None:
 
 
 def test_contradictions_and_mismatches_are_refused() -> None:
-    with pytest.raises(BadRequest):
+    with pytest.raises(BadRequest, match="exclude each other"):
         solve("stiffness", radius=1e-7, load=5e-9, approach_at_load=5e-11, **QUARTZ)
-    with pytest.raises(BadRequest):
+    with pytest.raises(BadRequest, match="do not broadcast"):
         solve("reduced_radius", radius=[1e-7, 2e-7], radius2=[1e-7, 2e-7, 3e-7])
     with pytest.raises(QuantityError):
         solve("load", load_factor=-1.0, radius=1e-7, **QUARTZ)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from jkroll import JkrollError, solve
+from jkroll import solve
 from jkroll.scene.failures import Failure, NotInLaw
 from scenes import OTHER, QUARTZ
 
@@ -136,6 +136,7 @@ def test_other_laws_do_not_have_them(model: str, name: str) -> None:
         solve(name, model=model, **QUARTZ)
 
 
-def test_two_rigid_bodies_have_no_strength() -> None:
-    with pytest.raises(JkrollError):
-        solve("sliding_force", **{**QUARTZ, "youngs_modulus": math.inf})
+@pytest.mark.parametrize("name", ["shear_strength", "sliding_force", "tangential_stiffness"])
+def test_two_rigid_bodies_have_none_of_them(name: str) -> None:
+    with pytest.raises(Failure, match="both bodies are rigid"):
+        solve(name, **{**QUARTZ, "youngs_modulus": math.inf})

@@ -105,7 +105,7 @@ def test_the_margin_of_a_load_is_a_state_as_the_load_is() -> None:
         by_margin = [solve(name, load_margin=margin, **QUARTZ) for name in names]
         by_load = [solve(name, load=(margin**2 - 1) * pull_off, **QUARTZ) for name in names]
         assert by_margin == approx(by_load, rel=1e-14)
-    with pytest.raises(BadRequest):
+    with pytest.raises(BadRequest, match="exclude each other"):
         solve("approach_at_load", load_margin=0.5, load=1e-9, **QUARTZ)
 
 

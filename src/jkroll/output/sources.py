@@ -146,7 +146,7 @@ def references() -> dict[str, Mapping[str, str]]:
 
 
 class Cited:
-    """What is cited of an answer: equations of the paper, and references of the law, of conventions and of data."""
+    """The equations of the paper on which an answer rests, and the references of its law, conventions and data."""
 
     def __init__(self, answer: Answer) -> None:
         self.names = [result.name for result in answer.results if result.value is not None]

@@ -118,7 +118,6 @@ RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _OF_POWERS = "0123456789-+⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
 
-
 _MICRO_INSIDE = r"[A-Za-zÅ][µμ]"  # mµm was once the nanometre, and is a micrometre to pint
 
 

@@ -133,7 +133,8 @@ OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
 # Quantities that need a contact area: they have no value where both bodies are rigid. All others of JKR follow from
 # them.
-_ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
+_ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
+    "rolling_frequency_as_printed"})  # fmt: skip
 
 
 class Scene:
