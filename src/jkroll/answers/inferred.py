@@ -7,7 +7,7 @@ from functools import cached_property
 from math import isfinite
 from typing import Any
 
-from ..quantities.formatting import amount, in_words, span, symbol_beside
+from ..quantities.formatting import amount, in_words, span, symbol_among
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain, middle
@@ -81,7 +81,7 @@ class Inferred(Answer):
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit; where the law is not exact, the values by Maugis' law."""
-        symbols = {name: symbol_beside(name, {*self.inputs, *self.assumed}) for name in self.problem.unknowns}
+        symbols = {name: symbol_among(name, {*self.inputs, *self.assumed}) for name in self.problem.unknowns}
         if doubt.is_exceeded and doubt.limit.factor is factor_of_law and BETWEEN in self.alternatives:
             values = {name: middle(value) for name, value in self.alternatives[BETWEEN].items()}
             told = listed(f"{symbols[name]} = {span(name, value, value)}" for name, value in values.items())
@@ -107,7 +107,7 @@ class Inferred(Answer):
             if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
                 yield Note("warning", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
             if name in _RAISING and not _LOSING.isdisjoint(forward):
-                symbol = symbol_beside(name, self.scene.given)
+                symbol = symbol_among(name, self.scene.given)
                 yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
             yield from _unused(name, [*forward], self.scene)
         verb, kappa = "give", "κ"

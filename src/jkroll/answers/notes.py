@@ -6,7 +6,7 @@ from math import erfc, hypot, sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
-from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_beside, symbol_of
+from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
@@ -159,7 +159,7 @@ def _about_data(scene: Scene, inputs: Collection[str]) -> Iterator[Note]:
             yield Note("more", f"{material.name}: {text}")
         if name in material.notes:
             kind: Kind = "caveat" if name in material.origins else "more"
-            yield Note(kind, f"{symbol_beside(name, ())} of {material.name}: {material.notes[name]}")
+            yield Note(kind, f"{symbol_among(name, ())} of {material.name}: {material.notes[name]}")
 
 
 def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:

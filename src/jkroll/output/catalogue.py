@@ -7,7 +7,7 @@ from typing import Any, TextIO
 from ..answers.questions import QUESTIONS
 from ..materials.library import ORIGIN, Material
 from ..physics.accuracy import accuracy_of
-from ..quantities.formatting import AS_USUAL, amount, in_words, pretty, symbol_beside
+from ..quantities.formatting import AS_USUAL, amount, in_words, pretty, symbol_among
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, bracketed, header
 from ..rows.columns import Wanted
 from ..scene.doubts import LIMITS
@@ -59,7 +59,7 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
     from .table import Column, input_column, write_table
 
     values = (
-        input_column(name, [material.measures.get(name) for material in chosen], AS_USUAL, symbol_beside(name, ()))
+        input_column(name, [material.measures.get(name) for material in chosen], AS_USUAL, symbol_among(name, ()))
         for name in PROPERTIES
     )
     write_table([Column("material", [material.name for material in chosen], is_right=False)], [*values], out)

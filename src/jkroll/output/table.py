@@ -6,7 +6,7 @@ from math import isnan
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
-from ..quantities.formatting import Format, amount, from_to, in_words, significant, symbol_beside, with_unit
+from ..quantities.formatting import Format, amount, from_to, in_words, significant, symbol_among, with_unit
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
@@ -114,7 +114,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         if first is not None and not (si in models and _is_near(name, first, models[si], form)):
             models[si] = first
         unit, cells = _cells(name, values, form, () if first is None else [models[si]])
-        texts = [NOMENCLATURE[name].sentence, symbol_beside(name, answer.inputs), "" if first is None else unit]
+        texts = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), "" if first is None else unit]
         rows.append([*texts, *cells])
     words, symbols, units, *columns = columns_of(rows, texts=3)
     write_table([words, symbols], columns, out, trailing=[units], repeated=columns[:1])
@@ -162,7 +162,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
         count += " of equal spheres (R2 = R1)"
     _write_inputs(count, common, assumed, out, form)
     leading = [
-        input_column(name, inputs[name], form, symbol_beside(name, inputs))
+        input_column(name, inputs[name], form, symbol_among(name, inputs))
         for name in several
         if name in form.typed or name not in _FOLLOWING
     ]
@@ -194,7 +194,7 @@ def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]
             values[" by data"] = ["no data" if value is None else value for value in others]
         elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
             values[f" by {head_of(kind)}"] = others
-    symbol = symbol_beside(name, columns.inputs)
+    symbol = symbol_among(name, columns.inputs)
     models = next((of_kind for of_kind in values.values() if any(value is not None for value in of_kind)), ())
     every = values.items()
     return [_column(f"{symbol}{words}", *_cells(name, of_kind, form, models)) for words, of_kind in every]
@@ -228,7 +228,7 @@ def _write_inputs(
 
 def _described(inputs: "Mapping[str, float | str | Uncertain]", form: Format) -> Iterable[str]:
     """Return inputs in words: materials with the values that are theirs in brackets, and what was typed."""
-    texts = {name: f"{symbol_beside(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
+    texts = {name: f"{symbol_among(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
     if "surface_energy" in texts and "surface_energy2" not in texts:
         texts["surface_energy"] += " per surface"
     if {"radius", "radius2"} <= texts.keys() and inputs["radius2"] in (inputs["radius"], "plane"):

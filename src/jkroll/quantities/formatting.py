@@ -249,7 +249,7 @@ def first_symbols(names: list[str]) -> str:
     return first_of([*map(symbol_of, names)])
 
 
-def symbol_beside(name: str, inputs: Collection[str]) -> str:
+def symbol_among(name: str, inputs: Collection[str]) -> str:
     """Return the symbol of a quantity, without the index of sphere 1 where no other value is that of sphere 2."""
     quantity = NOMENCLATURE[name]
     is_of_both = quantity.sphere == 1 and quantity.twin not in inputs and name != "radius"
