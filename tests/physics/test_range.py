@@ -14,7 +14,7 @@ from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.quantities.values import QuantityError
 from jkroll.scene.failures import MissingInput
 from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, is_answer, takes
-from jkroll.scene.wiring import Plan, formula_of, steps_to
+from jkroll.scene.wiring import Plan, formula_of
 from maugis_reference import Exact, digits, mpf
 from reference import BOUND, exact, ulp_error
 from scenes import OTHER, QUARTZ
@@ -111,17 +111,15 @@ class ExactScene:
 
     def __init__(self, given: Mapping[str, Any], plans: Mapping[str, Plan]) -> None:
         """Evaluate plans from the values that they start from."""
-        self.plans, steps = plans, steps_to(plans.values())
+        self.plans, steps = plans, _formulas_of(plans)
         self.given = {name: mpf(given[name]) for name in _inputs_of(plans)}
         self.values: dict[str, Exact | None] = dict(self.given)
         self.in_doubles = set(self.given)  # those that doubles hold, with all on the way to them
         for name, step in steps.items():
-            known = {parameter: self.values[argument.name] for parameter, argument in step.arguments}
+            known = {parameter: self.values[argument] for parameter, argument in step.arguments.items()}
             value = self.values[name] = None if None in known.values() else _exact_or_none(step.formula.__name__, known)
             if value is not None and ((value == 0 and name in MAY_BE_ZERO) or SMALLEST < abs(value) < LARGEST):
-                self.in_doubles |= (
-                    {name} if all(argument.name in self.in_doubles for _, argument in step.arguments) else set()
-                )
+                self.in_doubles |= {name} if self.in_doubles.issuperset(step.arguments.values()) else set()
 
     def is_right(self, name: str, value: Any, bound: float) -> bool:
         """Return whether a number is the exact one; or, where there is no number, whether there is none in doubles."""
@@ -180,15 +178,20 @@ def test_scenes_at_the_corners_have_right_numbers(model: str, count: int) -> Non
 
 def _inputs_of(plans: Mapping[str, Plan]) -> set[str]:
     """Return the names of the values that plans start from."""
-    return set().union(*(plan.reached for plan in plans.values())) - steps_to(plans.values()).keys()
+    return {name for plan in plans.values() for name, step in plan.steps.items() if step.formula is None}
+
+
+def _formulas_of(plans: Mapping[str, Plan]) -> dict[str, Plan]:
+    """Return the steps of plans that have a formula, by name, in an order in which they can be evaluated."""
+    return {name: step for plan in plans.values() for name, step in plan.steps.items() if step.formula is not None}
 
 
 def _elements(given: Mapping[str, Any], plans: Mapping[str, Plan]) -> dict[str, float]:
     """Return what the formulas of plans make of arrays."""
     values = {name: np.array([given[name]]) for name in _inputs_of(plans)}
     with np.errstate(all="ignore"):
-        for name, step in steps_to(plans.values()).items():
-            known = {parameter: values[argument.name] for parameter, argument in step.arguments}
+        for name, step in _formulas_of(plans).items():
+            known = {parameter: values[argument] for parameter, argument in step.arguments.items()}
             elements = step.formula(**known)
             values[name] = np.where(is_answer(name, elements), elements, math.nan)
     return {name: value.item() for name, value in values.items()}

@@ -239,7 +239,7 @@ class Answer(Evaluation):
             at_half = at_half_spacing(scene.by_law).numbers(*ours)
             columns[f"over_{law}_at_half_spacing"] = {name: at_half.get(name) for name in ours}
         rolled = rolling(ours, BETWEEN)
-        if rolled and (reading := at_other_reading(scene)) is not None:
+        if rolled and (reading := at_other_reading(scene, scene.by_law)) is not None:
             readings = reading.numbers(*rolled)
             both = [{name: numbers[name] for name in readings}, readings]
             columns |= zip(readings_of(law), both if is_at_displacement(scene) else reversed(both), strict=True)

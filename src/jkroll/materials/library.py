@@ -88,7 +88,6 @@ class Material(NamedTuple):
     uncertainties: Mapping[str, Uncertain] = read_only({})  # of properties that have one
     origins: Mapping[str, Mapping[str, str]] = read_only({})  # of properties: what is stated of `ORIGIN`
     displacement: Displacement | None = None  # from which that of a contact follows
-    replaced: frozenset[str] = frozenset()  # properties with another value than its data have
     problem: str = ""  # what is wrong with it in its file, in place of its data
 
     @property
@@ -109,11 +108,6 @@ class Material(NamedTuple):
         """The properties with their error bars, and the yield displacement as it was measured."""
         displacement = {} if self.displacement is None else {XI: self.displacement.measured}
         return {**self.properties, **self.uncertainties, **displacement}
-
-    def with_properties(self, values: Mapping[str, Any]) -> "Material":
-        """Return the material with other values of properties, which are not its data; None takes one away."""
-        properties = {name: value for name, value in {**self.properties, **values}.items() if value is not None}
-        return self._replace(properties=properties, replaced=self.replaced | values.keys())
 
     def sources_of(self, name: str) -> list[Mapping[str, str]]:
         """Return the references of a property: its own, or else those that belong to no other property."""
@@ -203,13 +197,17 @@ def materials_in(path: str) -> list[Material]:
     return materials
 
 
+_ABOUT: Mapping[str, type] = {"aliases": list, "notes": dict, "references": list, "state": str, "source": str}
+
+
 def _read(name: str, table: Any, title: str, path: str, references: Mapping[str, Any]) -> Material:
     """Return a material with what its table says, or with what is wrong with it. `title`: of the set, by default."""
     material, values, origins = Material(name, read_only({}), (), read_only({}), (), (), title, path), {}, {}
     try:
-        aliases = texts(checked(table, dict, f"materials.{name}").get("aliases", []), list, f"{name}.aliases")
-        material = material._replace(aliases=aliases, title=texts(table.get("source", title), str, f"{name}.source"))
-        _refuse_unknown_keys(name, table, (*PROPERTIES, XI, "aliases", "notes", "references", "state", "source"))
+        checked(table, dict, f"materials.{name}")
+        about = {key: texts(table.get(key, form()), form, f"{name}.{key}") for key, form in _ABOUT.items()}
+        material = material._replace(aliases=about["aliases"], title=about["source"] or title, state=about["state"])
+        _refuse_unknown_keys(name, table, (*PROPERTIES, XI, *_ABOUT))
         for key in (key for key in (*PROPERTIES, XI) if key in table):
             where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
             given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
@@ -225,20 +223,17 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
             if not isinstance(radius, float):
                 raise BadRequest(f"{shown(name)}.{XI}: the radius of the spheres is a single one")
             displacement = Displacement(Interval(middle(measured), *ends_of(measured)), radius)
-        notes = texts(table.get("notes", {}), dict, f"{name}.notes")
-        if idle := [key for key in notes if key not in (*PROPERTIES, *table)]:
+        if idle := [key for key in about["notes"] if key not in (*PROPERTIES, *table)]:
             raise BadRequest(f"{quoted(name)} has a note on {quoted(idle[0])}, which it does not give")
-        keys = [*texts(table.get("references", []), list, f"{name}.references")]
-        keys += [origin["reference"] for origin in origins.values() if "reference" in origin]
+        keys = [*about["references"], *(origin["reference"] for origin in origins.values() if "reference" in origin)]
         if lacking := [key for key in keys if key not in references]:
             raise BadRequest(f"{quoted(name)} cites {quoted(lacking[0])}, which [references] does not have")
         return material._replace(
             properties=read_only({key: middle(value) for key, value in values.items()}),
-            notes=read_only(notes),
+            notes=read_only(about["notes"]),
             references=tuple(
                 {"key": key, **texts(references[key], dict, f"references.{key}")} for key in dict.fromkeys(keys)
             ),
-            state=texts(table.get("state", ""), str, f"{name}.state"),
             uncertainties=read_only({key: value for key, value in values.items() if is_uncertain(value)}),
             origins=read_only(origins),
             displacement=displacement,

@@ -20,7 +20,7 @@ from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.doubts import uses_law
 from ..scene.scene import Scene
-from ..scene.wiring import Plan, steps_to
+from ..scene.wiring import Plan
 from ..text import listed, say, say_wrapped
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def _explanation(result: Result, answer: Answer, form: Format) -> list[str]:
     if result.measure is None:
         return [title, f"  {result.reason}", ""]
     lines, facts = [title], [*_facts(result, answer, form)]
-    if steps := [*steps_to(scene.plans(result.name)).values()]:
+    if steps := [step for step in scene.plan(result.name).steps.values() if step.formula is not None]:
         *earlier, last = steps
         fields = docstring_fields(last.formula)
         lines += [f"  {fields['formula']}", "  given"]

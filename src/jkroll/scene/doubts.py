@@ -42,9 +42,8 @@ def is_at_displacement(scene: Scene) -> bool:
     return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
 
 
-def at_other_reading(scene: Scene) -> Scene | None:
-    """Return the scene under the other law with the other of equal displacement and hysteresis, or None."""
-    other = scene.by_law
+def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
+    """Return a scene under another law with the other of equal displacement and hysteresis, or None."""
     ours, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
     if len(ours) < 2 or not theirs:
         return None
@@ -62,7 +61,7 @@ def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
     apart = routed_apart(scene.law.name, other.law.name, scene.known)
     for name in names:
         ours, theirs = scene.plan(name), other.plan(name)
-        is_same = ours.is_possible and apart.isdisjoint(ours.reached | theirs.reached)
+        is_same = ours.is_possible and apart.isdisjoint(ours.steps) and apart.isdisjoint(theirs.steps)
         if theirs.is_possible and not is_same:
             moved.append(name)
     return moved
@@ -225,7 +224,7 @@ def _between(first: Any, second: Any, is_near: Any) -> Any:
 
 def uses_law(scene: Scene, name: str) -> bool:
     """Return whether a quantity of a scene rests on a formula that JKR does not have."""
-    return not scene.plan(name).reached.isdisjoint(routed_apart(scene.law.name, DEFAULT_LAW, scene.known))
+    return not scene.plan(name).steps.keys().isdisjoint(routed_apart(scene.law.name, DEFAULT_LAW, scene.known))
 
 
 def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
@@ -237,9 +236,10 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     if scene.law.name == BETWEEN:
         return 1.0
     ours = scene.numbers(*moved_by_law(scene, [*names]))
-    compared = [*by_law_at_spacing(scene, ours).evaluate([*ours]).items()]
+    other = by_law_at_spacing(scene, ours)
+    compared = [*other.evaluate([*ours]).items()]
     rolled = rolling(ours, BETWEEN)
-    if rolled and (reading := at_other_reading(scene)) is not None:
+    if rolled and (reading := at_other_reading(scene, other)) is not None:
         compared += reading.evaluate(rolled).items()
     if "pull_off_force" in ours:
         fit = scene.evaluate(["pull_off_force_lennard_jones"])

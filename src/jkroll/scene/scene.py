@@ -9,13 +9,14 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property, reduce
 from math import isfinite, nan
 from operator import and_
+from types import MappingProxyType
 from typing import Any
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law, routed_apart
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law
 from ..quantities.nomenclature import (
     INFINITY,
     NOMENCLATURE,
@@ -158,25 +159,30 @@ class Scene:
         material2: Material | None = None,
         *,
         model: str | None = None,
+        moved: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
-        value that has an uncertainty; `scene.uncertainty` computes with the rest. Raises QuantityError, or
-        BadRequest for arrays that do not broadcast.
+        value that has an uncertainty; `scene.uncertainty` computes with the rest. `moved`: values in place of those of
+        the materials, which are not their data; None stands for none. Raises QuantityError, or BadRequest for arrays
+        that do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
         check_exclusive(given)
-        self.material, self.material2 = material, material2
+        self.material, self.material2, self.moved = material, material2, moved
+        # The materials of the spheres that have one of their own, each with the number of the sphere.
+        self.materials = [(solid, sphere) for solid, sphere in ((material, 1), (material2, 2)) if solid is not None]
         self.uncertain: dict[str, Uncertain] = {name: value for name, value in given.items() if is_uncertain(value)}
         self.stated = {**given, **{name: value.value for name, value in self.uncertain.items()}}
-        of_materials = {
-            of_sphere(sphere, name): value
-            for solid, sphere in self.materials
-            for name, value in solid.properties.items()
+        # By the name of an input, the material that has it, and its name there.
+        self.of_materials = {
+            of_sphere(sphere, name): (solid, name) for solid, sphere in self.materials for name in solid.properties
         }
-        self.given: dict[str, Any] = of_materials | self.stated
+        of_solids = {given: solid.properties[name] for given, (solid, name) in self.of_materials.items()}
+        every = {**of_solids, **self.stated, **moved}
+        self.given: dict[str, Any] = {name: value for name, value in every.items() if value is not None}
         self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
         self.shape = broadcast(self.arrays)
         for name, value in self.given.items():
@@ -185,53 +191,37 @@ class Scene:
         if self.displacement is not None:
             self.given[XI] = self.displacement.value
         self.values = {**self._assumed(), **self.given}
-        self._implied = _implied(self.values, self.law, self.uncertain)
-        for values in self._implied.values():
+        self.sources: dict[str, str] = {}  # by the name of a value that follows from an input, this input
+        for source, values in _implied(self.values, self.law, self.uncertain).items():
+            self.sources |= dict.fromkeys(values.keys() - self.values.keys(), source)
             self.values = {**values, **self.values}
         self.known = frozenset(self.values)
         self.kind = (self.known, material2 is not None, self.law.name)  # on which plans depend
         self.is_rigid = _is_rigid(self.given, own_material2=material2 is not None)
-        if self.is_rigid is True:
-            self.values = {**dict.fromkeys(_ON_AREA, Failure(TWO_RIGID_BODIES)), **self.values}
-        self._gaps: set[str] = set()  # quantities of which some elements are no answer
-        self._original: Scene | None = None  # the scene of which this one is a change
-        self._changed: frozenset[str] = frozenset()  # the quantities that differ from those of the original
+        # What was computed, by a quantity's name and the identities of its arguments, with these, which are kept alive;
+        # and the identities of arrays of which some elements are no answer.
+        self._results: dict[tuple[object, ...], tuple[Any, Sequence[Any]]] = {}
+        self._gaps: set[int] = set()
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
 
-        A property that a material gave has the value in the material, the others are stated. What two
-        scenes of arrays have in common is evaluated once, which saves a tenth of a table with doubts.
+        A value that a material gave is moved, the others are stated. What follows from the same values is not computed
+        again, which saves a tenth of a table with doubts.
         """
         model = values.pop("model", self.stated_model)
-        stated = {**self.stated, **self.uncertain, **values}
-        solids = {1: self.material, 2: self.material2}
-        for solid, sphere in self.materials:
-            names = {of_sphere(sphere, name): name for name in solid.properties}
-            if of_solid := names.keys() & values.keys() - self.stated.keys():
-                solids[sphere] = solid.with_properties({names[name]: stated.pop(name) for name in of_solid})
-        given = {name: value for name, value in stated.items() if value is not None}
-        scene = Scene(given, *solids.values(), model=model)
-        if self.arrays and self.is_rigid is scene.is_rigid is False:
-            # With the same values, but without an alternative: a circle would keep arrays until a search for cycles.
-            scene._original = Scene.__new__(Scene)
-            scene._original.__dict__.update(self.__dict__, by_law=None)
-            every = self.known | scene.known
-            changed = (name for name in every if self.values.get(name) is not scene.values.get(name))
-            like_1 = (of_sphere(1, name) for name in self.known - scene.known)  # where sphere 2 has nothing of its own
-            scene._changed = routed_apart(self.law.name, scene.law.name, self.known).union(changed, like_1)
+        of_materials = self.of_materials.keys() & values.keys() - self.stated.keys()
+        moved = {**self.moved, **{name: values.pop(name) for name in of_materials}}
+        every = {**self.stated, **self.uncertain, **values}
+        given = {name: value for name, value in every.items() if value is not None}
+        scene = Scene(given, self.material, self.material2, model=model, moved=moved)
+        scene._results, scene._gaps = {**self._results}, {*self._gaps}
         return scene
 
     @cached_property
     def by_law(self) -> "Scene":
         """The scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
         return self.replace(model=other_law(self.law.name))
-
-    @property
-    def materials(self) -> list[tuple[Material, int]]:
-        """The materials of the spheres that have one of their own, each with the number of the sphere."""
-        both = ((self.material, 1), (self.material2, 2))
-        return [(material, sphere) for material, sphere in both if material is not None]
 
     def _displacement_of_solid(self) -> Interval | None:
         """Return the yield displacement that the solid of both spheres has at these radii, unless it is stated."""
@@ -257,12 +247,8 @@ class Scene:
     @cached_property
     def data(self) -> Mapping[str, tuple[Material, str]]:
         """The inputs that are data of a material, each with this material and its property."""
-        data = {
-            given: (material, name)
-            for material, sphere in self.materials
-            for name in material.properties
-            if (given := of_sphere(sphere, name)) not in self.stated and name not in material.replaced
-        }
+        others = self.stated.keys() | self.moved.keys()
+        data = {name: of_solid for name, of_solid in self.of_materials.items() if name not in others}
         return data if self.displacement is None or self.material is None else {**data, XI: (self.material, XI)}
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
@@ -323,7 +309,7 @@ class Scene:
 
     def formulas_to(self, *wanted: str) -> frozenset[str]:
         """Return the names of all formulas that lead to the wanted quantities."""
-        return frozenset().union(*(plan.reached for plan in self.plans(*wanted))) - self.known
+        return frozenset().union(*(plan.steps for plan in self.plans(*wanted))) - self.known
 
     def missing(self, names: Iterable[str]) -> list[str]:
         """Return those of some quantities to which the scene's inputs do not lead."""
@@ -335,10 +321,7 @@ class Scene:
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
-        source_of = {
-            name: source for source, values in self._implied.items() for name in values.keys() - self.given.keys()
-        }
-        used = {source_of.get(name, name) for plan in self.plans(*wanted) for name in plan.reached & self.known}
+        used = {self.sources.get(name, name) for plan in self.plans(*wanted) for name in plan.steps.keys() & self.known}
         if XI in used and self.displacement is not None:
             used |= {"radius", "radius2"}  # by which a material's is scaled
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
@@ -418,7 +401,10 @@ class Scene:
         plan = self.plan(name)
         if not plan.is_possible:
             return self._missing_input(name)
-        value = self._value(plan)
+        for step in plan.steps.values() if plan.name not in self.values else ():
+            if step.name not in self.values:
+                self.values[step.name] = self._result(step)
+        value = self.values[plan.name]
         if isinstance(value, JkrollError) or not self.may_rest_on_spacing(name):
             return value
         rests = self["transition_parameter"] < 1
@@ -432,43 +418,41 @@ class Scene:
         """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
         return name in self.law.by_spacing and self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
 
-    def _value(self, plan: Plan) -> Any:
-        """Return the value at the end of a plan, or the error of the first formula that has no result."""
-        name, values = plan.name, self.values
-        if name in values:
-            return values[name]
-        if self._original is not None and self._changed.isdisjoint(plan.reached):
-            values[name] = self._original._value(plan)
-            self._gaps |= self._original._gaps & {name}
-        else:
-            values[name] = self._computed(plan)
-        return values[name]
-
-    def _computed(self, plan: Plan) -> Any:
-        """Return what a formula makes of its arguments, or the error of one of them, or of a number that is no answer.
-
-        An element of an array is nan if it is no answer, or follows from one, which the formula may not have used.
-        """
-        name, values, given = plan.name, self.values, {}
-        for parameter, argument in plan.arguments:
-            given[parameter] = value = values[argument.name] if argument.name in values else self._value(argument)
+    def _result(self, step: Plan) -> Any:
+        """Return what a step makes of the values of its arguments, or the error of the first that has none."""
+        given = {parameter: self.values[name] for parameter, name in step.arguments.items()}
+        for value in given.values():
             if isinstance(value, JkrollError):
                 return value
+        is_rigid = step.name in _ON_AREA and self.is_rigid
+        arguments = (is_rigid, *given.values())
+        key = (step.name, *map(id, arguments))
+        if key not in self._results:
+            self._results[key] = self._computed(step.name, step.formula, given, is_rigid), arguments
+        return self._results[key][0]
+
+    def _computed(self, name: str, formula: Callable[..., Any], given: Mapping[str, Any], is_rigid: Any) -> Any:
+        """Return what a formula makes of its arguments, or the error that says why the number is no answer.
+
+        An element of an array is nan if it is no answer, or follows from one, which the formula may not have used.
+        `is_rigid`: whether an area that is needed does not exist.
+        """
+        if is_rigid is True:
+            return Failure(TWO_RIGID_BODIES)
         try:
-            value = plan.formula(**given)
+            value = where(is_rigid, nan, formula(**given))
         except (ArithmeticError, ValueError):
             value = INFINITY
-        if self.is_rigid is not False and name in _ON_AREA:
-            value = where(self.is_rigid, nan, value)
         if isinstance(value, NUMBER):
-            is_usual = SMALLEST <= value < INFINITY  # as nearly always
-            return value if is_usual or is_answer(name, value) else failure_of(name, given, value)
+            has_answer = SMALLEST <= value < INFINITY or is_answer(name, value)
+            return value if has_answer else failure_of(name, given, value)
         is_usual = value.size and value.min() >= SMALLEST and value.max() < INFINITY
         numbers = value if is_usual else where(is_answer(name, value), value, nan)
-        for source in self._gaps.intersection(argument.name for _, argument in plan.arguments):
-            numbers = where(self.values[source] == self.values[source], numbers, nan)
+        for argument in given.values():
+            if id(argument) in self._gaps:
+                numbers = where(argument == argument, numbers, nan)  # noqa: PLR0124
         if numbers is not value:
-            self._gaps.add(name)
+            self._gaps.add(id(numbers))
         return numbers
 
 

@@ -20,34 +20,24 @@ OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quanti
 
 
 class Plan:
-    """A quantity's formula with the plans of its arguments. One without a formula is an input, or cannot be made."""
+    """A quantity's formula with the names of its arguments. One without a formula is an input, or cannot be made."""
 
     def __init__(
         self,
         name: str,  # under which its value is known
         formula: Any = None,
-        arguments: tuple[tuple[str, "Plan"], ...] = (),  # by parameter
+        plans: Mapping[str, "Plan"] = MappingProxyType({}),  # of its arguments, by parameter
         missing: frozenset[str] = frozenset(),  # inputs that are not known
         lacking: frozenset[str] = frozenset(),  # quantities that the law of attraction does not have
-        reached: frozenset[str] = frozenset(),  # the names of all values on the way, this one among them
-        taken: frozenset[str] = frozenset(),  # the parameters of all formulas on the way
     ) -> None:
-        self.name, self.formula, self.arguments = name, formula, arguments
-        self.missing, self.lacking, self.reached, self.taken = missing, lacking, reached, taken
-        self.is_possible = not (missing or lacking)  # what is known leads to the quantity
-
-
-def steps_to(plans: Iterable[Plan], before: Mapping[str, Plan] = MappingProxyType({})) -> dict[str, Plan]:
-    """Return all plans on the way that have a formula, by name, in an order in which these can be evaluated.
-
-    They stand behind those of `before`.
-    """
-    steps = dict(before)
-    for plan in plans:
-        if plan.formula is not None and plan.name not in steps:
-            steps = steps_to((argument for _, argument in plan.arguments), steps)
-            steps[plan.name] = plan
-    return steps
+        self.name, self.formula = name, formula
+        self.arguments = {parameter: plan.name for parameter, plan in plans.items()}
+        self.missing: frozenset[str] = missing.union(*(plan.missing for plan in plans.values()))
+        self.lacking: frozenset[str] = lacking.union(*(plan.lacking for plan in plans.values()))
+        self.is_possible = not (self.missing or self.lacking)  # what is known leads to the quantity
+        # The plans of all values on the way, this one last, in an order in which they can be evaluated.
+        self.steps: dict[str, Plan] = {each: step for plan in plans.values() for each, step in plan.steps.items()}
+        self.steps[name] = self
 
 
 @cache
@@ -55,7 +45,7 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
     """Return the plan of a quantity under a law of attraction, for the names of what is known."""
     name = _source(wanted, known, own_material2, routes(model, known))
     if name is not None and name in known:
-        return Plan(name, reached=frozenset({name}))
+        return Plan(name)
     if name is None or _mixes_laws(name, model, known):
         return Plan(wanted, lacking=frozenset({wanted}))
     if name not in NOMENCLATURE or NOMENCLATURE[name].is_word:
@@ -65,19 +55,14 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
     plans = {parameter: plan_for(argument, known, own_material2, model) for parameter, argument in arguments_of(name)}
     if NOMENCLATURE[name].sphere == 2 and not any(NOMENCLATURE[plan.name].sphere == 2 for plan in plans.values()):
         return plan_for(of_sphere(1, name), known, own_material2, model)  # in this, sphere 2 is like sphere 1
-    joined = {field: frozenset().union(*(getattr(plan, field) for plan in plans.values())) for field in _JOINED}
-    joined["reached"] |= {name}
-    joined["taken"] |= plans.keys()
-    return Plan(name, formula_of(name), tuple(plans.items()), **joined)
+    return Plan(name, formula_of(name), plans)
 
 
 @cache
 def taken_by(names: tuple[str, ...], *kind: Any) -> frozenset[str]:
     """Return some quantities, and the parameters of all formulas that lead to them; `kind`: as for their plans."""
-    return frozenset(names).union(*(plan_for(name, *kind).taken for name in names))
-
-
-_JOINED = ("missing", "lacking", "reached", "taken")
+    plans = [plan_for(name, *kind) for name in names]
+    return frozenset(names).union(*(step.arguments for plan in plans for step in plan.steps.values()))
 
 
 def _source(name: str, known: frozenset[str], own_material2: bool, by_law: Routes) -> str | None:
