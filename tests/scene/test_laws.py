@@ -17,7 +17,7 @@ import maugis_reference as reference
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.answers.answer import Answer, advised
-from jkroll.answers.curve import FORCE_CURVE, at_states
+from jkroll.answers.curve import FORCE_CURVE, answers_at_states
 from jkroll.answers.questions import QUESTIONS, question_about
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
@@ -215,7 +215,7 @@ def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.Monkey
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
 def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(model: str, radius: float) -> None:
     quartz = known_materials()["quartz"]
-    rows = [*at_states([Scene({"radius": radius}, quartz, model=model)], FORCE_CURVE)]
+    rows = [*answers_at_states([Scene({"radius": radius}, quartz, model=model)], FORCE_CURVE)]
     held = [row for row in rows if row.state.name != "unstable"]
     places: list[Any] = [row.inputs.get("approach_at_load", row.values.get("approach_at_load")) for row in held]
     assert len(held) > 15

@@ -20,7 +20,7 @@ FORCE_CURVE = Question(
     ("approach_at_load", "load"),
     ("approach_at_load", "load", "contact_radius_at_load", "stiffness"),
 )
-OF_CURVE = Question(("pull_off_force",), ("pull_off_force",))
+WHOLE_CURVE = Question(("pull_off_force",), ("pull_off_force",))
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibrium"
 NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factors of JKR
 STEPS = 40  # on the stable branch
@@ -40,7 +40,7 @@ class State(NamedTuple):
     value: float
     name: str
 
-    def of(self, scene: Scene) -> Scene:
+    def in_scene(self, scene: Scene) -> Scene:
         """Return a scene at the state."""
         return scene.replace(**{self.given: self.value})
 
@@ -74,11 +74,11 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
     hold the contact, and the named states.
     """
     try:
-        given, of_load = _SET_BY[scene.law.name]
+        given, at_load = _SET_BY[scene.law.name]
         named, force = _named(scene), scene["pull_off_force"]
         low, high = loads or Loads(-inf, MAX_LOAD * force)
-        first = scene.replace(load=low)[of_load] if low > -force else named[PULL_OFF]
-        last = scene.replace(load=high)[of_load]
+        first = scene.replace(load=low)[at_load] if low > -force else named[PULL_OFF]
+        last = scene.replace(load=high)[at_load]
     except (MissingInput, NoResult):  # the answer says what is missing, or that the spheres let go
         return [State("load", loads.high, "stable") if loads else State("load", 0.0, EQUILIBRIUM)]
     half = steps // 2
@@ -95,7 +95,8 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
     if loads is None:
         return path
     slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load of a state comes back but for rounding
-    return [state for state in path if state.name == "stable" or low - slack <= state.of(scene)["load"] <= high + slack]
+    lowest, highest = low - slack, high + slack
+    return [state for state in path if state.name == "stable" or lowest <= state.in_scene(scene)["load"] <= highest]
 
 
 def _named(scene: Scene) -> dict[str, float]:
@@ -120,7 +121,7 @@ class AtState(Answer):
 
     def __init__(self, question: Question, state: State, curve: Answer) -> None:
         """`curve`: the answer that stands for the whole curve, its pull-off force."""
-        scene = state.of(curve.scene)
+        scene = state.in_scene(curve.scene)
         if state.name == FOLD:
             scene.lose(without_value("stiffness", "infinite where fixed grips let go"))
         super().__init__(Question(question.headline, question.quantities, question.quantities), scene)
@@ -148,15 +149,15 @@ class AtState(Answer):
         return self.curve.about(doubt)
 
 
-def at_states(scenes: Iterable[Scene], question: Question, loads: Loads | None = None) -> Iterator[AtState]:
+def answers_at_states(scenes: Iterable[Scene], question: Question, loads: Loads | None = None) -> Iterator[AtState]:
     """Iterate over the answers at the states of the force curve of each scene, under its own law."""
     for scene in scenes:
-        curve = Answer(OF_CURVE, scene)
+        curve = Answer(WHOLE_CURVE, scene)
         for state in states(scene, loads):
             yield AtState(question, state, curve)
 
 
-def of_curves(answers: Sequence[AtState], names: Sequence[str]) -> Wanted:
+def curve_columns(answers: Sequence[AtState], names: Sequence[str]) -> Wanted:
     """Return the columns of quantities at states, behind those of the inputs and of the names of the states."""
     inputs = {name for answer in answers for name in answer.inputs_of(names)}
     sides = sides_in((answer.scene, names) for answer in answers)

@@ -60,7 +60,7 @@ _QUESTIONS = {
 _CONTRARY = ("n_roll_energy_balance", "n_roll_after_impact")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
-    tuple(name for each in _QUESTIONS.values() for name in each.quantities if name in (*each.headline, *_CONTRARY)),
+    tuple(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
 )
 QUESTIONS: Mapping[str, Question] = {
     **_QUESTIONS,

@@ -18,7 +18,7 @@ from time import monotonic
 from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
-from ..output.writers import WRITERS, columns_of, whole_file, written
+from ..output.writers import WRITERS, result_columns, whole_file, written
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.columns import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
@@ -155,7 +155,7 @@ class Converter(NamedTuple):
         if self.strict and columns.failed:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))
-        added = [*table.said.values(), *columns_of(columns, Format(), table.wanted.remarks())]
+        added = [*table.said.values(), *result_columns(columns, Format(), table.wanted.remarks())]
         output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
         if unknown := table.asked.infer:

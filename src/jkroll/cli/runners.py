@@ -223,7 +223,7 @@ def _write_curve(call: Call) -> int:
 
     Raises the failure of the first state if each has one.
     """
-    from ..answers.curve import FORCE_CURVE, at_states, of_curves
+    from ..answers.curve import FORCE_CURVE, answers_at_states, curve_columns
     from ..rows.columns import Columns, Wanted
 
     check_format(call)
@@ -232,16 +232,16 @@ def _write_curve(call: Call) -> int:
     question = question_of(call, FORCE_CURVE)
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
-    samples = [*at_states(sweep.kinds, question, loads)]
+    samples = [*answers_at_states(sweep.kinds, question, loads)]
     failures = (sample.failure for sample in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
-    states = at_states(sweep.scenes(), question, loads)
+    states = answers_at_states(sweep.scenes(), question, loads)
     if call.kind == "json":
         every = [*states]
         return _write_answers(call, every, len(every), form)
     names = question.quantities
-    wanted = Wanted(names, named=names, doubts=False) if call.kind == "bare" else of_curves(samples, names)
+    wanted = Wanted(names, named=names, doubts=False) if call.kind == "bare" else curve_columns(samples, names)
     is_table = call.kind == "table" and call.target is None
     size = None if is_table else CURVE_BLOCK
 

@@ -195,7 +195,7 @@ def written(
         inputs = [[*map(middle, column)] if isinstance(column, list) else column for column in columns.inputs.values()]
         if writer.has_words:
             inputs = [_in_words(name, column) for name, column in zip(wanted.inputs, inputs, strict=True)]
-        yield writer.rows(heads, [*inputs, *columns_of(columns, form, remarks)])
+        yield writer.rows(heads, [*inputs, *result_columns(columns, form, remarks)])
 
 
 def _in_words(name: str, column: Any) -> Any:
@@ -205,7 +205,7 @@ def _in_words(name: str, column: Any) -> Any:
     return column
 
 
-def columns_of(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
+def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
     """Return the columns of results, in their units and with their digits, and of remarks."""
     status = [*map(columns.status.get, range(len(columns)))] if columns.reasons else None
     texts = [_codes(columns) if name == DOUBT else status for name in remarks]

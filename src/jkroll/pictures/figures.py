@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..answers.answer import Answer
-from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, OF_CURVE, PULL_OFF, Loads, states
+from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..answers.questions import Question
 from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
@@ -174,7 +174,7 @@ def curves_of_contact(
     fixed: dict[str, None] = {}
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)
     if is_one:
-        about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else OF_CURVE
+        about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else WHOLE_CURVE
         notes |= dict.fromkeys(note.text for note in Answer(about, scenes[0]).doubts())
     for scene in scenes:
         held = [name for name in names if not _lacking(scene, name)]
