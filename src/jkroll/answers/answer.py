@@ -50,16 +50,15 @@ from ..scene.scene import Scene
 from .notes import (
     Note,
     about_assumed,
+    about_bars,
     about_given,
     about_idle,
     about_limits,
     about_lost_contacts,
     about_missing,
-    about_uncertainties,
     about_values,
     assumed,
     entering,
-    idle_of,
 )
 from .questions import Question
 
@@ -310,7 +309,7 @@ class Answer(Evaluation):
         return _about_roughness(scene) if doubt.code == "rough-matters" else doubt.text
 
     @cached_property
-    def _entering(self) -> tuple[set[str], set[str]]:
+    def _entering(self) -> tuple[set[str], list[str]]:
         return entering(self.scene, [*self.outcomes])
 
     @cached_property
@@ -325,18 +324,22 @@ class Answer(Evaluation):
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
-        scene, known = self.scene, [*self.values]
-        inputs, needed = self._entering
+        inputs, idle = self._entering
         return (
             *about_assumed(self.assumed),
             *about_missing(self.errors),
-            *(about_uncertainties(self.bars, self.sources) if self.sources is not None else ()),
-            *about_given(scene, self._possible, inputs),
-            *about_idle(idle_of(scene, needed)),
-            *about_values(scene, known),
+            *about_bars(self),
+            *about_given(self.scene, self._possible, inputs),
+            *about_idle(idle),
+            *about_values(self.scene, [*self.values]),
             *about_limits(self.validity),
-            *(about_lost_contacts(scene, self.bars, self.sources) if self.sources and "load" in self.inputs else ()),
+            *(about_lost_contacts(self) if self.sources is not None and "load" in self.inputs else ()),
         )
+
+    @property
+    def sentences(self) -> list[Note]:
+        """All sentences about the answer."""
+        return [*self.notes, *self.doubts()]
 
     @cached_property
     def failure(self) -> JkrollError | None:

@@ -19,7 +19,7 @@ from ..scene.uncertainty import measures_of
 from ..scene.unknowns import Problem
 from ..text import listed
 from .answer import Answer, Result
-from .notes import Note, about_uncertainties
+from .notes import Note, about_bars
 from .questions import Question
 
 # Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
@@ -97,8 +97,8 @@ class Inferred(Answer):
         """The proof of what is found, and what the measured quantities rest on."""
         if self.failure is not None:
             return ()
-        of_bars = about_uncertainties(self.bars, self.sources) if self.sources is not None else ()
-        return tuple(dict.fromkeys((*self._proofs(), *self.forward.notes, *of_bars)))  # both ways leave out the same
+        # Both ways leave out the same sources.
+        return tuple(dict.fromkeys((*self._proofs(), *self.forward.notes, *about_bars(self))))
 
     def _proofs(self) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""

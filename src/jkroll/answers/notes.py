@@ -16,6 +16,7 @@ from ..scene.doubts import (
     MEANINGS,
     SIO2,
     Doubt,
+    Evaluation,
     assumes_displacement,
     displacements_where_measured,
     doubts,
@@ -32,7 +33,7 @@ from ..text import first_of, listed
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns, Tally
-    from ..scene.uncertainty import Propagated, Source, Sources
+    from ..scene.uncertainty import Source
     from .answer import Answer
 
 # A warning is of a number without a meaning; a caveat may change what a reader does; a remark is less; what was assumed
@@ -81,18 +82,19 @@ _MAX_MEANINGS = 2  # of such codes, which are explained
 # --- What is given ----------------------------------------------------------------------------------------------------
 
 
-def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], set[str]]:
-    """Return the inputs of quantities, and those on which anything depends, or would if more were given.
+def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], list[str]]:
+    """Return the inputs of quantities, and those that were given though nothing depends on them.
 
-    `judges`: whether limits are judged, which depend on inputs, too.
-    The atomic spacing is among the former if it enters a limit, as it enters few answers. A load that enters limits
-    alone is not among the latter: it was meant for more.
+    `judges`: whether limits are judged, which depend on inputs, too. The atomic spacing is among the former if it
+    enters a limit, as it enters few answers. A load that enters limits alone is among the latter: it was meant for
+    more. What makes an area rigid is refused, and so changes something.
     """
-    possible = scene.possible(names)
-    every = [*names, *(limit.name for limit in (touched(scene, possible) if judges else ()))]
-    own, of_limits = {*scene.inputs_of(*possible)}, {*scene.inputs_of(*scene.possible(every))}
-    needed = (own | of_limits) - (STATE_OR_LOAD - own) | depends_on(scene.missing(every), [scene.law.name])
-    return own | of_limits.intersection(["atomic_spacing"]), needed
+    limits = touched(scene, scene.possible(names)) if judges else ()
+    every = [*names, *(limit.name for limit in limits)]
+    own, used = ({*scene.inputs_of(*scene.possible(each))} for each in (names, every))
+    needed = used - (STATE_OR_LOAD - own) | depends_on(scene.missing(every), [scene.law.name])
+    refused = OF_AREA if scene.is_rigid is True else ()
+    return own | used & {"atomic_spacing"}, [name for name in scene.stated if name not in {*needed, *refused}]
 
 
 def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_values: bool = True) -> dict[str, str]:
@@ -101,9 +103,8 @@ def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_
     `has_values`: whether a rule gives the same value in all rows of which the scene is one.
     """
     steps = {*scene.formulas_to(*names)}
-    energies = [scene.given.get(name) for name in _ENERGIES]
-    are_equal = all(isinstance(energy, float) for energy in energies) and energies[0] == energies[1]
-    if are_equal or "surface_energy2" not in inputs:
+    first, second = map(scene.given.get, _ENERGIES)
+    if "surface_energy2" not in inputs or (isinstance(first, float) and first == second):
         steps.discard("work_of_adhesion")
     texts = {name: rule for name, rule in _RULES.items() if name in steps}
     for name, value in scene.numbers(*texts).items() if has_values else ():
@@ -133,14 +134,6 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
         text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
         yield Note("caveat", f"{text}, {listed(spinning)}")
     yield from dict.fromkeys(_about_data(scene, inputs))
-
-
-def idle_of(scene: Scene, needed: Collection[str]) -> list[str]:
-    """Return the inputs that were given though nothing depends on them; `needed`: those on which something does.
-
-    What makes an area rigid is refused, and so changes something.
-    """
-    return [name for name in scene.stated if name not in needed and not (scene.is_rigid is True and name in OF_AREA)]
 
 
 def about_idle(names: Sequence[str]) -> list[Note]:
@@ -175,11 +168,11 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values: what happens in a collision, what gives way first in a contact, the assumed ξ."""
     if "hamaker" in scene.inputs_of(*names):
         cutoff = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
+        spacing = amount("atomic_spacing", scene["atomic_spacing"], _SHORT)
         here, there = (
             amount("work_of_adhesion", each["work_of_adhesion"], _SHORT)
             for each in (scene, scene.replace(cutoff=cutoff))
         )
-        spacing = amount("atomic_spacing", scene["atomic_spacing"], _SHORT)
         yield Note("remark", f"w = {here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)} (--cutoff) w = {there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("remark", _STICKING)
@@ -252,10 +245,11 @@ def about_missing(errors: Mapping[str, JkrollError], lead: str = "") -> list[Not
     return [Note("caveat", f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
 
 
-def about_uncertainties(bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:
-    """Return notes on uncertainties that do not exist, and on sources that are left out."""
-    failures = {name: error for name, error in bars.items() if isinstance(error, JkrollError)}
-    return [*about_missing(failures, NO_END), *about_left_out(sources.left_out)]
+def about_bars(evaluation: Evaluation) -> list[Note]:
+    """Return notes on error bars that do not exist, and on sources that enter none."""
+    failures = {name: bar for name, bar in evaluation.bars.items() if isinstance(bar, JkrollError)}
+    sources = evaluation.sources
+    return [*about_missing(failures, NO_END), *(about_left_out(sources.left_out) if sources is not None else ())]
 
 
 def about_left_out(sources: "Iterable[Source]") -> list[Note]:
@@ -265,18 +259,17 @@ def about_left_out(sources: "Iterable[Source]") -> list[Note]:
     return [Note("caveat", text)] if symbols else []
 
 
-def about_lost_contacts(scene: Scene, bars: "Mapping[str, Propagated | JkrollError]", sources: "Sources") -> list[Note]:
-    """Return a note where a part of the uncertain values, taken as normally distributed, lies beyond pull-off."""
+def about_lost_contacts(evaluation: Evaluation) -> Iterator[Note]:
+    """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
     from ..scene.uncertainty import measures_of, uncertainties
 
-    forces = scene.numbers("load", "pull_off_force")
-    if len(forces) < 2 or any(isinstance(bar, JkrollError) for bar in bars.values()):
-        return []
-    measures = measures_of(uncertainties(scene, [*forces], sources=sources)).values()
-    spread = hypot(*(measure.minus for measure in measures if isinstance(measure, Measured)))
+    forces = evaluation.scene.numbers("load", "pull_off_force")
+    bars = uncertainties(evaluation.scene, [*forces], sources=evaluation.sources) if len(forces) == 2 else {}
+    spread = hypot(*(bar.minus for bar in measures_of(bars).values() if isinstance(bar, Measured)))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
-    text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
-    return [Note("caveat", f"error bars are of contacts that hold: {text}")] if part >= _LOST else []
+    if part >= _LOST and not any(isinstance(bar, JkrollError) for bar in evaluation.bars.values()):
+        text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
+        yield Note("caveat", f"error bars are of contacts that hold: {text}")
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
@@ -286,13 +279,10 @@ def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
     """Iterate over the notes that follow from what is given, not from numbers: the same for all rows of a kind."""
     if not (possible := scene.possible(names)):
         return
-    if scene.is_uncertain:
-        from ..scene.uncertainty import sources_of_results
-
-        with suppress(JkrollError):  # each row says which kinds do not go together
-            yield from about_left_out(sources_of_results(scene, possible).left_out)
-    inputs, _ = entering(scene, names)
-    yield from about_given(scene, possible, inputs)
+    with suppress(JkrollError):  # each row says which kinds do not go together
+        sources = Evaluation(scene, dict.fromkeys(possible)).sources
+        yield from about_left_out(sources.left_out) if sources is not None else ()
+    yield from about_given(scene, possible, entering(scene, names)[0])
     if rolling(possible, scene.law.name) and assumes_displacement(scene):
         yield Note("caveat", about_displacement(scene, solid_of_kind(scene)))
     yield from about_limits(doubts(scene, possible))
@@ -306,9 +296,9 @@ def given_of_kinds(kinds: Iterable[Rows], *, judges: bool = True) -> tuple[dict[
     texts: dict[str, str] = {}
     idle: list[list[str]] = []
     for scene, names in kinds:
-        inputs, needed = entering(scene, names, judges=judges)
+        inputs, of_kind = entering(scene, names, judges=judges)
         texts |= assumed(scene, inputs, scene.possible(names), has_values=False)
-        idle.append(idle_of(scene, needed))
+        idle.append(of_kind)
     return texts, [name for name in idle[0] if all(name in of_kind for of_kind in idle)]
 
 
@@ -322,19 +312,18 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
         ("remark", "doubts", bits & ~ENDING_MEANING, _MAX_CODES),
     )
     for kind, lead, told, most in kinds:
-        if rows := tally.with_doubts(told):
-            texts = [
-                f"{code} {number} ({MEANINGS[code]})" if code in MEANINGS else f"{code} {number}"
-                for code, number in tally.counted(told)
-            ]
-            yield Note(kind, f"{lead} in {rows} of {tally.rows} rows ({where}): {first_of(texts, most)}")
-    for rows, first, words in tally.gaps.values():
-        others = f", likewise {rows - 1} more" if rows > 1 else ""
+        counts = tally.counted(told)
+        texts = [f"{code} {rows}" + (f" ({MEANINGS[code]})" if code in MEANINGS else "") for code, rows in counts]
+        if texts:
+            rows = f"{tally.with_doubts(told)} of {tally.rows} rows"
+            yield Note(kind, f"{lead} in {rows} ({where}): {first_of(texts, most)}")
+    for number, first, words in tally.gaps.values():
+        others = f", likewise {number - 1} more" if number > 1 else ""
         yield Note("caveat", f"{words}: row {first}{others}")
 
 
 class OfRows:
-    """The notes of rows, which are counted while columns are written."""
+    """What is said of rows, which are counted while columns are written."""
 
     def __init__(self, kinds: Iterable[Rows]) -> None:
         from ..rows.columns import Tally
@@ -349,35 +338,25 @@ class OfRows:
             self.tally, self._told = self.tally.plus(self.tally.of(columns, symbol_of)), columns.told
             yield columns
 
-    def lines(self, *, has_table: bool = False, quiet: bool = False) -> list[str]:
-        """Return the lines to print; `has_table`: whether they are below a table, whose head has what was assumed."""
-        notes = [*about_rows(self.tally, self._told, "jkroll guide models")]
-        notes += dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
-        notes += [*about_idle(self._idle), *about_assumed(self.assumed)]
-        return _lines(notes, has_head=has_table, quiet=quiet)
+    @property
+    def sentences(self) -> list[Note]:
+        """The notes of all rows that were counted."""
+        of_kinds = dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
+        counted = about_rows(self.tally, self._told, "jkroll guide models")
+        return [*counted, *of_kinds, *about_idle(self._idle), *about_assumed(self.assumed)]
 
 
 # --- Lines ------------------------------------------------------------------------------------------------------------
 
 
-def lines_of(answer: "Answer", *, has_head: bool = False, quiet: bool = False) -> list[str]:
-    """Return the lines below an answer: what was assumed unless a head has it, warnings, the first of the other notes.
+def lines_of(said_of: "Answer | OfRows", *, has_head: bool = False, quiet: bool = False) -> list[str]:
+    """Return the lines below an answer or rows, the last of which says that there is more.
 
-    `quiet`: whether warnings alone are wanted.
+    They are what was assumed unless a head has it, warnings, and the first of the other notes; warnings alone if
+    `quiet`.
     """
-    return _lines([*answer.notes, *answer.doubts()], has_head=has_head, quiet=quiet)
-
-
-def every_line(answer: "Answer") -> list[str]:
-    """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    notes = [*answer.notes, *answer.doubts()]
-    return [note.line for note in sorted(notes, key=lambda note: _KINDS.index(note.kind))]
-
-
-def _lines(notes: Iterable[Note], *, has_head: bool, quiet: bool) -> list[str]:
-    """Return a line of what was assumed, one of warnings, and the first notes; the last says whether there are more."""
     texts: dict[Kind, list[str]] = {kind: [] for kind in _KINDS}
-    for kind, text in notes:
+    for kind, text in said_of.sentences:
         texts[kind].append(text)
     lines = [f"warning: {'; '.join(texts['warning'])}"] if texts["warning"] else []
     if quiet:
@@ -386,6 +365,11 @@ def _lines(notes: Iterable[Note], *, has_head: bool, quiet: bool) -> list[str]:
     shown = [_first_clauses(line) for line in others[: _MAX_NOTES - len(lines)]]
     has_more = shown != others or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
+
+
+def every_line(answer: "Answer") -> list[str]:
+    """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
+    return [note.line for note in sorted(answer.sentences, key=lambda note: _KINDS.index(note.kind))]
 
 
 def _first_clauses(text: str) -> str:

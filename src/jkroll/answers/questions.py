@@ -1,7 +1,6 @@
 """The questions that a command asks of a scene: the quantities that it is named after, and all that it shows."""
 
 from collections.abc import Mapping
-from types import MappingProxyType
 
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
 
@@ -14,13 +13,13 @@ class Question:
         headline: tuple[str, ...],  # those that the command is named after; --bare writes them alone
         quantities: tuple[str, ...],  # all that are shown, in this order
         named: tuple[str, ...] = (),  # asked for by name: shown for any scene
-        # Those without a row, with the heads of their columns if they are limits of the headline, or an empty text.
-        without_row: Mapping[str, str] = MappingProxyType({}),
+        # Those without a row in the table of an answer: a limit of the headline is a column, another one a note.
+        without_row: tuple[str, ...] = (),
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
 
 
-def _question(headline: str, quantities: str = "", without_row: Mapping[str, str] = MappingProxyType({})) -> Question:
+def _question(headline: str, quantities: str = "", without_row: tuple[str, ...] = ()) -> Question:
     """Return the question of a command from the names of quantities, with blanks between them."""
     return Question((*headline.split(),), (*(quantities or headline).split(),), without_row=without_row)
 
@@ -29,7 +28,7 @@ _QUESTIONS = {
     "pull-off": _question(
         "pull_off_force",
         "pull_off_force pull_off_force_dmt pull_off_force_lennard_jones pull_off_force_rough",
-        without_row={"pull_off_force_dmt": "DMT"},
+        without_row=("pull_off_force_dmt",),
     ),
     "yield-force": _question(
         "yield_force",
@@ -41,7 +40,7 @@ _QUESTIONS = {
         "vertical_frequency rolling_frequency",
         "vertical_frequency rolling_frequency rolling_frequency_as_printed rolling_frequency_no_slip "
         "sliding_frequency twisting_frequency rayleigh_time",
-        without_row={"rolling_frequency_as_printed": ""},
+        without_row=("rolling_frequency_as_printed",),
     ),
     "n-roll": _question("n_roll", "n_roll_after_impact n_roll n_roll_energy_balance"),
     "contact": _question(

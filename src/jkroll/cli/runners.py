@@ -130,8 +130,7 @@ def _write_columns(
         for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
             sys.stdout.write(text.decode())
         sys.stdout.flush()
-    lines = notes.lines(has_table=is_table, quiet=call.quiet) if single is None else lines_of(single, has_head=is_table)
-    for line in lines:
+    for line in lines_of(notes if single is None else single, has_head=is_table, quiet=call.quiet):
         say_wrapped(line, sys.stderr)
     return _exit_code(call, notes.tally.failed, notes.tally.rows)
 

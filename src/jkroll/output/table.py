@@ -6,17 +6,17 @@ from math import isnan
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
-from ..quantities.formatting import Format, amount, from_to, in_words, significant, symbol_among, with_unit
+from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, middle, of_sides
-from ..rows.columns import DOUBT, as_list
+from ..rows.columns import DOUBT
 from ..scene.doubts import DATA, OF_LAW, SIO2, codes_of, rolled_solid
 from ..text import say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:
-    from ..answers.answer import Answer, Result
+    from ..answers.answer import Answer
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
@@ -30,9 +30,10 @@ def head_of(law: str) -> str:
 
 _DIGITS = 4  # of a result on a terminal
 _OF_A_RANGE = 2  # of its ends
-_NONE = "–"
+_LEAST = 0.25  # number that stands in the unit of the rows above it
+_NARROW = 0.03  # part of a value below which its range has ends that these do not tell apart
 _WITH_SPACING = f"with {NOMENCLATURE['atomic_spacing'].option}"  # in place of a number that needs it
-_SILENT = {"", _NONE, *(f"as {head_of(law)}" for law in LAWS)}  # cells that say no more than others
+_SILENT = {"", "–", *(f"as {law}" for law in map(head_of, LAWS))}  # cells that say no more than others
 _GAP = 2  # blanks between columns
 _LEAST_TEXT = 24  # of a text in several lines
 _CODES = 24  # characters of the codes of doubts in a cell
@@ -49,50 +50,40 @@ class Column(NamedTuple):
     is_right: bool = True
 
 
-def columns_of(rows: Iterable[Sequence[str]], *, texts: int) -> list[Column]:
-    """Return the columns of rows, the first of which has the heads; `texts`: the number of those with words."""
-    return [Column(head, cells, place >= texts) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
-
-
 # --- Values -----------------------------------------------------------------------------------------------------------
 
 
-def _written(value: "float | Uncertain", unit: tuple[str, Unit], form: Format) -> str:
-    """Return a result in a unit: with four digits and their zeros, a range with two, or with its error bar."""
+def _numbers(values: "Iterable[Value]") -> "list[float | Uncertain]":
+    return [value for value in values if value is not None and not isinstance(value, str)]
+
+
+def _cell(value: "Value", unit: tuple[str, Unit], form: Format) -> str:
+    """Return a value in a unit: with four digits and their zeros, a range with two if these tell its ends apart."""
+    if value is None or isinstance(value, str):
+        return value or "–"
     if isinstance(value, Interval):
-        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or _OF_A_RANGE)
+        is_narrow = value.high - value.low < _NARROW * abs(value.value)
+        digits = form.digits or (_DIGITS if is_narrow else _OF_A_RANGE)
+        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), digits)
     if isinstance(value, float):
-        number = convert(value, unit[1])
-        return significant(number, form.digits or _DIGITS, zeros=form.digits is None and number != 0)
+        return significant(convert(value, unit[1]), form.digits or _DIGITS, zeros=form.digits is None and value != 0)
     return form.in_unit(value, unit)
 
 
-def _cells(
-    name: str, values: "Sequence[Value]", form: Format, models: "Sequence[Value]" = (), *, is_input: bool = False
-) -> tuple[str, list[str]]:
-    """Return the unit of values of a quantity, and their cells; no unit where these are far apart and have their own.
-
-    `models`: the values to which the unit is suited, if not to these; `is_input`: whether all digits are shown.
-    """
-    known = [value for value in models or values if value is not None and not isinstance(value, str)]
-    common, own_units, cells = form.common_unit(name, known), form.are_far(name, known), []
-    for value in values:
-        if value is None or isinstance(value, str):
-            cells.append(_NONE if value is None else value)
-            continue
-        unit = form.common_unit(name, [value]) if own_units else common
-        number = form.in_unit(value, unit) if is_input else _written(value, unit, form)
-        cells.append(with_unit(number, unit[0]) if own_units else number)
-    return "" if own_units else common[0], cells
-
-
-def _column(head: str, unit: str, cells: Sequence[str], *, is_right: bool = True) -> Column:
-    return Column(f"{head} [{unit}]" if unit else head, cells, is_right)
+def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format, symbol: str) -> list[Column]:
+    """Return the columns of values of a quantity, by words behind its symbol, in the unit that suits the first ones."""
+    unit = form.common_unit(name, next(filter(None, map(_numbers, values.values())), []))
+    in_unit, is_right = f" [{unit[0]}]" if unit[0] else "", not NOMENCLATURE[name].is_word
+    return [
+        Column(f"{symbol}{words}{in_unit}", [_cell(value, unit, form) for value in each], is_right)
+        for words, each in values.items()
+    ]
 
 
 def input_column(name: str, values: "Sequence[Value]", form: Format, symbol: str) -> Column:
-    """Return the column of an input, with all digits, in units that suit the values."""
-    return _column(symbol, *_cells(name, values, form, is_input=True), is_right=not NOMENCLATURE[name].is_word)
+    """Return the column of an input, with all digits."""
+    (column,) = columns_of(name, {"": values}, Format(form.units, form.digits or DIGITS), symbol)
+    return column
 
 
 # --- One scene --------------------------------------------------------------------------------------------------------
@@ -101,46 +92,30 @@ def input_column(name: str, values: "Sequence[Value]", form: Format, symbol: str
 def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     """Write the inputs of one scene, and its results below each other, beside what may stand in their place."""
     _write_inputs("", answer.measures, answer.assumed, out, form)
-    others, law = _others(answer), head_of(answer.scene.law.name)
+    law, data = head_of(answer.scene.law.name), "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
+    others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
+    if (limit := "pull_off_force_dmt") in answer.question.without_row and law != head_of("dmt"):
+        others[head_of("dmt")] = {"pull_off_force": answer.result(limit).measure}
     rows = [["quantity", "symbol", "unit", law, *others]]
-    models: dict[str, float | Uncertain] = {}  # by SI unit: the last value to which a unit was suited
-    for result in _results(answer):
-        name, same = result.name, None if result.value is None else f"as {law}"
+    # A quantity with a note of its own has no row where it is one without.
+    usual = {result.value for result in answer.results if not NOMENCLATURE[result.name].note} - {None}
+    units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last one, in which a value below 1 is read as easily
+    for result in answer.results:
+        name, quantity = result.name, NOMENCLATURE[result.name]
+        if name in answer.question.without_row or (quantity.note and result.value in usual):
+            continue
+        same = None if result.value is None else f"as {law}"
         values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
         if same and answer.scene.by_law.may_rest_on_spacing(name):
             values = [_WITH_SPACING if value is None else value for value in values]
-        first = next((value for value in values if value is not None and not isinstance(value, str)), None)
-        si = NOMENCLATURE[name].unit
-        if first is not None and not (si in models and _is_near(name, first, models[si], form)):
-            models[si] = first
-        unit, cells = _cells(name, values, form, () if first is None else [models[si]])
-        texts = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), "" if first is None else unit]
-        rows.append([*texts, *cells])
-    words, symbols, units, *columns = columns_of(rows, texts=3)
-    write_table([words, symbols], columns, out, trailing=[units], repeated=columns[:1])
-
-
-def _is_near(name: str, value: "float | Uncertain", model: "float | Uncertain", form: Format) -> bool:
-    """Return whether a value of a quantity is little below 1 in the unit of a model, beside which it can be read."""
-    return 0.25 <= abs(convert(middle(value), form.common_unit(name, [model])[1])) < 1
-
-
-def _results(answer: "Answer") -> "list[Result]":
-    """Return the results that have a row: not those with a note of their own and the value of a result without one."""
-    results = [result for result in answer.results if result.name not in answer.question.without_row]
-    values = {result.value for result in results if not NOMENCLATURE[result.name].note} - {None}
-    return [result for result in results if not NOMENCLATURE[result.name].note or result.value not in values]
-
-
-def _others(answer: "Answer") -> dict[str, Mapping[str, Any]]:
-    """Return what has columns beside the results, by head: what may stand in their place, and limits of theirs."""
-    data = "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
-    others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
-    for result in answer.results:
-        head = answer.question.without_row.get(result.name)
-        if head and result.value is not None and head != head_of(answer.scene.law.name):
-            others[head] = {answer.question.headline[0]: result.measure}
-    return others
+        numbers, unit = _numbers(values)[:1], units.get(quantity.unit)
+        if not unit or not any(_LEAST <= abs(convert(middle(number), unit[1])) < 1 for number in numbers):
+            unit = form.common_unit(name, numbers)
+        units |= {quantity.unit: unit} if numbers else {}
+        texts = [quantity.sentence, symbol_among(name, answer.inputs), unit[0] if numbers else ""]
+        rows.append([*texts, *(_cell(value, unit, form) for value in values)])
+    words, symbols, in_units, *columns = _of_rows(rows, words=3)
+    write_table([words, symbols], columns, out, trailing=[in_units], repeated=columns[:1])
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -155,9 +130,8 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     kinds = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
     common = {name: next(iter(values)) for name, values in kinds.items() if len(values) == 1}
     several = [name for name in inputs if name not in common]
-    laws = max(len(kinds.get("model", ())), 1)
-    number, noun = (len(columns), "states") if "state" in inputs else (len(columns) // laws, "pairs")
-    count = f"{number} {noun}" if number > 1 else ""
+    number = len(columns) // max(len(kinds.get("model", ())), 1)
+    count = f"{number} {'states' if 'state' in inputs else 'pairs'}" if number > 1 else ""
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
     _write_inputs(count, common, assumed, out, form)
@@ -166,27 +140,27 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
         for name in several
         if name in form.typed or name not in _FOLLOWING
     ]
-    names = (name for name in columns.wanted.names if name not in inputs)
-    results = [column for name in names for column in _result_columns(name, columns, form)]
-    doubts = [_doubts(bits & columns.told) for bits in as_list(columns.doubts)]
-    is_told = len({*doubts}) > 1 or (any(doubts) and noun == "pairs")  # those of all states of a pair are in its notes
+    results = []
+    for name in (name for name in columns.wanted.names if name not in inputs):
+        results += columns_of(name, _values(columns, name), form, symbol_among(name, inputs))
+    doubts = [_in_short(codes_of(bits & columns.told)) for bits in columns.doubts]
+    is_told = len({*doubts}) > 1 if "state" in inputs else any(doubts)  # notes have those of all states of a pair
     results += [Column(DOUBT, doubts, is_right=False)] if is_told else []
-    across = columns_of([(column.head, *column.cells) for column in (*leading, *results)], texts=1)
+    across = _of_rows([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if _size(across) <= terminal_width() + _GAP < _size([*leading, *results]):
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
 
 
-def _doubts(bits: int) -> str:
+def _in_short(codes: Sequence[str]) -> str:
     """Return the codes of doubts, of many the first and the number of others."""
-    codes = codes_of(bits)
     text = " ".join(codes)
     return text if len(codes) < 2 or len(text) <= _CODES else f"{codes[0]} ({len(codes) - 1} more)"
 
 
-def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]:
-    """Return the columns of a result: by the other law where that moves a result of the pairs, and by data."""
-    law_matters = any(bits & OF_LAW for bits in as_list(columns.doubts))
+def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
+    """Return the values of a result, and those by data and by the other law, if that moves a result of the pairs."""
+    law_matters = any(bits & OF_LAW for bits in columns.doubts)
     values = {"": _measures(columns, name)}
     for kind, key in columns.wanted.alternatives_of(name).items():
         others = _measures(columns, key)
@@ -194,10 +168,7 @@ def _result_columns(name: str, columns: "Columns", form: Format) -> list[Column]
             values[" by data"] = ["no data" if value is None else value for value in others]
         elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
             values[f" by {head_of(kind)}"] = others
-    symbol = symbol_among(name, columns.inputs)
-    models = next((of_kind for of_kind in values.values() if any(value is not None for value in of_kind)), ())
-    every = values.items()
-    return [_column(f"{symbol}{words}", *_cells(name, of_kind, form, models)) for words, of_kind in every]
+    return values
 
 
 def _measures(columns: "Columns", key: str) -> list[Any]:
@@ -205,7 +176,7 @@ def _measures(columns: "Columns", key: str) -> list[Any]:
     keys = columns.wanted.sides_of(key)
     sides = (columns.column(each) for each in keys.values())
     return [
-        None if isnan(value) else of_sides(float(value), dict(zip(keys, of_row, strict=True)))
+        None if isnan(value) else of_sides(value, dict(zip(keys, of_row, strict=True)))
         for value, *of_row in zip(columns.column(key), *sides, strict=True)
     ]
 
@@ -217,11 +188,10 @@ def _write_inputs(
     lead: str, inputs: "Mapping[str, float | str | Uncertain]", assumed: Mapping[str, str], out: TextIO, form: Format
 ) -> None:
     """Write a line with the inputs that were given, behind a lead, and one with what was assumed."""
-    given = {name: value for name, value in inputs.items() if name not in assumed}
-    if "energy" not in form.typed:  # else it follows from another input
-        given.pop("energy", None)
-    if texts := [*filter(None, [lead]), *_described(given, form)]:
-        say_wrapped(", ".join(texts), out)
+    follows = {*assumed, "energy"}.difference(form.typed)  # from another input
+    texts = _described({name: value for name, value in inputs.items() if name not in follows}, form)
+    if line := ", ".join(filter(None, [lead, *texts])):
+        say_wrapped(line, out)
     if assumed:
         say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
 
@@ -277,19 +247,23 @@ def write_table(
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
     """Write rows of texts; what is wider than the terminal goes on below the last column."""
-    columns = columns_of([heads, *rows], texts=len(heads))
+    columns = _of_rows([heads, *rows], words=len(heads))
     left = _size(columns[:-1])
     width = max(terminal_width(), left + _LEAST_TEXT)
     for line in _lines(columns):
         say("\n".join(wrap(line, width, subsequent_indent=" " * left)), out)
 
 
+def _of_rows(rows: Iterable[Sequence[str]], *, words: int) -> list[Column]:
+    """Return the columns of rows, the first of which has the heads; so many columns are of words."""
+    return [Column(head, cells, place >= words) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
+
+
 def _lines(columns: Iterable[Column]) -> list[str]:
     """Return the heads of columns, a line below them, and the rows."""
-    lines = [(" " * _GAP).join(cells) for cells in zip(*(padded(column) for column in columns), strict=True)]
-    rule = "─" * min(width_of(lines[0]), terminal_width())
-    head, *rows = (line.rstrip() for line in lines)
-    return [head, rule, *rows]
+    lines = [(" " * _GAP).join(cells) for cells in zip(*map(padded, columns), strict=True)]
+    head, *rows = map(str.rstrip, lines)
+    return [head, "─" * min(width_of(lines[0]), terminal_width()), *rows]
 
 
 def padded(column: Column) -> list[str]:

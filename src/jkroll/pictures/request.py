@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..answers.answer import advised, equation_of
-from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, idle_of
+from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, entering
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
@@ -187,7 +187,7 @@ class Layer:
         remark = NOMENCLATURE[quantity].note
         self.unjudged = [f"Limits are not judged: {symbol(error.wanted)} {error.reason()}." for error in missing[:1]]
         self.notes = (
-            *(note.text for note in about_idle(idle_of(self.scene, inputs))),
+            *(note.text for note in about_idle(entering(self.scene, names, judges=False)[1])),
             *notes_on(scene, self.scene, shown, names),
             *([f"{symbol_of(quantity)}: {remark}"] if remark else []),
         )

@@ -11,7 +11,6 @@ from .values import Measured, Uncertain, ends_of
 DIGITS = 6  # significant, of a rounded value
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
-_FAR = 1e4  # ratio of values from which on each has a unit of its own
 _ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
@@ -67,12 +66,6 @@ class Format:
             return plain
         power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
         return pretty(_multiple(si, power)), (*power_of_ten(power), ())
-
-    def are_far(self, name: str, values: Sequence[float | Uncertain]) -> bool:
-        """Return whether values are so far apart that each is to have a unit of its own."""
-        sizes = _sizes(values)
-        has_prefixes = name not in self.units and NOMENCLATURE[name].unit in WITH_PREFIXES
-        return has_prefixes and bool(sizes) and sizes[-1] > _FAR * sizes[0]
 
     def in_unit(self, value: float | Uncertain, unit: tuple[str, Unit]) -> str:
         """Return a rounded value in a unit, with its uncertainty if it has one, without the unit."""
