@@ -141,7 +141,7 @@ def read(words: Sequence[str]) -> Action:
         raise _no_such_command(first)
     _, given = _read([first], flags_of(None))
     if HELP.name in given:
-        return lambda: _print(help_of(None))
+        return partial(_print_help, None)
     if VERSION.name in given:
         return partial(_print, f"jkroll {__version__}")
     raise BadRequest(f"{first} stands alone: jkroll {first}")
@@ -151,7 +151,7 @@ def _action(command: Command, words: Sequence[str]) -> Action:
     """Return what the words behind a command ask for."""
     end = words.index("--") if "--" in words else len(words)
     if any(flag in words[:end] for flag in HELP.flags):
-        return lambda: _print(help_of(command.name))
+        return partial(_print_help, command.name)
     by_name = [option for kind, option in NAMED.items() if kind in command.kinds]
     arguments, options = _read(words[:end], {option.flag: option for option in by_name} | command.flags(), command)
     arguments += words[end + 1 :]
@@ -166,8 +166,12 @@ def _action(command: Command, words: Sequence[str]) -> Action:
     return partial(run, Call(command, arguments, options))
 
 
+def _print_help(name: str | None) -> int:
+    """Print the help of a command, or of the program; return the exit code of an answer."""
+    return _print(help_of(name))
+
+
 def _print(text: str) -> int:
-    """Print a text; return the exit code of an answer."""
     say(text, sys.stdout)
     return 0
 
