@@ -267,17 +267,18 @@ def test_a_row_with_other_cells_keeps_what_it_has(run: Run, cells: str, kept: st
 # --- Headers ----------------------------------------------------------------------------------------------------------
 
 
-def mistaken(text: str, problem: str, meant: str) -> str:
-    remedy = f"Write --column '{text}={meant}', or --column '{text}=' to pass it through"
-    return f"header: '{text}': {problem} {remedy}"
+def mistaken(text: str, name: str, unit: str = " [UNIT]") -> str:
+    columns = " or ".join(f"--column '{text}={name}{sphere}{unit}'" for sphere in ("", "2"))
+    remedy = f"Write {columns}, or --column '{text}=' to pass it through"
+    return f"header: '{text}': what stands behind {name} is not its unit. {remedy}"
 
 
 HEADERS = {
     "radius [nm],radius [nm]": "header: of the columns 'radius [nm]' and 'radius [nm]' one must go",
     "a,a,radius [nm]": "header: of the columns 'a' and 'a' one must go",
-    "radius [kg]": mistaken("radius [kg]", "what stands behind radius is not its unit.", "radius [UNIT]"),
-    "young GP": mistaken("young GP", "what stands behind youngs_modulus is not its unit.", "youngs_modulus [UNIT]"),
-    "material [m]": mistaken("material [m]", "what stands behind material is not its unit.", "material"),
+    "radius [kg]": mistaken("radius [kg]", "radius"),
+    "young GP": mistaken("young GP", "youngs_modulus"),
+    "material [m]": mistaken("material [m]", "material", unit=""),
     "material\tradius": "header: 'material?radius' has tabs between its columns; write --delimiter tab",
     "radius,x": (
         "header: 'radius' (first cell '100'): neither has a unit. Write --column 'radius=radius [UNIT]', "
