@@ -174,8 +174,19 @@ def test_a_picture_fits_the_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, 
 
 
 @pytest.mark.parametrize("line", PICTURES)
-def test_a_picture_can_be_ascii(run: Run, line: str) -> None:
-    assert run(line, terminal=True, encoding="ascii").out.isascii()
+def test_colour_says_the_same_as_ascii(run: Run, monkeypatch: pytest.MonkeyPatch, line: str) -> None:
+    plain = run(line, terminal=True, encoding="ascii")
+    assert plain.out.isascii()
+    monkeypatch.setenv("TERM", "xterm-256color")
+    coloured = run(line, terminal=True)
+    is_map = not line.startswith("map") or "--y" in line
+    assert ("\x1b[" in coloured.out) is is_map
+    bare = re.sub("\x1b\\[[0-9;]*m", "", coloured.out)
+    assert max(map(len, bare.splitlines())) <= 80
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert "\x1b" not in run(line, terminal=True).out
+    monkeypatch.delenv("NO_COLOR")
+    assert "\x1b" not in run(line).out  # in a pipe
 
 
 def test_a_map_is_a_table_of_its_values(run: Run) -> None:
@@ -187,6 +198,16 @@ def test_a_map_is_a_table_of_its_values(run: Run) -> None:
     values = dict(zip(heads[1:], rows[[row[0] for row in rows].index("20 mJ/m²")][1:], strict=True))
     wanted = solve("contact_radius", material="quartz", radius=5e-8, surface_energy=0.02)
     assert values["50 nm"] == f"{wanted * 1e9:.3g} nm"
+
+
+def test_numbers_of_a_map_are_coloured_by_value(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm-256color")
+    out = run("figure 3c", terminal=True).out
+    row = next(line for line in out.splitlines() if line.startswith("1 mm"))
+    last = next(line for line in out.splitlines() if line.startswith("1 nm"))
+    papers = [re.findall(r"48;5;(\d+)m", line) for line in (row, last)]
+    assert [len({*of_row}) for of_row in papers] == [1, 1]  # R_min does not depend on γ
+    assert papers[0][0] != papers[1][0]
 
 
 def test_curves_are_rows_of_their_values(run: Run) -> None:

@@ -1,7 +1,8 @@
 """Pictures as data: panels with curves, or with a field of a quantity over two inputs; and as numbers in a terminal."""
 
+import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from math import ceil, floor, log10
+from math import ceil, floor, isfinite, log10
 from types import MappingProxyType
 from typing import Any, NamedTuple, TextIO
 
@@ -213,6 +214,7 @@ DIGITS = 3
 _DIGITS = ((1, 2, 5), (1, 3), (1,))  # of each decade, the most that have room
 NO_VALUE = "—"
 _GAP = "  "  # between columns
+_PAPERS = (230, 194, 152, 116, 74)  # from low numbers to high ones: those of a page, among the 256 of terminals
 
 
 def write_picture(drawn: Picture, out: TextIO) -> None:
@@ -262,7 +264,10 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
         if width_of(_GAP.join(head)) <= terminal_width():
             break
     say_texts([f"Down: {described(panel.y.name, unit_of_y)}. Across: {described(panel.x.name, unit_of_x)}."], out)
-    say("\n".join(_GAP.join(row).rstrip() for row in (head, *rows)), out)
+    say(_GAP.join(head).rstrip(), out)
+    has_colours = out.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM", "dumb") != "dumb"
+    for (head_of_row, *texts), numbers in zip(rows, values, strict=True):
+        say(_GAP.join([head_of_row, *(_painted(field, texts, numbers) if has_colours else texts)]).rstrip(), out)
     gaps = [f"{NO_VALUE} no value"] if not numpy.isfinite(values).all() else []
     say_texts([*(f"{region.sign} {region.text}" for region in field.regions if region.sign in signs), *gaps], out)
 
@@ -279,6 +284,18 @@ def _cells(field: Field, scene: Scene, values: Any) -> tuple[list[list[str]], st
         if width := max(map(len, signs_of_column)):  # numbers stand below each other, whichever signs they have
             texts_of_column += [f" {sign:{width}}" for sign in signs_of_column]
     return texts.T.tolist(), "".join(signs.ravel().tolist())
+
+
+def _painted(field: Field, texts: Sequence[str], numbers: Any) -> list[str]:
+    """Return texts on paper of the colours of their numbers."""
+    scale = numpy.log10 if field.is_log else numpy.asarray
+    low, high = extent(field.values)
+    edges = numpy.linspace(scale(low), scale(high), len(_PAPERS) + 1)[1:-1]
+    bands = [*numpy.digitize(scale(numbers), edges)]
+    return [
+        f"\x1b[30;48;5;{_PAPERS[band]}m{text}\x1b[0m" if isfinite(number) else text
+        for text, number, band in zip(texts, numbers, bands, strict=True)
+    ]
 
 
 def _columns(panel: Panel) -> list[Column]:
