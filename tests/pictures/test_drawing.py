@@ -154,7 +154,7 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
 @pytest.mark.slow
 def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
     run("figure 3a -o bare.svg --no-caption")
-    assert "Assumed" not in " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
+    assert "Fixed" not in " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
 
 
 @pytest.mark.parametrize(

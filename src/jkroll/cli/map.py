@@ -109,7 +109,7 @@ def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
     if call.target is not None:
         draw_into(call.target, drawn, call)
         if call.data != "-" and not call.quiet:
-            say_texts([drawn.title, *drawn.caption, *drawn.remarks], sys.stdout)
+            say_texts([drawn.title, *drawn.caption, *drawn.doubts, *drawn.remarks], sys.stdout)
     elif call.data != "-":
         write_picture(drawn, sys.stdout)
     sys.stdout.flush()

@@ -273,7 +273,7 @@ def paper_map(
     )
     dashed = (f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.",) if printed else ()
     title, remarks = f"Fig. {name}: {symbol(declared.quantity)}", (*drawn.remarks, declared.remark)
-    return Picture(title, drawn.panels, (*drawn.caption, *dashed), remarks)
+    return Picture(title, drawn.panels, (*drawn.caption, *dashed), drawn.doubts, remarks)
 
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
@@ -323,7 +323,7 @@ def figure_2(materials: Materials) -> Picture:
         "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load.",
         "Half-circles: Eq (16) at a fixed approach, not continuous at ⟦x = 0⟧.",
     )
-    return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks)
+    return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks=remarks)
 
 
 def _halves(word: str, a: float, shift: float, pressure_of: Callable[[Any, float], Any]) -> Iterator[Curve]:
@@ -367,7 +367,7 @@ def figure_9(materials: Materials) -> Picture:
     )
     highest = modulus * a / (2 * radius)
     panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ⟦ξ⟧"))
-    return Picture("Fig. 9: the line contact", panels, caption, remarks)
+    return Picture("Fig. 9: the line contact", panels, caption, remarks=remarks)
 
 
 # --- The pull-off force by each law -----------------------------------------------------------------------------------

@@ -90,7 +90,8 @@ def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption
     if has_caption:
         box, height = figure.get_tightbbox(), figure.get_figheight()
         figure.text(0.5, (box.y1 + 2 * _GAP) / height, typeset(drawn.title), ha="center", va="bottom")
-        caption = "\n".join(line for text in drawn.caption for line in lines(text, _letters(inches)))
+        texts = " ".join(drawn.caption), *drawn.doubts
+        caption = "\n".join(line for text in texts for line in lines(text, _letters(inches)))
         figure.text(0.015, (box.y0 - 2 * _GAP) / height, caption, va="top", linespacing=1.2)
     for panel, axes, (_, contours) in zip(drawn.panels, every, drawings, strict=False):
         taken = _label_marks(axes, panel.marks, style)

@@ -131,6 +131,7 @@ class Picture(NamedTuple):
     title: str
     panels: tuple[Panel, ...]
     caption: tuple[str, ...]
+    doubts: tuple[str, ...] = ()  # stand below the caption, each in lines of its own
     remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
 
 
@@ -227,7 +228,7 @@ def write_picture(drawn: Picture, out: TextIO) -> None:
         else:
             names, x, y = _columns(panel)
             write_table([names], [x, y], out)
-    say_texts([*drawn.caption, *drawn.remarks], out)
+    say_texts([*drawn.caption, *drawn.doubts, *drawn.remarks], out)
 
 
 def shown_values(axis: Axis, most: int) -> Any:

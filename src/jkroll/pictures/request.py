@@ -83,9 +83,9 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     of_materials, left_out = _material_marks(request.materials, x, y) if scene.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
     told = {"": [region for region in regions if region not in drawn]}
-    caption = (*_opening(quantity, [layer]), *left_out, *_sentences(told))
+    caption, doubts = (*_opening(quantity, [layer]), *left_out), (*_sentences(told),)
     remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
-    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, remarks), layer.notes
+    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, doubts, remarks), layer.notes
 
 
 def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
@@ -105,10 +105,10 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     marks = tuple(mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
     told = {layer.text: [*layer.regions()] for layer in layers}
-    caption = (*_opening(quantity, layers), *_sentences(told), *farthest)
+    caption, doubts = (*_opening(quantity, layers),), (*_sentences(told), *farthest)
     notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
     notes += dict.fromkeys(note for layer in layers for note in layer.notes)
-    return Picture("", (Panel(x, y, curves, marks),), caption), tuple(notes)
+    return Picture("", (Panel(x, y, curves, marks),), caption, doubts), tuple(notes)
 
 
 # --- Marks ------------------------------------------------------------------------------------------------------------
