@@ -9,6 +9,7 @@ from math import hypot, inf, nan, prod
 from typing import Any, NamedTuple
 
 import numpy
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ..errors import BadRequest, JkrollError, NoResult
 from ..physics.elementary import NUMBER
@@ -55,6 +56,7 @@ _SAME = 1e-5  # pairs that differ by less are one
 _LINEAR = 1e-6  # part of a measured value below which a quantity counts as it is, above by its logarithm
 _AT_ZERO = 1e-12  # the same where 0 was measured, in SI units: an approach, of 1 pm
 _SAMPLED = 7  # cells of the grid from one to the next at which it is asked whether the quantities separate the unknowns
+_TO_GAP = 20  # halvings of the way to where there are no quantities
 _LEFT_OPEN = 1e-4  # an exponent as small as this is none
 
 
@@ -463,7 +465,7 @@ class Pairs:
         if len(known) and numpy.linalg.cond(known).min() > MAX_CONDITION / 10:
             raise Unseparated(problem, self._left_open(known[len(known) // 2]))
         quantities = problem.outcomes(self.values(mesh.reshape(2, -1)))
-        places, distance = self.improved(_in_cells(mesh, self.residuals(quantities).reshape(mesh.shape)))
+        places, distance = self.improved(self._starts(mesh, self.residuals(quantities).reshape(mesh.shape)))
         places = places[:, numpy.argsort(distance)[: numpy.isfinite(distance).sum()]]
         if not places.size:
             if not numpy.isfinite(quantities.sum(axis=0)).any():
@@ -484,6 +486,27 @@ class Pairs:
             raise SeveralSolutions(problem, [dict(zip(problem.unknowns, row, strict=True)) for row in rows])
         return places[:, :1], table[:, :1]
 
+    def _starts(self, mesh: Any, residuals: Any) -> Any:
+        """Return places in the cells of a grid in which both measured values lie between corners, or beside a gap.
+
+        They are the middles of the corners that have quantities and, beside a gap, also places next to it.
+        """
+        corners, ends = (sliding_window_view(each, (2, 2), axis=(1, 2)) for each in (residuals, mesh))
+        low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
+        has = numpy.isfinite(corners).all(axis=0)
+        is_gap = ~has.all(axis=(2, 3))
+        cells = ((low <= 0) & (high >= 0) | is_gap).all(axis=0) & has.any(axis=(2, 3))
+        middles = numpy.nanmean(numpy.where(has, ends, nan)[:, cells], axis=(2, 3))
+        near, far = (
+            middles[:, is_gap[cells]],
+            numpy.nanmean(numpy.where(has, nan, ends)[:, cells & is_gap], axis=(2, 3)),
+        )
+        for _ in range(_TO_GAP):
+            half = (near + far) / 2
+            is_near = numpy.isfinite(self.problem.outcomes(self.values(half))).all(axis=0)
+            near, far = numpy.where(is_near, half, near), numpy.where(is_near, far, half)
+        return numpy.concatenate([middles, near], axis=1)
+
     def _left_open(self, matrix: Any) -> str:
         """Return the direction in which both quantities stay as they are, given the matrix of their derivatives."""
         slope = max(matrix.tolist(), key=lambda slope: hypot(*slope))  # the steepest
@@ -494,12 +517,3 @@ class Pairs:
         if self.load is not None:
             symbols[self.load] = "(1 + P/P_c)"  # by whose logarithm a load counts
         return f"both stay as they are along {symbols[0]} ∝ {symbols[1]}^{-slope[1] / slope[0]:.3g}"
-
-
-def _in_cells(mesh: Any, residuals: Any) -> Any:
-    """Return the centres of the cells of a grid in which both measured values lie between corners, or beside a gap."""
-    corners = numpy.lib.stride_tricks.sliding_window_view(residuals, (2, 2), axis=(1, 2))
-    low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
-    is_at_gap = numpy.isnan(corners).any(axis=(3, 4)) & numpy.isfinite(low)
-    cells = ((low <= 0) & (high >= 0) | is_at_gap).all(axis=0)
-    return (mesh[:, :-1, :-1][:, cells] + mesh[:, 1:, 1:][:, cells]) / 2
