@@ -146,12 +146,22 @@ def _lacking(scene: Scene, *names: str) -> NotInLaw | None:
     return None
 
 
-# The panels of a contact, each with the quantities that a law must have, and those that one law shows, too.
-_Panel = tuple[Callable[[Sequence[Scene], Loads | None], Panel], tuple[str, ...], tuple[str, ...]]
-PANELS: Mapping[str, _Panel] = {
-    "force": (_force, (*_FORCE, "pull_off_force"), ()),
-    "pressure": (_pressure, AREA_AND_PRESSURES, ()),
-    "moment": (_moment, ("yield_moment",), (*_OF_MOMENTS, "displacement_limit")),
+class ContactPanel(NamedTuple):
+    """A panel of a contact: the function that draws it, and the quantities in it."""
+
+    draw: Callable[[Sequence[Scene], Loads | None], Panel]
+    needed: tuple[str, ...]  # of each law
+    further: tuple[str, ...] = ()  # of a single law, as far as it has them
+
+    def missing(self, scenes: Sequence[Scene]) -> list[NotInLaw]:
+        """Return the errors of those scenes whose laws lack what the panel needs."""
+        return [error for scene in scenes if (error := _lacking(scene, *self.needed))]
+
+
+PANELS: Mapping[str, ContactPanel] = {
+    "force": ContactPanel(_force, (*_FORCE, "pull_off_force")),
+    "pressure": ContactPanel(_pressure, AREA_AND_PRESSURES),
+    "moment": ContactPanel(_moment, ("yield_moment",), (*_OF_MOMENTS, "displacement_limit")),
 }
 
 
@@ -164,12 +174,12 @@ def curves_of_contact(
     """
     is_one = len(scenes) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
-    missing = [error for _, needed, _ in asked for scene in scenes if (error := _lacking(scene, *needed))]
-    drawn = [each for each in asked if not any(_lacking(scene, *each[1]) for scene in scenes)]
+    missing = [error for kind in asked for error in kind.missing(scenes)]
+    drawn = [kind for kind in asked if not kind.missing(scenes)]
     if not drawn:
         raise missing[0]
-    panels = tuple(draw(scenes, loads) for draw, _, _ in drawn)
-    names = [name for _, needed, further in drawn for name in (*needed, *(further if is_one else ()))]
+    panels = tuple(kind.draw(scenes, loads) for kind in drawn)
+    names = [name for kind in drawn for name in (*kind.needed, *(kind.further if is_one else ()))]
     varied = ("load",) if is_one else ("load", "yield_displacement")
     fixed: dict[str, None] = {}
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)
