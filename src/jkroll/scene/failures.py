@@ -84,9 +84,11 @@ class Kind:
         self,
         phrase: str,  # of the status of a row
         words: str,  # in full; {0} stands for the value of `name` that rules a result out, the others for its limits
-        name: str = "",  # the quantity that has no value, or whose value rules it out, where it is always the same
+        name: str = "",  # the quantity whose value rules a result out
+        # Whether this is beyond a limit: for a load and an approach also at it, where rounding may have put it.
+        is_beyond: Callable[[Any, Any], bool] = le,
     ) -> None:
-        self.phrase, self.words, self.name = phrase, words, name
+        self.phrase, self.words, self.name, self.is_beyond = phrase, words, name, is_beyond
         self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the scene is to be trusted
 
 
@@ -116,11 +118,13 @@ TOO_MUCH_HYSTERESIS = Kind(
     "hysteresis above work of adhesion",
     "{0} is above the work of adhesion, {1}, of which it is a part",
     "adhesion_hysteresis",
+    gt,
 )
 STICKS_ALWAYS = Kind(
     "sticks at every speed",
     "T* = {0} is above {1}: they stick at every speed that this damping can mean",
     "viscosity_number",
+    gt,
 )
 NO_POISSON_RATIO = Kind(
     "Poisson's ratio not positive",
@@ -195,24 +199,6 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
 Given = Mapping[str, Any]  # the arguments of a formula
 
 
-Rule = Callable[[str, Given], Failure | None]  # returns why a formula has no result for its arguments
-
-
-def _beyond(kind: Kind, is_beyond: Callable[[Any, Any], bool], limit: Callable[[Given], Any]) -> Rule:
-    """Return the rule of an argument that a limit rules out: a contact also at it, where rounding may have put it."""
-
-    def rule(name: str, given: Given) -> Failure | None:
-        numbers = given[kind.name], limit(given)
-        return Failure(kind, name, numbers) if is_beyond(*numbers) else None
-
-    return rule
-
-
-def _forbidden(kind: Kind, forbids: Callable[[Given], Any]) -> Rule:
-    """Return the rule of arguments that a formula does not take."""
-    return lambda name, given: Failure(kind, name) if forbids(given) else None
-
-
 def _pull_off_dmt(given: Given) -> Any:
     return -pull_off_force_dmt(work_of_adhesion=given["work_of_adhesion"], reduced_radius=given["reduced_radius"])
 
@@ -227,34 +213,38 @@ def _fitted(_: Given) -> float:
     return FITTED_UP_TO
 
 
-# Between pull-off and the fold, by the stiffness or by the distance from pull-off.
-_NOT_HELD = _forbidden(NOT_HELD, lambda given: given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
+def _is_not_held(given: Given) -> bool:
+    return given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0
 
-RULES: Mapping[str, Rule] = {  # by formula
-    "load_margin": _beyond(BEYOND_PULL_OFF, le, lambda given: -given["pull_off_force"]),
-    "edge_ratio_at_load": _beyond(BEYOND_PULL_OFF, le, lambda given: -given["pull_off_force_maugis"]),
-    "contact_radius_dmt": _beyond(BEYOND_PULL_OFF, le, _pull_off_dmt),
-    "adhesive_force_dmt": _beyond(BEYOND_PULL_OFF, le, _pull_off_dmt),
-    "load_factor_at_approach": _beyond(BEYOND_FOLD, le, _fold),
-    "load_margin_at_approach": _beyond(BEYOND_FOLD, le, _fold),
-    "edge_ratio_at_approach": _beyond(BEYOND_FOLD, le, lambda given: given["fold_approach_maugis"]),
-    "contact_radius_dmt_at_approach": _beyond(BEYOND_FOLD, le, lambda _: 0.0),
-    "yield_displacement_at_hysteresis": _beyond(TOO_MUCH_HYSTERESIS, gt, lambda given: given["work_of_adhesion"]),
-    "sticking_speed_viscous": _beyond(STICKS_ALWAYS, gt, _fitted),
-    "r_min": _forbidden(NO_CHAIN, lambda given: given["radius2"] == INFINITY),
-    "vertical_frequency": _NOT_HELD,
-    "peeling_force": _NOT_HELD,
-    "peeling_radius": _NOT_HELD,
-    "rolling_resistance_coefficient": _forbidden(NOT_PRESSED, lambda given: given["load"] <= 0),
-    "viscosity_number": _forbidden(
-        NO_POISSON_RATIO, lambda given: given["poisson_ratio"] * given["poisson_ratio2"] <= 0
-    ),
-    "rayleigh_time": _forbidden(RIGID, lambda given: given["youngs_modulus"] == INFINITY),
-    "contact_displacement": _forbidden(APART, lambda given: given["edge_ratio"] == 0),
+
+# By formula, the kind of a reason, and the limit of the value that this kind names, or whether it is the reason.
+RULES: Mapping[str, tuple[Kind, Callable[[Given], Any]]] = {
+    "load_margin": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force"]),
+    "edge_ratio_at_load": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),
+    "contact_radius_dmt": (BEYOND_PULL_OFF, _pull_off_dmt),
+    "adhesive_force_dmt": (BEYOND_PULL_OFF, _pull_off_dmt),
+    "load_factor_at_approach": (BEYOND_FOLD, _fold),
+    "load_margin_at_approach": (BEYOND_FOLD, _fold),
+    "edge_ratio_at_approach": (BEYOND_FOLD, lambda given: given["fold_approach_maugis"]),
+    "contact_radius_dmt_at_approach": (BEYOND_FOLD, lambda _: 0.0),
+    "yield_displacement_at_hysteresis": (TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
+    "sticking_speed_viscous": (STICKS_ALWAYS, _fitted),
+    "r_min": (NO_CHAIN, lambda given: given["radius2"] == INFINITY),
+    "vertical_frequency": (NOT_HELD, _is_not_held),
+    "peeling_force": (NOT_HELD, _is_not_held),
+    "peeling_radius": (NOT_HELD, _is_not_held),
+    "rolling_resistance_coefficient": (NOT_PRESSED, lambda given: given["load"] <= 0),
+    "viscosity_number": (NO_POISSON_RATIO, lambda given: given["poisson_ratio"] * given["poisson_ratio2"] <= 0),
+    "rayleigh_time": (RIGID, lambda given: given["youngs_modulus"] == INFINITY),
+    "contact_displacement": (APART, lambda given: given["edge_ratio"] == 0),
 }
 
 
 def failure_of(name: str, given: Given, value: float) -> Failure:
     """Return why a formula has no result for these numbers; `value`: what it gave."""
-    failure = RULES[name](name, given) if name in RULES else None
-    return failure or Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)
+    if name in RULES:
+        kind, rule = RULES[name]
+        numbers = (given[kind.name], rule(given)) if kind.name else ()
+        if kind.is_beyond(*numbers) if numbers else rule(given):
+            return Failure(kind, name, numbers)
+    return Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)
