@@ -200,26 +200,28 @@ class Call:
         return self.target is not None and ending(self.target) in PICTURES
 
     def form(self, quantities: Sequence[str]) -> Format:
-        """Return the format of results; each unit of `--to` applies to the quantities of its dimension."""
+        """Return the format of results; each unit of `--to` applies to the quantities of its dimension.
+
+        A table on a terminal has inputs as they were typed.
+        """
         units: dict[str, tuple[str, Unit]] = {}
+        of_results = {name: NOMENCLATURE[name].unit for name in quantities}
         for text in self.to.split(",") if self.to is not None else []:
             try:
-                _, _, dimension = unit = parse_unit(text)
+                unit = parse_unit(text)
             except BadUnit as error:
-                wanted = [dimension_of(NOMENCLATURE[name].unit) for name in quantities]
-                remedy = error.remedy(wanted) or f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
-                raise QuantityError("--to", text, str(error), remedy) from None
-            fitting = [
-                name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == dimension
-            ]
-            if not fitting:
-                units_of_results = ", ".join(dict.fromkeys(NOMENCLATURE[name].unit for name in quantities))
-                raise BadRequest(f"--to: {quoted(text)} fits none of the results, which are in: {units_of_results}")
+                remedy = error.remedy([*map(dimension_of, of_results.values())])
+                expected = f"expected a unit such as {of_results[quantities[0]]}"
+                raise QuantityError("--to", text, str(error), remedy or expected) from None
+            fitting = [name for name, of_result in of_results.items() if dimension_of(of_result) == unit[2]]
+            if not (fitting and text.strip()):
+                every = ", ".join(dict.fromkeys(of_results.values()))
+                raise BadRequest(f"--to: {quoted(text)} fits none of the results, which are in: {every}")
             if fitting[0] in units:
                 both = f"{quoted(units[fitting[0]][0])} and {quoted(text)}"
                 raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
             units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
-        return Format(units, self.digits)
+        return Format(units, self.digits, self.typed if self.kind == "table" else {})
 
 
 OPTIONS = frozenset(Call.__annotations__)  # names of options that are no inputs

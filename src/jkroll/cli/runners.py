@@ -122,7 +122,7 @@ def _write_columns(
         from ..output.table import sweep_table
 
         for columns in every:
-            sweep_table(columns, sys.stdout, Format(form.units, form.digits, call.typed), notes.assumed)
+            sweep_table(columns, sys.stdout, form, notes.assumed)
     else:
         from ..output.writers import WRITERS, written
 
@@ -193,7 +193,7 @@ def _write_answer(call: Call, answer: "Answer", out: TextIO, form: Format) -> No
     if is_table:
         from ..output.table import scene_table
 
-        scene_table(answer, out, Format(form.units, form.digits, call.typed))
+        scene_table(answer, out, form)
     else:
         from ..output.answered import write_plain
 
