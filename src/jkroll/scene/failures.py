@@ -213,12 +213,13 @@ def _fitted(_: Given) -> float:
     return FITTED_UP_TO
 
 
-def _is_not_held(given: Given) -> bool:
-    return given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0
+Rule = tuple[Kind, Callable[[Given], Any]]
 
+# Between pull-off and the fold, by the stiffness or by the distance from pull-off.
+_NOT_HELD: Rule = (NOT_HELD, lambda given: given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
 
 # By formula, the kind of a reason, and the limit of the value that this kind names, or whether it is the reason.
-RULES: Mapping[str, tuple[Kind, Callable[[Given], Any]]] = {
+RULES: Mapping[str, Rule] = {
     "load_margin": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force"]),
     "edge_ratio_at_load": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),
     "contact_radius_dmt": (BEYOND_PULL_OFF, _pull_off_dmt),
@@ -230,9 +231,9 @@ RULES: Mapping[str, tuple[Kind, Callable[[Given], Any]]] = {
     "yield_displacement_at_hysteresis": (TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
     "sticking_speed_viscous": (STICKS_ALWAYS, _fitted),
     "r_min": (NO_CHAIN, lambda given: given["radius2"] == INFINITY),
-    "vertical_frequency": (NOT_HELD, _is_not_held),
-    "peeling_force": (NOT_HELD, _is_not_held),
-    "peeling_radius": (NOT_HELD, _is_not_held),
+    "vertical_frequency": _NOT_HELD,
+    "peeling_force": _NOT_HELD,
+    "peeling_radius": _NOT_HELD,
     "rolling_resistance_coefficient": (NOT_PRESSED, lambda given: given["load"] <= 0),
     "viscosity_number": (NO_POISSON_RATIO, lambda given: given["poisson_ratio"] * given["poisson_ratio2"] <= 0),
     "rayleigh_time": (RIGID, lambda given: given["youngs_modulus"] == INFINITY),
