@@ -153,6 +153,16 @@ def test_files_and_lines_have_it_where_it_is_asked_for(run: Run) -> None:
         assert run(f"{words} --alternatives").code == 2
 
 
+def test_explanations_have_the_powers_of_inputs(run: Run) -> None:
+    """Of f_z, γ^(1/6) E^(1/3) R^(-7/6) ρ^(-1/2); of δ under a load, at which no power is a simple one."""
+    said = run("frequencies quartz 100nm --quantities f_z --explain").out
+    assert "  power law R1^-1.17 γ1^0.167 E1^0.333 ν1^0.0198 ρ1^-0.5\n" in said
+    under_load = run("contact quartz 100nm --load -5nN --quantities δ --explain").out
+    powers = dict(word.split("^") for word in re.findall(r"power law (.*)", under_load)[0].split())
+    ends = [solve("approach_at_load", **QUARTZ, load=load) for load in (-5.001e-9, -4.999e-9)]
+    assert float(powers["P"]) == approx(2500 * (ends[0] - ends[1]) / ends[0], rel=0.01)
+
+
 def test_both_readings_of_a_rolling_quantity_are_in_explanations(run: Run) -> None:
     said = run("yield-force quartz 100nm --quantities yield_force --explain").out
     assert re.search(r"by law +40\.47\d* pN at equal ξ, 170\.\d* pN at equal hysteresis \(Maugis–Dugdale\)", said)

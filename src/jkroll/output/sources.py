@@ -6,6 +6,7 @@ With `--tex` it writes a paragraph for the Methods section of a paper, which cit
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from math import log
 from typing import TYPE_CHECKING, Any, TextIO
 
 from .. import __version__
@@ -14,10 +15,10 @@ from ..answers.notes import every_line
 from ..errors import BadRequest
 from ..materials.library import data_of
 from ..physics.accuracy import accuracy_of
-from ..quantities.formatting import Format, amount
+from ..quantities.formatting import Format, amount, symbol_of
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.markup import as_latex, symbol
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.doubts import uses_law
 from ..scene.scene import Scene
 from ..scene.wiring import Plan
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
 
 _SECTIONS = ("Source", "Valid")
+_SHIFT = 1e-3  # relative, of an input to both sides, by which its power is found
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
 _STEP_INDENT = 27
 
@@ -75,7 +77,10 @@ def _explanation(result: Result, answer: Answer, form: Format) -> list[str]:
         lines += [f"  {fields['formula']}", "  given"]
         lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]
         lines += ["  steps", *(_line(step.name, scene, form, _formula_of(step)) for step in earlier)] if earlier else []
-        facts += [(key.lower(), fields.get(key, "")) for key in _SECTIONS]
+        facts += [
+            ("power law", _power_law(result.name, scene)),
+            *((key.lower(), fields.get(key, "")) for key in _SECTIONS),
+        ]
         facts.append(("accuracy", f"{accuracy_of(last.formula.__name__)} above its arguments"))
         if quantity.definition and not result.law:
             facts.append(("as", quantity.definition + (f" ({quantity.reference})" if quantity.reference else "")))
@@ -118,6 +123,19 @@ def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     value = f"{NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
     beside = f" {remark}" if len(value) < _STEP_INDENT - 4 else f"\n{' ' * _STEP_INDENT}{remark}"
     return f"    {value:{_STEP_INDENT - 5}}{beside}"
+
+
+def _power_law(name: str, scene: Scene) -> str:
+    """Return the powers of its inputs with which a quantity goes near their values: "R1^0.667 γ1^0.333 E1^-0.333"."""
+    texts = []
+    for given in scene.inputs_of(name):
+        value = scene[given]
+        if 0 < abs(value) < INFINITY:
+            ends = [scene.replace(**{given: value * factor}).numbers(name) for factor in (1 - _SHIFT, 1 + _SHIFT)]
+            low, high = (end.get(name, 0.0) for end in ends)
+            power = log(high / low) / log((1 + _SHIFT) / (1 - _SHIFT)) if low * high > 0 else 0.0
+            texts += [f"{symbol_of(given)}^{power:.3g}"] if abs(power) > _SHIFT else []
+    return " ".join(texts)
 
 
 def _formula_of(step: Plan) -> str:
