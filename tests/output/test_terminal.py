@@ -161,10 +161,10 @@ def test_a_list_of_laws_says_which_of_them_holds(run: Run) -> None:
 
 def test_a_list_counts_the_doubts_and_warns_of_numbers_without_a_meaning(run: Run) -> None:
     notes = run("pull-off quartz 100nm,900nm --model jkr,dmt").err.splitlines()
-    assert notes[1].startswith("note: doubts in 3 of 4 rows (jkroll guide models): law-off-5% 2, law-off-25% 1")
+    assert notes[1].startswith("note: doubts in 3 of 4 rows (jkroll guide doubts): law-off-5% 2, law-off-25% 1")
     said = run("yield-force quartz 0.5nm 2nm 1um").err
     worst = "xi-over-limit 2 (ξ is too large for the formula)"
-    assert f"warning: numbers have no meaning in 2 of 3 rows (jkroll guide models): {worst}, " in said
+    assert f"warning: numbers have no meaning in 2 of 3 rows (jkroll guide doubts): {worst}, " in said
 
 
 @pytest.mark.parametrize("topic", ["dem", "energies", "tables"])

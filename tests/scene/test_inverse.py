@@ -317,7 +317,7 @@ def test_the_command(run: Run) -> None:
         "quartz,2e-6,plane,3e-7,0.015915494309189534,law-off-5% rough-matters,",
         "quartz,2e-6,plane,1e26,,,no value gives it",
     ]
-    assert "note: doubts in 1 of 2 rows (jkroll guide models): law-off-5% 1, rough-matters 1" in table.err
+    assert "note: doubts in 1 of 2 rows (jkroll guide doubts): law-off-5% 1, rough-matters 1" in table.err
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
 
 
@@ -361,7 +361,7 @@ def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
     )
     assert column(ran.out, "doubt") == ["law-off-25% few-atoms may-yield", "law-off-25%", "rough-matters"]
     assert (
-        "doubts in 3 of 3 rows (jkroll guide models): law-off-25% 2, rough-matters 1, few-atoms 1, may-yield 1"
+        "doubts in 3 of 3 rows (jkroll guide doubts): law-off-25% 2, rough-matters 1, few-atoms 1, may-yield 1"
         in ran.err
     )
     assert not any(column(run("infer gamma quartz 1um --measured pull_off_force=1e26N,2e26N --csv").out, "doubt"))

@@ -342,7 +342,7 @@ class OfRows:
     def sentences(self) -> list[Note]:
         """The notes of all rows that were counted."""
         of_kinds = dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
-        counted = about_rows(self.tally, self._told, "jkroll guide models")
+        counted = about_rows(self.tally, self._told, "jkroll guide doubts")
         return [*counted, *of_kinds, *about_idle(self._idle), *about_assumed(self.assumed)]
 
 

@@ -22,6 +22,7 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("measurements", "Rough and humid"): (
         "roughness asperities capillary meniscus humidity moisture water liquid wetting contact angle"
     ),
+    ("models", "Limits"): "doubts codes",
     ("models", "Between JKR and DMT"): "tabor parameter maugis law",
     ("models", "Sliding, twisting, peeling"): "friction detachment resuspension",
     ("tables", "Sweeps"): "mixture of sizes pairs and a wall lists ranges",
