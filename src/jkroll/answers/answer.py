@@ -325,7 +325,7 @@ class Answer(Evaluation):
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
         inputs, idle = self._entering
-        return (
+        every = (
             *about_assumed(self.assumed),
             *about_missing(self.errors),
             *about_bars(self),
@@ -333,8 +333,9 @@ class Answer(Evaluation):
             *about_idle(idle),
             *about_values(self.scene, [*self.values]),
             *about_limits(self.validity),
-            *(about_lost_contacts(self) if self.sources is not None and "load" in self.inputs else ()),
+            *about_lost_contacts(self),
         )
+        return tuple(dict.fromkeys(every))
 
     @property
     def sentences(self) -> list[Note]:

@@ -69,7 +69,6 @@ _STICKING = (
     "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, "
     "of silica-dry 1.7 m/s"
 )
-_OF_SPINNING = ("n_roll", "n_roll_energy_balance")  # of a sphere that spins from the start
 _OF_TURNING = {"yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment"}
 
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
@@ -130,29 +129,25 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
         work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
         text = f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike"
         yield Note("caveat", f"{text}: --work-of-adhesion")
-    if "speed" in scene.stated and (spinning := [symbol_of(name) for name in _OF_SPINNING if name in names]):
+    spinning = [symbol_of(name) for name in ("n_roll", "n_roll_energy_balance") if name in names]
+    if spinning and "speed" in scene.stated:
         text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
         yield Note("caveat", f"{text}, {listed(spinning)}")
-    yield from dict.fromkeys(_about_data(scene, inputs))
-
-
-def about_idle(names: Sequence[str]) -> list[Note]:
-    """Return the note on inputs that change nothing, if there are some."""
-    options = [NOMENCLATURE[name].option or name for name in names]
-    return [Note("caveat", f"{listed(options)} change{'' if options[1:] else 's'} no result here")] if names else []
-
-
-def _about_data(scene: Scene, inputs: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on the material data that were used. A property with an origin says what is against it."""
     for material, name in scene.data_used(inputs):
         yield from (Note("more", f"{material.name}: {text}") for text in material.remarks)
         if name == XI and material.displacement is not None:
             radius = amount("radius", material.displacement.radius)
             text = f"ξ was measured with spheres of {radius}; elsewhere it is a range, scaled by R^(2/3) and by R"
             yield Note("more", f"{material.name}: {text}")
-        if name in material.notes:
+        if name in material.notes:  # of a property with an origin they say what is against it
             kind: Kind = "caveat" if name in material.origins else "more"
             yield Note(kind, f"{symbol_among(name, ())} of {material.name}: {material.notes[name]}")
+
+
+def about_idle(names: Sequence[str]) -> list[Note]:
+    """Return the note on inputs that change nothing, if there are some."""
+    options = [NOMENCLATURE[name].option or name for name in names]
+    return [Note("caveat", f"{listed(options)} change{'' if options[1:] else 's'} no result here")] if names else []
 
 
 def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
@@ -167,13 +162,12 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values: what happens in a collision, what gives way first in a contact, the assumed ξ."""
     if "hamaker" in scene.inputs_of(*names):
-        cutoff = next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"])
-        spacing = amount("atomic_spacing", scene["atomic_spacing"], _SHORT)
-        here, there = (
-            amount("work_of_adhesion", each["work_of_adhesion"], _SHORT)
-            for each in (scene, scene.replace(cutoff=cutoff))
+        shown = ["work_of_adhesion", "atomic_spacing", "cutoff"]
+        elsewhere = scene.replace(cutoff=next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"]))
+        (w, z0, _), (w_there, _, cutoff) = (
+            [amount(name, each[name], _SHORT) for name in shown] for each in (scene, elsewhere)
         )
-        yield Note("remark", f"w = {here}, z0 = {spacing}; at D0 = {amount('cutoff', cutoff)} (--cutoff) w = {there}")
+        yield Note("remark", f"w = {w}, z0 = {z0}; at D0 = {cutoff} (--cutoff) w = {w_there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
         yield Note("remark", _STICKING)
     if scene.numbers(*{"restitution"}.intersection(names)).get("restitution") == 0:
@@ -259,15 +253,17 @@ def about_left_out(sources: "Iterable[Source]") -> list[Note]:
     return [Note("caveat", text)] if symbols else []
 
 
-def about_lost_contacts(evaluation: Evaluation) -> Iterator[Note]:
+def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
     """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
+    forces = answer.scene.numbers("load", "pull_off_force") if "load" in answer.inputs else {}
+    if answer.sources is None or len(forces) < 2 or any(isinstance(bar, JkrollError) for bar in answer.bars.values()):
+        return
     from ..scene.uncertainty import measures_of, uncertainties
 
-    forces = evaluation.scene.numbers("load", "pull_off_force")
-    bars = uncertainties(evaluation.scene, [*forces], sources=evaluation.sources) if len(forces) == 2 else {}
-    spread = hypot(*(bar.minus for bar in measures_of(bars).values() if isinstance(bar, Measured)))
+    bars = measures_of(uncertainties(answer.scene, [*forces], sources=answer.sources)).values()
+    spread = hypot(*(bar.minus for bar in bars if isinstance(bar, Measured)))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
-    if part >= _LOST and not any(isinstance(bar, JkrollError) for bar in evaluation.bars.values()):
+    if part >= _LOST:
         text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
         yield Note("caveat", f"error bars are of contacts that hold: {text}")
 
@@ -286,20 +282,6 @@ def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
     if rolling(possible, scene.law.name) and assumes_displacement(scene):
         yield Note("caveat", about_displacement(scene, solid_of_kind(scene)))
     yield from about_limits(doubts(scene, possible))
-
-
-def given_of_kinds(kinds: Iterable[Rows], *, judges: bool = True) -> tuple[dict[str, str], list[str]]:
-    """Return what was assumed for rows of some kinds, by name, and the inputs on which nothing depends in any of them.
-
-    An assumption has the option that sets it.
-    """
-    texts: dict[str, str] = {}
-    idle: list[list[str]] = []
-    for scene, names in kinds:
-        inputs, of_kind = entering(scene, names, judges=judges)
-        texts |= assumed(scene, inputs, scene.possible(names), has_values=False)
-        idle.append(of_kind)
-    return texts, [name for name in idle[0] if all(name in of_kind for of_kind in idle)]
 
 
 def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
@@ -323,14 +305,20 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
 
 
 class OfRows:
-    """What is said of rows, which are counted while columns are written."""
+    """What is said of rows of some kinds, which are counted while columns are written."""
 
-    def __init__(self, kinds: Iterable[Rows]) -> None:
+    def __init__(self, kinds: Iterable[Rows], *, judges: bool = True) -> None:
+        """`judges`: whether limits are judged."""
         from ..rows.columns import Tally
 
-        self._kinds = [*kinds]
-        self.assumed, self._idle = given_of_kinds(self._kinds)  # the assumptions are by name, with their options
-        self.tally, self._told = Tally(), 0
+        self._kinds, self.tally, self._told = [*kinds], Tally(), 0
+        self.assumed: dict[str, str] = {}  # by name, with the option that sets it
+        idle: list[list[str]] = []
+        for scene, names in self._kinds:
+            inputs, of_kind = entering(scene, names, judges=judges)
+            self.assumed |= assumed(scene, inputs, scene.possible(names), has_values=False)
+            idle.append(of_kind)
+        self.idle = [name for name in idle[0] if all(name in of_kind for of_kind in idle)]  # in all rows
 
     def watch(self, blocks: "Iterable[Columns]") -> "Iterator[Columns]":
         """Iterate over columns, and count what is to be said of them."""
@@ -343,7 +331,7 @@ class OfRows:
         """The notes of all rows that were counted."""
         of_kinds = dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
         counted = about_rows(self.tally, self._told, "jkroll guide doubts")
-        return [*counted, *of_kinds, *about_idle(self._idle), *about_assumed(self.assumed)]
+        return [*counted, *of_kinds, *about_idle(self.idle), *about_assumed(self.assumed)]
 
 
 # --- Lines ------------------------------------------------------------------------------------------------------------

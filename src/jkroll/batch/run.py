@@ -111,10 +111,10 @@ def _about(table: Table) -> Iterator[str]:
     They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
     enters no error bar.
     """
-    from ..answers.notes import about_idle, about_left_out, given_of_kinds
+    from ..answers.notes import OfRows, about_idle, about_left_out
 
-    every, idle = given_of_kinds(table.kinds, judges=table.wanted.doubts)
-    if assumed := [text for name, text in every.items() if name not in table.given]:
+    of_rows = OfRows(table.kinds, judges=table.wanted.doubts)
+    if assumed := [text for name, text in of_rows.assumed.items() if name not in table.given]:
         yield f"assumed: {', '.join(assumed)}"
     notes = [*dict.fromkeys(remark for lookup in table.lookups.values() for remark in lookup.remarks)]
     if "radius" not in table.given and not table.asked.explicit:
@@ -123,7 +123,7 @@ def _about(table: Table) -> Iterator[str]:
     if fills:
         notes.append(f"{listed(fills)} fill{'' if fills[1:] else 's'} empty cells: the others keep their values")
     # What is infinite may make a body rigid in some rows.
-    idle = [name for name in idle if table.fixed.get(name, INFINITY) != INFINITY]
+    idle = [name for name in of_rows.idle if table.fixed.get(name, INFINITY) != INFINITY]
     notes += [note.text for note in (*about_idle(idle), *about_left_out(table.left_out))]
     yield from (f"note: {text}" for text in notes)
 

@@ -264,7 +264,7 @@ def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequenc
     """
     uncertain = {name: measured for name, measured in given.uncertainties.items() if name in inputs}
     notes = *about_middles(uncertain), *about_assumed(assumed(scene, inputs, names)), *about_given(scene, names, inputs)
-    return [note.text for note in notes]
+    return [note.text for note in dict.fromkeys(notes)]
 
 
 def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
