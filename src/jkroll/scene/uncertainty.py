@@ -2,7 +2,7 @@
 
 Every source is moved over the whole of its uncertainty, and the quantities are computed anew there. No derivatives are
 taken, so that a result may respond differently to either side. Over ranges a result has its least and its largest
-value among the places along the edges of their box: within 1 % of the distance of these where it turns inside.
+value among the places along the edges of their box: within 1 % of the distance of these where it turns smoothly.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
