@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
 
 _SECTIONS = ("Source", "Valid")
-_SHIFT = 1e-3  # relative, of an input to both sides, by which its power is found
+_NO_POWER = 1e-4  # what is smaller is an error of 0
+_LESS = 1 - 1e-5  # part of an input by which its power is found: what is less is nowhere beyond its range
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
 _STEP_INDENT = 27
 
@@ -126,15 +127,18 @@ def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
 
 
 def _power_law(name: str, scene: Scene) -> str:
-    """Return the powers of its inputs with which a quantity goes near their values: "R1^0.667 γ1^0.333 E1^-0.333"."""
+    """Return the powers of its inputs with which a quantity goes near their values: "R1^0.667 γ1^0.333 E1^-0.333".
+
+    None are returned at the edge of a range, where one of them is not known.
+    """
     texts = []
     for given in scene.inputs_of(name):
-        value = scene[given]
-        if 0 < abs(value) < INFINITY:
-            ends = [scene.replace(**{given: value * factor}).numbers(name) for factor in (1 - _SHIFT, 1 + _SHIFT)]
-            low, high = (end.get(name, 0.0) for end in ends)
-            power = log(high / low) / log((1 + _SHIFT) / (1 - _SHIFT)) if low * high > 0 else 0.0
-            texts += [f"{symbol_of(given)}^{power:.3g}"] if abs(power) > _SHIFT else []
+        if 0 < abs(scene[given]) < INFINITY:
+            less = scene.replace(**{given: scene[given] * _LESS}).numbers(name).get(name, 0.0)
+            if not less * scene[name] > 0:
+                return ""
+            power = log(less / scene[name]) / log(_LESS)
+            texts += [f"{symbol_of(given)}^{power:.3g}"] if abs(power) > _NO_POWER else []
     return " ".join(texts)
 
 
