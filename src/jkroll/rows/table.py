@@ -112,7 +112,7 @@ class Table:
     # --- The columns that are added -----------------------------------------------------------------------------------
 
     def _kinds(self, cells: Mapping[str, Sequence[bytes]]) -> list[Any]:
-        """Return scenes of no rows that together have all inputs, and whether their materials are labels.
+        """Return scenes of no rows that together have all inputs.
 
         Of columns that exclude each other, a scene has one. What an input is matters, and not its values.
 
