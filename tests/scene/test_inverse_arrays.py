@@ -13,9 +13,8 @@ from jkroll import infer, known_materials
 from jkroll.errors import NoResult
 from jkroll.quantities.laws import LAWS
 from jkroll.scene.failures import MissingInput, NotInLaw
-from jkroll.scene.inverse import SIZES, NoSolution, SeveralSolutions
+from jkroll.scene.inverse import SIZES, NoSolution, Problem, SeveralSolutions, Solution
 from jkroll.scene.scene import Scene
-from jkroll.scene.unknowns import Problem, Solution
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 

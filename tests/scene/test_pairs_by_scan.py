@@ -9,9 +9,8 @@ import pytest
 
 from jkroll.errors import JkrollError
 from jkroll.quantities.laws import LAWS
-from jkroll.scene.inverse import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
+from jkroll.scene.inverse import SIZES, NoDependence, NoSolution, Problem, SeveralSolutions, Unseparated
 from jkroll.scene.scene import Scene
-from jkroll.scene.unknowns import Problem
 from scenes import log_uniform
 
 PER_DECADE = 10  # of the dense scan, whose cells end at other values than those of the program

@@ -15,9 +15,8 @@ from jkroll import Interval, JkrollError, Measured, infer, known_materials
 from jkroll.errors import BadRequest
 from jkroll.quantities.formatting import amount
 from jkroll.scene.failures import Failure, MissingInput
-from jkroll.scene.inverse import NoDependence, NoSolution, SeveralSolutions, Unseparated
+from jkroll.scene.inverse import NoDependence, NoSolution, Problem, SeveralSolutions, Solution, Unseparated
 from jkroll.scene.scene import Scene
-from jkroll.scene.unknowns import Problem, Solution
 from relative import approx
 
 PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf, "poisson_ratio": 0.17}
@@ -169,7 +168,7 @@ def test_what_is_barely_separated_is_refused() -> None:
         assert pair.values["radius"] == approx(radius, rel=1e-15 * pair.condition)
         condition = pair.condition
     full = Scene({**given, "radius": 1e-5, "surface_energy": 0.05}, model="maugis")
-    with pytest.raises(Unseparated, match=r"both stay as they are along γ1 ∝ R1\^-1 \(κ = .* is above 1e8\)"):
+    with pytest.raises(Unseparated, match=r"both stay as they are along γ1 ∝ R1\^-1 \(κ is above 1e8\)"):
         found(names, full.numbers("pull_off_force", "pull_off_force_dmt"), given, "maugis")
 
 

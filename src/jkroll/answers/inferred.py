@@ -1,6 +1,6 @@
 """The answers of `infer`: the values of inputs that measured quantities imply, with what they rest on."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from copy import copy
 from functools import cached_property
@@ -13,13 +13,11 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain, middle
 from ..scene.doubts import Doubt, Evaluation, factor_of_law
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import SIZES, sizes_in_words
-from ..scene.scene import Scene
+from ..scene.inverse import SIZES, Problem, sizes_in_words
 from ..scene.uncertainty import measures_of
-from ..scene.unknowns import Problem
 from ..text import listed
 from .answer import Answer, Result
-from .notes import Note, about_bars
+from .notes import Note
 from .questions import Question
 
 # Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
@@ -28,25 +26,21 @@ _RAISING = frozenset({"surface_energy", "work_of_adhesion", "hamaker", "viscous_
 
 
 class Inferred(Answer):
-    """The answer that unknowns have the values at which quantities have their measured values.
+    """The answer about what was measured, with the values of the unknowns as its results."""
 
-    `forward` is the answer about what was measured.
-    """
+    laws: Mapping[str, Any] = {}  # what is found under each law stands beside the results
 
     def __init__(self, problem: Problem) -> None:
         """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
-        self.problem, self.question = problem, Question(problem.unknowns, problem.unknowns)
         unknowns = Evaluation(problem, problem.evaluate(problem.unknowns))
         self.failure = next(iter(unknowns.errors.values()), None)
-        self.bars, self.sources = unknowns.bars, unknowns.sources
-        self.inputs = {name: in_words(name, middle(value)) for name, value in unknowns.inputs_of(()).items()}
         measured = () if self.failure else (*problem.measured,)
-        self.scene = problem.filled if self.failure else problem.solved
-        self.forward = Answer(Question(measured, measured, named=measured), self.scene)
+        scene = problem.filled if self.failure else problem.solved
+        super().__init__(Question(problem.unknowns, measured, named=measured), scene)
+        self.problem, self.bars, self.sources = problem, unknowns.bars, unknowns.sources
+        self.inputs = {name: in_words(name, middle(value)) for name, value in unknowns.inputs_of(()).items()}
         self.condition = problem.solution.condition if measured[1:] else None
-        self.laws = {}  # what is found under each law stands beside the results
-        self.displacement, self.validity = self.forward.displacement, self.forward.validity
-        self.assumed = {name: text for name, text in self.forward.assumed.items() if name not in problem.measured}
+        self.assumed = {name: text for name, text in self.assumed.items() if name not in problem.measured}
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
@@ -55,14 +49,11 @@ class Inferred(Answer):
             return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
         solution, which = self.problem.solution, "growth" if self.condition else "condition"
         growths = {name: {which: growth} if isfinite(growth) else {} for name, growth in solution.growths.items()}
+        by_law = {
+            name: {law: middle(values[name]) for law, values in self.alternatives.items()} for name in solution.values
+        }
         return tuple(
-            Result(
-                name,
-                value,
-                by_law={law: middle(values[name]) for law, values in self.alternatives.items()},
-                propagated=self.propagated(name),
-                **growths[name],
-            )
+            Result(name, value, by_law=by_law[name], propagated=self.propagated(name), **growths[name])
             for name, value in solution.values.items()
         )
 
@@ -90,57 +81,41 @@ class Inferred(Answer):
         if doubt.code == "rough-matters":
             unknowns = listed(symbols.values())
             return f"{unknowns}: for smooth spheres; rough ones give an effective value, of this size alone"
-        return self.forward.about(doubt)
+        return super().about(doubt)
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The proof of what is found, and what the measured quantities rest on."""
-        if self.failure is not None:
-            return ()
-        # Both ways leave out the same sources.
-        return tuple(dict.fromkeys((*self._proofs(), *self.forward.notes, *about_bars(self))))
+        return () if self.failure is not None else (*self._proofs(), *super().notes)
 
     def _proofs(self) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""
-        values, forward = self.problem.solution.values, self.scene.numbers(*self.problem.measured)
+        scene, values, forward = self.scene, self.problem.solution.values, self.values
+        used = scene.data_used(scene.inputs_of(*forward))
         for name, value in values.items():
             if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
                 yield Note("warning", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
             if name in _RAISING and not _LOSING.isdisjoint(forward):
-                symbol = symbol_among(name, self.scene.given)
+                symbol = symbol_among(name, scene.given)
                 yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
-            yield from _unused(name, [*forward], self.scene)
-        verb, kappa = "give", "κ"
-        if len(values) == 1:
-            slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*values, *forward))
-            verb, kappa = "gives", f"κ = |{slope}|"
-        proof = f"{_equal(values)} {verb} {_equal(forward)}{_of_both(values, self.scene)}"
+            replaced = "surface_energy" if name == "work_of_adhesion" else name
+            for material, _ in scene.materials:
+                if replaced in material.properties and (material, replaced) not in used:
+                    symbol = NOMENCLATURE[replaced].symbol.rstrip("1")
+                    yield Note("more", f"{symbol} of {material.name} is not used")
+        proof = f"{_equal(values)} {'give' if self.condition else 'gives'} {_equal(forward)}"
+        if "surface_energy" in values and "radius2" in scene.stated and "surface_energy2" not in scene.given:
+            proof += f" if γ2 = γ1, so w = {amount('work_of_adhesion', scene['work_of_adhesion'])}"
+        slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*values, *forward))
+        kappa = "κ" if self.condition else f"κ = |{slope}|"
         yield Note("more", f"{proof}; {kappa} = {self.problem.solution.condition:.3g}")
 
     @cached_property
     def explained(self) -> Answer:
         """The answer with the measured quantities beside the unknowns, as `--explain` derives both."""
         explained = copy(self)
-        explained.results = (*self.results, *self.forward.results)
+        explained.results = (*self.results, *map(self.result, self.outcomes))
         return explained
-
-
-def _of_both(values: Mapping[str, float], scene: Scene) -> str:
-    """Return that the surface energy is meant of both bodies, where these are not alike, and the work of adhesion."""
-    if "surface_energy" not in values or "radius2" not in scene.stated or "surface_energy2" in scene.given:
-        return ""
-    return f" if γ2 = γ1, so w = {amount('work_of_adhesion', scene['work_of_adhesion'])}"
-
-
-def _unused(name: str, quantities: Sequence[str], scene: Scene) -> list[Note]:
-    """Return a note on each property of a material in whose place an inferred value stands in a scene."""
-    used = scene.data_used(scene.inputs_of(*quantities))
-    replaced = "surface_energy" if name == "work_of_adhesion" else name
-    return [
-        Note("more", f"{NOMENCLATURE[replaced].symbol.rstrip('1')} of {material.name} is not used")
-        for material, _ in scene.materials
-        if replaced in material.properties and (material, replaced) not in used
-    ]
 
 
 def _equal(values: Mapping[str, float]) -> str:

@@ -2,33 +2,23 @@
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
-from functools import cached_property
 from typing import Any, overload
 
 from ..errors import BadRequest, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
-from ..scene.doubts import Doubt, Evaluation, bits_of, doubts
+from ..scene.doubts import Evaluation, bits_of, doubts
 from ..scene.failures import MissingInput
-from ..scene.inverse import inputs_named
+from ..scene.inverse import Problem, inputs_named
 from ..scene.scene import Scene, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
-from ..scene.unknowns import Problem
+from ..scene.uncertainty import uncertainties
 from ..scene.wiring import in_order
 from .columns import Columns, Wanted
 from .sweep import Sweep
 
 _WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
-
-
-class Solved(Evaluation):
-    """The values of the unknowns of a problem, with the doubts of what was measured."""
-
-    @cached_property
-    def validity(self) -> Sequence[Doubt]:
-        """The limits of the model, judged for the measured quantities."""
-        return doubts(self.scene.solved, [*self.scene.measured]) if self.values else ()
 
 
 class Unknowns(Wanted):
@@ -44,7 +34,10 @@ class Unknowns(Wanted):
 
     def evaluation(self, scene: Problem) -> Evaluation:
         """Return the values of the unknowns, or why a problem of numbers has none."""
-        return Solved(scene, scene.evaluate(self.names))
+        evaluation = Evaluation(scene, scene.evaluate(self.names))
+        is_judged = self.doubts and evaluation.values
+        evaluation.validity = doubts(scene.solved, [*scene.measured]) if is_judged else ()  # for what was measured
+        return evaluation
 
     def columns(self, scene: Problem, rows: Sequence[int], scene_of: Any) -> tuple[Columns, Any]:  # noqa: ARG002
         """Return the columns of arrays of measured values, and the rows that floats are to compute."""
@@ -52,14 +45,14 @@ class Unknowns(Wanted):
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
             # Solids of many rows have no name: each row by itself says.
             raise BadRequest("of which spheres an unknown is")
-        failures, evaluation, columns = scene.solution.failures, self.evaluation(scene), Columns.empty(self, len(rows))
+        evaluation, columns = self.evaluation(scene), Columns.empty(self, len(rows))
         columns.repeat(evaluation.inputs_of(self.names))
-        columns.reasons = {row: dict.fromkeys(self.names, error) for row, error in failures.items()}
         for name, values in evaluation.values.items():
             columns.column(name)[...] = values
         if self.doubts:
             columns.doubts[...] = bits_of(evaluation.validity)
-            columns.doubts[[*failures]] = 0
+        for row, error in scene.solution.failures.items():
+            columns.reasons[row], columns.doubts[row] = dict.fromkeys(self.names, error), 0
         return columns, columns.put_bars(evaluation, {})
 
 
@@ -85,8 +78,7 @@ class Problems(Sweep):
         for problem in self.kinds:
             with suppress(MissingInput, NoResult):  # each row says why it has no value
                 problem.check()
-        uncertain = [problem for problem in self.kinds if problem.is_uncertain]
-        sides = {side for problem in uncertain for side in problem.sources().sides}
+        sides = {side for problem in self.kinds if problem.is_uncertain for side in problem.sources().sides}
         inputs = {name for problem in self.kinds for name in problem.echo(problem.inputs_used(self.names))}
         return Unknowns(self.names, named=self.names, inputs=in_order(inputs), sides=dict.fromkeys(self.names, sides))
 
@@ -173,8 +165,6 @@ def infer(
     if has_bars := any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
     solution = problem.solution
-    for failure in () if problem.shape else solution.failures.values():
-        raise failure
-    bars = Solved(problem, solution.values).bars if has_bars else {}  # as in `solve`, materials alone give none
+    bars = uncertainties(problem, names) if has_bars else {}  # as in `solve`, materials alone give none
     values = with_uncertainties(solution.values, bars)
     return InferredValues(values, solution.condition) if is_list else values[names[0]]

@@ -104,7 +104,7 @@ class Table:
             return Scene(given, *spheres, model=self.model)
         if measured not in given:
             raise BadRequest(f"{measured}: the row has no measured value", "no measured value")
-        from ..scene.unknowns import Problem  # for which a table without an unknown does not pay
+        from ..scene.inverse import Problem  # for which a table without an unknown does not pay
 
         value = given.pop(measured)
         return Problem((self.asked.infer,), {measured: value}, Scene(given, *spheres, model=self.model))

@@ -1,17 +1,29 @@
-"""The inputs that can be unknown, where their values are looked for, and why measured quantities may give none.
+"""The inverse problem: values of one input or two, the unknowns, at which quantities have their measured values.
 
-The problem itself and its solver are in `unknowns`.
+One unknown is found by a scan and by halving, two by a grid and Newton's method, in one row or in many.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
-from math import inf
-from typing import Any
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from functools import cached_property, partial
+from math import inf, nan, prod
+from typing import Any, NamedTuple
 
-from ..errors import BadRequest, NoResult
+import numpy
+from numpy.lib.stride_tricks import sliding_window_view
+
+from ..errors import BadRequest, JkrollError, NoResult
+from ..physics.elementary import NUMBER
 from ..quantities.formatting import DIGITS, Format, amount
-from ..quantities.nomenclature import NOMENCLATURE, named
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
+from ..quantities.values import is_uncertain, middle
 from ..text import listed, quoted
-from .failures import MAX_DIGITS
+from .failures import MAX_DIGITS, MissingInput
+from .scene import LEAST, MOST, Scene, broadcast, check_exclusive
+from .uncertainty import Source, Sources, sources_of
+from .wiring import formula_of
+
+Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
+Failures = dict[int, JkrollError]  # by row
 
 # The inputs that can be unknown, with the sizes among which they are looked for first. A load may have either sign.
 SIZES = {
@@ -26,6 +38,29 @@ SIZES = {
     "radius": (1e-12, 1e3),
     "load": (1e-15, 1e3),
 }
+PER_DECADE = 8  # values of a scan
+_AS_SHOWN = 1e-3  # relative difference of a quantity at a solution, or at the digits of one, from its measured value
+_STEP = 1e-6  # of a logarithm, in the differences that give a derivative
+_ROUNDS = 150  # of halving, or of Newton's method: more than lead from a grid to neighbouring doubles
+_ROUNDING = 1e-13  # of a quantity: a change as small as this comes from rounding
+
+# Of scans.
+_TOGETHER = 1000  # rows that are scanned at once
+_WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among the usual ones
+_AHEAD = 1e-8  # relative, the step that tells whether a function rises or falls
+_MANY = 64  # intervals of a row: more of them come from rounding
+
+# Of pairs, in the coordinates in which they are sought.
+MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
+_LOADS = numpy.linspace(-14.0, 46.0, 209)  # that are scanned: from 1e-6 P_c beyond pull-off to 1e20 P_c
+_LAST_STEP = 1e-14  # a step as small as this ends the search
+_NEAR = 1e-9  # in logarithms of the measured values: a pair that is as near as this is a solution
+_SAME = 1e-5  # pairs that differ by less are one
+_LINEAR = 1e-6  # part of a measured value below which a quantity counts as it is, above by its logarithm
+_AT_ZERO = 1e-12  # the same where 0 was measured, in SI units: an approach, of 1 pm
+_SAMPLED = 7  # cells of the grid from one to the next at which it is asked whether the quantities separate the unknowns
+_TO_GAP = 20  # halvings of the way to where there are no quantities
+_LEFT_OPEN = 1e-4  # an exponent as small as this is none
 
 
 # --- Why there is no one solution -------------------------------------------------------------------------------------
@@ -34,9 +69,8 @@ SIZES = {
 class Unsolved(NoResult):
     """Error raised where no one value of the unknowns gives the measured values. The kinds of it say why."""
 
-    def __init__(self, problem: Any, text: str = "", span: Sequence[float] = ()) -> None:
+    def __init__(self, problem: "Problem", text: str, span: Sequence[float] = ()) -> None:
         """`span`: of the measured quantity, or of the unknown."""
-        # Its `args` stay those of its kind, by which another process makes it again.
         self.problem, self.text, self.span, self.name = problem, text, span, ",".join(problem.unknowns)
 
     def reason(self) -> str:
@@ -49,21 +83,11 @@ class NoDependence(Unsolved):
 
     phrase = "no dependence"
 
-    def __init__(self, problem: Any, quantity: str) -> None:
-        unknowns = "it" if len(problem.unknowns) == 1 else "either"
-        super().__init__(problem, f"{quantity} does not depend on {unknowns} here")
-
 
 class Undetermined(Unsolved):
     """Error raised where all values of the unknown on a stretch give the measured one."""
 
     phrase = "any value gives it"
-
-    def __init__(self, problem: Any, stretch: Sequence[float]) -> None:
-        """`stretch`: the first and the last of these values."""
-        (unknown,) = problem.unknowns
-        first, last = (amount(unknown, end) for end in stretch)
-        super().__init__(problem, f"every value from {first} to {last} gives {equal(problem.levels)}", stretch)
 
 
 class NoSolution(Unsolved):
@@ -71,7 +95,7 @@ class NoSolution(Unsolved):
 
     phrase = "no value gives it"
 
-    def __init__(self, problem: Any, spans: Sequence[Sequence[float]]) -> None:
+    def __init__(self, problem: "Problem", spans: Sequence[Sequence[float]]) -> None:
         """`spans`: the least and the largest value of each measured quantity."""
         none, lie = ("no value", "it lies") if len(problem.unknowns) == 1 else ("no pair of values", "they lie")
         ends = zip(problem.levels, spans, strict=True)
@@ -81,13 +105,12 @@ class NoSolution(Unsolved):
 
 
 class SeveralSolutions(Unsolved):
-    """Error raised where several values of the unknowns give the measured values."""
+    """Error raised where several values of the unknowns, which are its `values`, give the measured values."""
 
     phrase = "several values give it"
 
-    def __init__(self, problem: Any, values: Sequence[Mapping[str, float]]) -> None:
-        """`values`: all that give the measured ones."""
-        super().__init__(problem)
+    def __init__(self, problem: "Problem", values: Sequence[Mapping[str, float]]) -> None:
+        super().__init__(problem, "")
         self.values = tuple(values)
 
     def reason(self) -> str:
@@ -105,12 +128,6 @@ class Unseparated(Unsolved):
     """Error raised where two quantities do not separate two unknowns."""
 
     phrase = "not separated"
-
-    def __init__(self, problem: Any, remark: str, condition: float = inf) -> None:
-        """`remark`: what is left open; `condition`: the number that is too large, if it is one."""
-        size = f"κ = {condition:.2g} is above 1e8" if condition < inf else "κ is above 1e8"
-        remedy = "measure another quantity, or give one of the two"
-        super().__init__(problem, f"{listed(problem.measured)} cannot give both: {remark} ({size}); {remedy}")
 
 
 # --- Words ------------------------------------------------------------------------------------------------------------
@@ -134,14 +151,450 @@ def already_given(name: str) -> BadRequest:
 
 def sizes_in_words(unknowns: Iterable[str]) -> str:
     """Return the values of inputs among which solutions are looked for."""
-    spans = []
-    for name in unknowns:
-        least, most = (amount(name, size) for size in SIZES[name])
-        sign = " of either sign" if name == "load" else ""
-        spans.append(f"{NOMENCLATURE[name].symbol} = {least} to {most}{sign}")
-    return listed(spans)
+    symbols = {name: "|P|" if name == "load" else NOMENCLATURE[name].symbol for name in unknowns}
+    spans = {name: " to ".join(amount(name, size) for size in SIZES[name]) for name in unknowns}
+    return listed(f"{symbols[name]} = {sizes}" for name, sizes in spans.items())
 
 
 def equal(values: Mapping[str, float]) -> str:
     """Return what quantities are equal to, in words."""
     return listed(f"{name} = {amount(name, float(value))}" for name, value in values.items())
+
+
+# --- Problems ---------------------------------------------------------------------------------------------------------
+
+
+class Solution(NamedTuple):
+    """The values of the unknowns of a problem: numbers, or arrays with nan in the rows that have none for a reason."""
+
+    values: Values  # by unknown
+    growths: Values  # by unknown, the largest factor by which relative errors of measured values enter it
+    condition: Any  # of the logarithms of the measured values as functions of those of the unknowns
+    failures: Failures
+    places: Any  # of two unknowns, in the coordinates in which they were sought
+
+
+class Problem:
+    """A scene that lacks the unknowns, and the measured values of as many of its quantities.
+
+    Both may have uncertainties, and may be arrays. A value that a material has of an unknown is replaced. Rows and
+    error bars take a problem for a scene whose quantities are the unknowns.
+    """
+
+    def __init__(self, unknowns: Sequence[str], measured: Values, scene: Scene, near: "Problem | None" = None) -> None:
+        """`near`: a problem from whose solution Newton's method leads to two unknowns in arrays."""
+        self.unknowns, self.measured, self.scene, self._near = tuple(unknowns), measured, scene, near
+        self.levels = {name: middle(value) for name, value in measured.items()}
+        levels = {name: level for name, level in self.levels.items() if not isinstance(level, NUMBER)}
+        self.shape = broadcast({**scene.arrays, **levels})
+
+    def replace(self, **values: Any) -> "Problem":
+        """Return the problem with other values of some inputs and measured quantities."""
+        measured = {name: values.pop(name, value) for name, value in self.measured.items()}
+        return Problem(self.unknowns, measured, self.scene.replace(**values), self)
+
+    def rows(self, rows: Any) -> "Problem":
+        """Return the problem of some elements of the arrays; one of numbers is the same in all rows."""
+        if not self.shape:
+            return self
+        values = {
+            name: value if isinstance(value, NUMBER) else numpy.broadcast_to(value, self.shape).ravel()[rows]
+            for name, value in {**self.scene.arrays, **self.levels}.items()
+        }
+        levels = {name: values.pop(name) for name in self.levels}
+        return Problem(self.unknowns, levels, self.scene.replace(**values) if values else self.scene)
+
+    # --- What it rests on ---
+
+    @property
+    def is_uncertain(self) -> bool:
+        """True if a measured value, or something in the scene, has an uncertainty."""
+        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
+
+    def sources(self) -> Sources:
+        """Return the sources of uncertainty that enter the unknowns."""
+        measured = [Source((name,), given) for name, given in self.measured.items() if is_uncertain(given)]
+        return sources_of(self.scene, [*self.measured, *self.inputs_used(())], measured)
+
+    def missing(self, _: Sequence[str]) -> list[str]:
+        """Return the measured quantities to which the inputs do not lead."""
+        return self.filled.missing([*self.measured])
+
+    def inputs_used(self, _: Sequence[str]) -> list[str]:
+        """Return the other inputs on which the measured quantities depend."""
+        return [name for name in self.filled.inputs_used([*self.measured]) if name not in self._sought]
+
+    def echo(self, used: Collection[str]) -> dict[str, Any]:
+        """Return inputs as they were understood, and the measured values."""
+        return {**self.filled.echo(used), **self.levels}
+
+    # --- Scenes with values of the unknowns ---
+
+    @cached_property
+    def _sought(self) -> dict[str, str]:
+        """The unknown of each input that is sought: of those of both spheres if one material was named for both."""
+        keys, sought = [solid.key for solid, _ in self.scene.materials], {name: name for name in self.unknowns}
+        if len(keys) == 2 and keys[0] == keys[1]:
+            twins = {of_sphere(2, name): name for name in self.unknowns if name in PROPERTIES}
+            sought |= {twin: name for twin, name in twins.items() if twin not in self.scene.stated}
+        return sought
+
+    def with_values(self, values: Values) -> Scene:
+        """Return the scene with values of the unknowns, or arrays of them."""
+        return self.scene.replace(**{name: values[unknown] for name, unknown in self._sought.items()})
+
+    @cached_property
+    def filled(self) -> Scene:
+        """The scene with placeholders for the unknowns, the largest values."""
+        return self.with_values({name: SIZES[name][1] for name in self.unknowns})
+
+    @cached_property
+    def solved(self) -> Scene:
+        """The scene with the unknowns in it, or placeholders in rows without them. Of numbers, raises the failure."""
+        values = self.solution.values
+        if self.shape:
+            values = {name: numpy.nan_to_num(value, nan=SIZES[name][1]) for name, value in values.items()}
+        return self.with_values(values)
+
+    def is_met(self, values: Mapping[str, float], digits: int) -> bool:
+        """Return whether values of the unknowns, of which some digits are typed, give the measured ones as shown."""
+        typed = {name: float(f"{value:.{digits}g}") for name, value in values.items()}
+        forward = self.with_values(typed).numbers(*self.levels)
+        return all(abs(forward.get(name, inf) - level) <= _AS_SHOWN * abs(level) for name, level in self.levels.items())
+
+    def quantities(self, values: Values) -> Any:
+        """Return the measured quantities, a row for each, at arrays of the unknowns; nan where there is no result."""
+        scene = self.with_values({name: taken(name, x) for name, x in values.items()})
+        quantities = numpy.full((len(self.measured), len(next(iter(values.values())))), nan)
+        for quantity, outcome in zip(quantities, scene.evaluate([*self.measured]).values(), strict=True):
+            if not isinstance(outcome, JkrollError):
+                quantity[:] = outcome
+            elif not isinstance(outcome, NoResult):
+                raise outcome
+        return quantities
+
+    # --- Its solution ---
+
+    def check(self) -> None:
+        """Raise the error of a problem that has no solution whatever the measured values are."""
+        inputs_named(self.unknowns)
+        for name in (*self.unknowns, *self.measured):
+            if name in self.scene.stated or (name in self.unknowns and name in self.measured):
+                raise already_given(name)
+        check_exclusive({*self.unknowns, *self.scene.stated})
+        for quantity in self.measured:
+            if formula_of(quantity) is None and self.filled.missing([quantity]):
+                option = NOMENCLATURE[quantity].option or quantity
+                remedy = f"give it as {option}, and ask for {self.unknowns[0]} without infer"
+                raise BadRequest(f"{quantity} is an input, and no formula gives it; {remedy}")
+            if {*self.unknowns}.isdisjoint(self.filled.inputs_of(quantity)):
+                unknowns = "it" if len(self.unknowns) == 1 else "either"
+                raise NoDependence(self, f"{quantity} does not depend on {unknowns} here")
+
+    def failure(self) -> JkrollError:
+        """Return the reason why a measured quantity has no value for any values of the unknowns."""
+        outcomes = self.filled.evaluate([*self.measured]).values()
+        return next(outcome for outcome in outcomes if isinstance(outcome, JkrollError))
+
+    @cached_property
+    def solution(self) -> Solution:
+        """The solution of each row. Of numbers, raises the failure, and always that of a problem that has none."""
+        self.check()
+        count, size, failures = len(self.unknowns), prod(self.shape), Failures()
+        find, together = (_roots, _TOGETHER) if count == 1 else (_pair, 1)
+        if count == 2 and self.shape and self._near is not None:
+            find, together = partial(_pairs_near, start=self._near.solution.places), size
+        table = numpy.full((3 * count + 1, size), nan)  # the values, their growths, the condition, and the places
+        for start in range(0, size, together):
+            rows = numpy.arange(start, min(start + together, size))
+            table[:, rows], errors = find(self.rows(rows))
+            failures |= {start + row: error for row, error in errors.items()}
+        for error in () if self.shape else failures.values():
+            raise error
+        measures, places = table[: 2 * count + 1], table[2 * count + 1 :]
+        measures[count:] = [[float(f"{number:.6g}") for number in row] for row in measures[count:]]  # no rounding error
+        *columns, condition = measures.reshape(2 * count + 1, *self.shape) if self.shape else measures[:, 0].tolist()
+        values, growths = (dict(zip(self.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
+        return Solution(values, growths, condition, failures, places)
+
+    def evaluate(self, _: Sequence[str]) -> Values:
+        """Return the unknowns; of numbers, the error that says why there are none. Raises an error of the request."""
+        try:
+            return self.solution.values
+        except (MissingInput, NoResult) as error:
+            return dict.fromkeys(self.unknowns, error)
+
+    def numbers(self, *names: str) -> Values:
+        """Return the unknowns if they have values."""
+        return {name: value for name, value in self.evaluate(names).items() if not isinstance(value, JkrollError)}
+
+
+# --- One unknown ------------------------------------------------------------------------------------------------------
+
+
+def taken(name: str, values: Any) -> Any:
+    """Return the values of an unknown that a scene takes in place of those that are too small or too large for it."""
+    if name == "load":
+        return numpy.where(abs(values) < LEAST, 0.0, numpy.clip(values, -MOST, MOST))
+    return numpy.clip(values, LEAST, MOST)
+
+
+def grid(name: str, sizes: tuple[float, float]) -> Any:
+    """Return the values of an input that are scanned, in rising order."""
+    least, most = sizes
+    values = numpy.geomspace(least, most, round(numpy.log10(most / least) * PER_DECADE) + 1)
+    return numpy.concatenate([-values[::-1], [0.0], values]) if name == "load" else values
+
+
+def slopes(y: Any) -> Any:
+    """Return slopes from three points a step apart; from two where y is nan at one end, and nan where it is at both."""
+    low, high = numpy.diff(y, axis=0) / _STEP
+    return numpy.where(numpy.isnan(low), high, numpy.where(numpy.isnan(high), low, (low + high) / 2))
+
+
+def _roots(problem: Problem) -> tuple[Any, Failures]:
+    """Return a table of the value of one unknown in each row, and the failures.
+
+    Where there is no value among the usual sizes, all that a scene takes are scanned.
+    """
+    (unknown,) = problem.unknowns
+    usual = Scan(problem, SIZES[unknown])
+    roots, failures = usual.root, usual.failures
+    if lacking := [row for row, error in failures.items() if isinstance(error, NoSolution)]:
+        widest = Scan(problem.rows(lacking), _WIDEST)
+        roots[lacking] = widest.root
+        failures |= {lacking[row]: error for row, error in widest.failures.items() if not isinstance(error, NoSolution)}
+    solved = numpy.flatnonzero(~numpy.isnan(roots))
+    x = numpy.exp(_STEP * numpy.array([[-1], [0], [1]])) * roots[solved]
+    y = problem.rows(numpy.tile(solved, 3)).quantities({unknown: x.ravel()}).reshape(3, -1)
+    condition = numpy.full(len(roots), nan)
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        condition[solved] = abs(y[1] / slopes(y))
+    unsolved = {row: error for row, error in failures.items() if numpy.isnan(roots[row])}
+    return numpy.array([roots, condition, condition, roots]), unsolved
+
+
+class Scan:
+    """A search for the values of one unknown between two sizes, in each row of a problem.
+
+    It begins with a grid, and halves each interval at whose ends the measured quantity differs: it has a value at one
+    alone, is on other sides of its level, rises at one and falls at the other, or stays at its level at one alone. So
+    the ends of gaps and the extremes are found on the way, and what lies between these and the grid.
+
+    `rows` and `roots` are arrays of what was found, in order. Of each row, `root` is the value if it is the only one,
+    `varies` says whether the quantity does on the grid, `span` has its least and largest value, and `stretch` the first
+    and the last value of the unknown at which it stays at its level, nan if there is none. `failures` say why there is
+    no one root.
+    """
+
+    def __init__(self, problem: Problem, sizes: tuple[float, float]) -> None:
+        (self.unknown,), (level,) = problem.unknowns, problem.levels.values()
+        size = prod(problem.shape)
+        self.problem, self.levels = problem, numpy.full(size, level, dtype=float)
+        self.span, self.stretch = numpy.full((2, 2, size), nan)
+        x = grid(self.unknown, sizes)
+        rows = numpy.repeat(numpy.arange(size), len(x))
+        points = self._points(rows, numpy.tile(x, size))
+        is_exact = points[1] == self.levels[rows]  # as without load
+        points[2, is_exact] = 0
+        exact = numpy.array([rows, points[0]])[:, is_exact]
+        self.varies = self.span[1] - self.span[0] > _ROUNDING * abs(self.span).max(axis=0)
+        rows, points = rows.reshape(size, -1)[:, :-1], points.reshape(len(points), size, -1)
+        left, right = points[..., :-1], points[..., 1:]
+        for _ in range(_ROUNDS):
+            crosses = (numpy.isnan(left[1]) != numpy.isnan(right[1])) | (left[2] * right[2] < 0)
+            differs = crosses | (left[3] != right[3]) | (left[4] * right[4] < 0)
+            differs &= crosses | (numpy.bincount(rows[differs], minlength=size)[rows] <= _MANY)
+            rows, left, right = rows[differs], left[:, differs], right[:, differs]
+            middle = (left[0] + right[0]) / 2
+            if ((middle == left[0]) | (middle == right[0])).all():
+                break
+            points = self._points(rows, middle)
+            rows = numpy.tile(rows, 2)
+            left, right = numpy.concatenate([left, points], axis=1), numpy.concatenate([points, right], axis=1)
+        # A crossing is a root but for a jump, beside which no value is the level as it is shown. Doubles may have none.
+        level = self.levels[rows]
+        off = abs(numpy.array([left[1], right[1]]) - level)
+        is_near = off.min(axis=0) <= _AS_SHOWN * numpy.where(level == 0, off.max(axis=0), abs(level))
+        crossings = numpy.array([rows, numpy.where(off[0] < off[1], left[0], right[0])])
+        every = [exact, crossings[:, (left[2] * right[2] < 0) & is_near]]
+        numbers, self.roots = numpy.unique(numpy.concatenate(every, axis=1), axis=1)
+        self.rows = numbers.astype(int)
+        self.is_still = (self.stretch[0] > 0) & (self.stretch[1] >= 10 * self.stretch[0])
+        is_one = (numpy.bincount(self.rows, minlength=size) == 1) & self.varies & ~self.is_still
+        self.root = numpy.full(size, nan)
+        self.root[self.rows] = self.roots
+        self.root[~is_one] = nan
+        self.failures = {row: self._failure(row) for row in numpy.flatnonzero(~is_one).tolist()}
+
+    def _points(self, rows: Any, x: Any) -> Any:
+        """Return points: x, y, its side of the level, whether it stays there, and its slope."""
+        every = {self.unknown: numpy.concatenate([x, x + _AHEAD * abs(x)])}
+        y, ahead = self.problem.rows(numpy.tile(rows, 2)).quantities(every).reshape(2, -1)
+        level, change = self.levels[rows], numpy.nan_to_num(ahead - y)
+        slope = numpy.where(abs(change) > _ROUNDING * abs(y), numpy.sign(change), 0.0)
+        stays = (slope == 0) & (abs(y - level) <= _ROUNDING * abs(level))
+        for extent, values in ((self.span, y), (self.stretch, numpy.where(stays, x, nan))):
+            numpy.fmin.at(extent[0], rows, values)
+            numpy.fmax.at(extent[1], rows, values)
+        return numpy.array([x, y, numpy.where(y < level, -1.0, 1.0), stays, slope])
+
+    def _failure(self, row: int) -> JkrollError:
+        """Return why a row has no one root."""
+        problem, span, stretch = self.problem.rows(row), self.span[:, row].tolist(), self.stretch[:, row].tolist()
+        if numpy.isnan(span[0]):
+            return problem.failure()
+        if not self.varies[row]:
+            return NoDependence(problem, f"{next(iter(problem.measured))} does not depend on it here")
+        if self.is_still[row]:
+            first, last = (amount(self.unknown, end) for end in stretch)
+            return Undetermined(problem, f"every value from {first} to {last} gives {equal(problem.levels)}", stretch)
+        roots = [{self.unknown: root} for root in self.roots[self.rows == row].tolist()]
+        return SeveralSolutions(problem, roots) if roots else NoSolution(problem, [span])
+
+
+# --- Two unknowns -----------------------------------------------------------------------------------------------------
+
+
+def _pair(problem: Problem) -> tuple[Any, Failures]:
+    """Return a table of two unknowns in one row, or the failure."""
+    try:
+        return Pairs(problem.rows(0)).pair(), {}
+    except NoResult as error:
+        return nan, {0: error}
+
+
+def _pairs_near(problem: Problem, start: Any) -> tuple[Any, Failures]:
+    """Return a table of two unknowns to which Newton's method leads in each row from a place, nan if to none."""
+    pairs = Pairs(problem)
+    places, distance = pairs.improved(numpy.nan_to_num(start) + numpy.zeros_like(pairs.levels))
+    table = pairs.table(places)
+    table[:, (distance == inf) | (table[4] > MAX_CONDITION)] = nan
+    return table, {}
+
+
+class Pairs:
+    """A problem of two unknowns, in one row or many, in the coordinates in which they are sought.
+
+    An unknown counts by its logarithm, and a load by ln(1 + P/P_c), which has no end at pull-off. A quantity counts by
+    its logarithm, too, and as it is where it is next to zero. Places are arrays with a row for each unknown: those of
+    an array of rows stand behind each other, one or several times.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
+        self.axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in problem.unknowns]
+        size = prod(problem.shape)
+        self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
+
+    def points(self, places: Any) -> tuple[Any, Any, Any]:
+        """Return at places the values of the unknowns, the quantities, and by how much these are above their levels."""
+        rows = numpy.arange(places.shape[1]) % self.levels.shape[1]
+        problem, levels = self.problem.rows(rows), self.levels[:, rows]
+        values = dict(zip(problem.unknowns, numpy.exp(places), strict=True))
+        if self.load is not None:
+            others = {name: taken(name, x) for name, x in values.items() if name != "load"}
+            unloaded = problem.with_values({**others, "load": 0.0}).numbers("pull_off_force")
+            force = unloaded.get("pull_off_force", SIZES["load"][0])  # the smallest that is scanned where there is none
+            is_unloaded = abs(places[self.load]) <= _NEAR
+            values["load"] = numpy.where(is_unloaded, 0.0, force * numpy.expm1(places[self.load]))
+        quantities, linear = problem.quantities(values), numpy.where(levels == 0, _AT_ZERO, _LINEAR * abs(levels))
+        residuals = numpy.arcsinh(quantities / linear) - numpy.arcsinh(levels / linear)
+        return numpy.array([*values.values()]), quantities, residuals
+
+    def slopes(self, places: Any) -> tuple[Any, Any]:
+        """Return values and residuals at places, in four rows, and their derivatives in matrices of a place each."""
+        count = places.shape[1]
+        steps = _STEP * numpy.array([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]])
+        values, _, residuals = self.points(numpy.tile(places, 5) + steps.repeat(count, axis=1))
+        points = numpy.concatenate([values, residuals]).reshape(4, 5, count).swapaxes(0, 1)
+        return points[0], numpy.array([slopes(points[[low, 0, low + 1]]) for low in (1, 3)]).T
+
+    def table(self, places: Any) -> Any:
+        """Return the values of the unknowns at places, the growths of errors there, the condition, and the places."""
+        here, matrices = self.slopes(places)
+        values, changes, matrices = here[:2], matrices[:, :2], numpy.nan_to_num(matrices[:, 2:])
+        inverse = numpy.linalg.pinv(matrices, rcond=0.1 / MAX_CONDITION)
+        with numpy.errstate(divide="ignore", invalid="ignore"):
+            growths = numpy.linalg.norm(changes @ inverse, axis=2).T / abs(values)
+        return numpy.array([*values, *growths, numpy.linalg.cond(matrices), *places])
+
+    def improved(self, start: Any) -> tuple[Any, Any]:
+        """Return the places to which Newton's method leads from others, and how far they are from solutions.
+
+        The distance is infinite where there is none, or not among the sizes that are looked for, but for rounding.
+        """
+        best, steps, distance = start, numpy.zeros_like(start), numpy.full(start.shape[1], inf)
+        for _ in range(_ROUNDS):
+            here, matrices = self.slopes(best + steps)
+            size = numpy.hypot(*here[2:])
+            is_nearer = size < distance
+            best, distance = best + numpy.where(is_nearer, steps, 0.0), numpy.where(is_nearer, size, distance)
+            # Where both quantities change alike, the pseudo-inverse gives the shortest step.
+            inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices[:, 2:]), rcond=0.01 / MAX_CONDITION)
+            newton = -numpy.einsum("kij,jk->ik", inverse, numpy.nan_to_num(here[2:]))
+            limited = newton / numpy.maximum(1.0, numpy.hypot(*newton))
+            steps = numpy.where(is_nearer, limited, steps / 2)
+            if (abs(steps) <= _LAST_STEP).all():
+                break
+        is_inside = [(x >= axis[0] - _NEAR) & (x <= axis[-1] + _NEAR) for x, axis in zip(best, self.axes, strict=True)]
+        return best, numpy.where((distance <= _NEAR) & numpy.all(is_inside, axis=0), distance, inf)
+
+    def pair(self) -> Any:
+        """Return the table of the one pair. Raises the reason why there is none."""
+        problem, mesh = self.problem, numpy.array(numpy.meshgrid(*self.axes, indexing="ij"))
+        matrices = self.slopes(mesh[:, ::_SAMPLED, ::_SAMPLED].reshape(2, -1))[1][:, 2:]
+        known = matrices[numpy.isfinite(matrices).all(axis=(1, 2))]
+        if len(known) and numpy.linalg.cond(known).min() > MAX_CONDITION / 10:
+            raise self._unseparated(known[len(known) // 2])
+        _, quantities, residuals = self.points(mesh.reshape(2, -1))
+        places, distance = self.improved(self._starts(mesh, residuals.reshape(mesh.shape)))
+        places = places[:, numpy.argsort(distance)[: numpy.isfinite(distance).sum()]]
+        if not places.size:
+            if not numpy.isfinite(quantities.sum(axis=0)).any():
+                raise problem.failure()
+            spans = numpy.transpose([numpy.nanmin(quantities, axis=1), numpy.nanmax(quantities, axis=1)])
+            raise NoSolution(problem, spans.tolist())
+        table = self.table(places)
+        if (is_open := table[4] > MAX_CONDITION).any():
+            raise self._unseparated(self.slopes(places[:, is_open])[1][0, 2:])
+        is_same = (abs(places[:, :, None] - places[:, None]) <= _SAME).all(axis=0)
+        distinct = numpy.unique(is_same.argmax(axis=0))  # of pairs that are the same, the nearest
+        if len(distinct) > 1:
+            rows = sorted(table[:2, distinct].T.tolist())
+            raise SeveralSolutions(problem, [dict(zip(problem.unknowns, row, strict=True)) for row in rows])
+        return table[:, :1]
+
+    def _starts(self, mesh: Any, residuals: Any) -> Any:
+        """Return places in the cells of a grid in which both measured values lie between corners, or beside a gap.
+
+        They are the middles of the corners that have quantities and, beside a gap, also places next to it.
+        """
+        corners, ends = (sliding_window_view(each, (2, 2), axis=(1, 2)) for each in (residuals, mesh))
+        low, high = (each.reduce(corners, axis=(3, 4)) for each in (numpy.fmin, numpy.fmax))
+        has = numpy.isfinite(corners).all(axis=0)  # both quantities
+        is_gap = ~has.all(axis=(2, 3))
+        cells = ((low <= 0) & (high >= 0) | is_gap).all(axis=0) & has.any(axis=(2, 3))
+        middles = numpy.nanmean(numpy.where(has, ends, nan)[:, cells], axis=(2, 3))
+        near = middles[:, is_gap[cells]]
+        far = numpy.nanmean(numpy.where(has, nan, ends)[:, cells & is_gap], axis=(2, 3))
+        for _ in range(_TO_GAP):
+            half = (near + far) / 2
+            is_near = numpy.isfinite(self.points(half)[1]).all(axis=0)
+            near, far = numpy.where(is_near, half, near), numpy.where(is_near, far, half)
+        return numpy.concatenate([middles, near], axis=1)
+
+    def _unseparated(self, matrix: Any) -> Unseparated:
+        """Return the error that names the direction in which both quantities stay as they are, by their derivatives."""
+        symbols = [NOMENCLATURE[name].symbol for name in self.problem.unknowns]
+        if self.load is not None:
+            symbols[self.load] = "(1 + P/P_c)"  # by whose logarithm a load counts
+        exponents = numpy.linalg.svd(matrix)[2][-1]  # of the direction in which the quantities change least
+        if abs(exponents).min() <= _LEFT_OPEN:
+            remark = f"they leave {symbols[abs(exponents).argmax()]} open"
+        else:
+            remark = f"both stay as they are along {symbols[0]} ∝ {symbols[1]}^{exponents[0] / exponents[1]:.3g}"
+        remedy = "measure another quantity, or give one of the two"
+        text = f"{listed(self.problem.measured)} cannot give both: {remark} (κ is above 1e8); {remedy}"
+        return Unseparated(self.problem, text)

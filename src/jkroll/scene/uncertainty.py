@@ -5,7 +5,7 @@ taken, so that a result may respond differently to either side. Over ranges a re
 value among the places along the edges of their box: within 1 % of the distance of these where it turns smoothly.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import product
 from math import fsum, isfinite
@@ -59,11 +59,16 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
     All must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
     Raises BadRequest for what cannot be combined.
     """
-    stated, of_materials = (
-        [source for source in sources if not set(used).isdisjoint(source.names)]
-        for sources in (_stated(scene), _of_materials(scene))
-    )
-    stated = [*measured, *stated]
+    of_solids = {name: (solid.key, of_solid) for name, (solid, of_solid) in scene.data.items()}
+    names_of: dict[Any, list[str]] = {}  # of each value
+    for name in in_order(scene.uncertainties):
+        names_of.setdefault(of_solids.get(name, name), []).append(name)
+    if "radius" in names_of and "radius2" not in scene.given:
+        names_of["radius"].append("radius2")
+    given = [*measured, *(Source(tuple(names), scene.uncertainties[names[0]]) for names in names_of.values())]
+    given = [source for source in given if not set(used).isdisjoint(source.names)]
+    stated = [source for source in given if source.names[0] not in of_solids]
+    of_materials = [source for source in given if source.names[0] in of_solids]
     symbols = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in stated}
     if len(symbols) > 1:
         mixed = f"{symbols[Measured]} has a standard uncertainty (±) and {symbols[Interval]} a range"
@@ -78,22 +83,6 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
         remedy = "give --xi, or single radii"
         raise BadRequest(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
     return Sources(entering, [source for source in of_materials if not isinstance(source.given, kind)])
-
-
-def _stated(scene: Scene) -> Iterator[Source]:
-    for name in in_order(scene.uncertain):  # the order is the same for an option, a column and a list
-        takes_over = name == "radius" and "radius2" not in scene.given
-        yield Source(("radius", "radius2") if takes_over else (name,), scene.uncertain[name])
-
-
-def _of_materials(scene: Scene) -> Iterable[Source]:
-    sources: dict[tuple[tuple[str, str], str], Source] = {}
-    for name, (material, of_material) in scene.data.items():
-        if (given := scene.uncertainties.get(name)) is not None:
-            key = (material.key, of_material)
-            names = (*sources[key].names, name) if key in sources else (name,)
-            sources[key] = Source(names, given)
-    return sources.values()
 
 
 def sources_of_results(scene: Any, names: Sequence[str]) -> Sources:
@@ -145,30 +134,32 @@ def uncertainties(
         return made_of(scene.replace(**place)).evaluate([*values])
 
     givens = [source.given for source in entering]
-    is_range = isinstance(givens[0], Interval)
+    edges = [*_edges(givens)]
     places = [
-        {name: value for source, value in zip(entering, ends, strict=True) for name in source.names}
-        for ends in (_on_edges if is_range else _at_ends)(givens)
+        {name: value for source, value in zip(entering, place, strict=True) for name in source.names}
+        for edge in edges
+        for place in edge
     ]
-    few = FEW if isinstance(scene, Scene) else 0  # to solve a problem takes arrays
-    if scene.shape or len(places) <= few:
+    if scene.shape or (len(places) <= FEW and isinstance(scene, Scene)):  # to solve a problem takes arrays
         rows = [*map(outcomes, places)]
         columns = {name: [row[name] for row in rows] for name in values}
     else:
         columns = _as_arrays(outcomes, places)
+    kind = type(givens[0])
     for name, value in values.items():
         if errors := [outcome for outcome in columns[name] if isinstance(outcome, JkrollError)]:
             bars[name] = errors[0]
             continue
-        size = len(places) // len(givens)
-        of_sources = [columns[name][start : start + size] for start in range(0, len(places), size)]
-        sides, parts = (_range if is_range else _quadrature)(value, of_sources)
+        on_edges = _divided(columns[name], len(edges[0]))
+        extents = [(reduce(at_most, on_edge), reduce(at_least, on_edge)) for on_edge in on_edges]
+        of_sources = _divided(extents, len(edges) // len(entering))
+        sides, parts = (_range if kind is Interval else _quadrature)(value, of_sources)
         is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
         if is_still is not True:
-            still = value if is_range else 0.0
+            still = value if kind is Interval else 0.0
             sides = {side: where(is_still, still, end) for side, end in sides.items()}
             shares = {} if is_still is not False else _shares(entering, parts)
-            bars[name] = Propagated(type(givens[0]).of(value, **sides), shares)
+            bars[name] = Propagated(kind.of(value, **sides), shares)
     return bars
 
 
@@ -194,51 +185,52 @@ def _as_arrays(outcomes: Callable[[Any], Any], places: Sequence[Any]) -> dict[st
     return columns
 
 
-def _at_ends(given: Sequence[Uncertain]) -> Iterator[Sequence[Any]]:
-    """Iterate over places at the lower and the upper end of each uncertainty in turn, at the middles of the others."""
-    middles = [value.value for value in given]
+def _edges(given: Sequence[Uncertain]) -> Iterator[list[list[Any]]]:
+    """Iterate over the edges along which each uncertainty in turn is moved: equally many for each, as lists of places.
+
+    A standard one is moved to both of its ends, with the others at their middles; a range by steps, with the others at
+    each corner of their box. The largest value of a quantity that has no turning point is that of a corner. One that is
+    that of the weaker body, and falls off where the other becomes the weaker, has it at a corner or where such a ridge
+    meets an edge.
+    """
     for axis, value in enumerate(given):
-        for end in (value.low, value.high):
-            yield [*middles[:axis], end, *middles[axis + 1 :]]
+        is_range = isinstance(value, Interval)
+        moved = _steps(value.low, value.high) if is_range else [value.low, value.high]
+        others = [*given[:axis], *given[axis + 1 :]]
+        fixed = [(other.low, other.high) if is_range else (other.value,) for other in others]
+        for corner in product(*fixed):
+            yield [[*corner[:axis], end, *corner[axis:]] for end in moved]
+
+
+def _steps(low: Any, high: Any) -> list[Any]:
+    """Return values from one end of a range to the other: by ratio, or by difference where it has 0 in it."""
+    is_by_ratio = low * high > 0
+    ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
+    shares = [step / STEPS for step in range(1, STEPS)]
+    between = [where(is_by_ratio, low * ratio**share, low + share * (high - low)) for share in shares]
+    return [low, *between, high]
+
+
+def _divided(values: list[Any], size: int) -> list[list[Any]]:
+    """Return values in groups of a size."""
+    return [values[start : start + size] for start in range(0, len(values), size)]
 
 
 def _quadrature(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str, Any], Sequence[Any]]:
-    """Return a standard uncertainty, whose changes at both ends add in quadrature, and the size of these by source."""
-    changes = [(low - value, high - value) for low, high in of_sources]
-    minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
-    plus = hypot(*(at_least(at_least(low, high), 0.0) for low, high in changes))
+    """Return a standard uncertainty, whose changes to either side add in quadrature, and their sizes by source."""
+    changes = [(at_least(value - low, 0.0), at_least(high - value, 0.0)) for ((low, high),) in of_sources]
+    minus, plus = (hypot(*sizes) for sizes in zip(*changes, strict=True))
     alike = absolute(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
     middle = (minus + plus) / 2
     sides = {"minus": where(alike, middle, minus), "plus": where(alike, middle, plus)}
-    return sides, [hypot(low, high) for low, high in changes]
-
-
-def _on_edges(given: Sequence[Uncertain]) -> Iterator[Sequence[Any]]:
-    """Iterate over places along the edges of the box of ranges: by ratio, or by difference where a range has 0 in it.
-
-    The largest value of a quantity that has no turning point is that of a corner. One that is that of the weaker body,
-    and falls off where the other becomes the weaker, has it at a corner or where such a ridge meets an edge.
-    """
-    ends = [(value.low, value.high) for value in given]
-    for axis, (low, high) in enumerate(ends):
-        is_by_ratio = low * high > 0
-        ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
-        shares = [step / STEPS for step in range(1, STEPS)]
-        between = [where(is_by_ratio, low * ratio**share, low + share * (high - low)) for share in shares]
-        for corner in product(*ends[:axis], *ends[axis + 1 :]):
-            for value in (low, *between, high):
-                yield [*corner[:axis], value, *corner[axis:]]
+    return sides, [hypot(*change) for change in changes]
 
 
 def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str, Any], Sequence[Any]]:
-    """Return the least and the largest value on the edges of a box of ranges, and mean widths along sources."""
-    ends, parts = [value], []
-    for outcomes in of_sources:
-        edges = [outcomes[start : start + STEPS + 1] for start in range(0, len(outcomes), STEPS + 1)]
-        lows, highs = ([reduce(end, edge) for edge in edges] for end in (at_most, at_least))
-        parts.append(sum(high - low for low, high in zip(lows, highs, strict=True)) / len(edges))
-        ends += lows + highs
-    return {"low": reduce(at_most, ends), "high": reduce(at_least, ends)}, parts
+    """Return the least and the largest value on all edges, and the mean widths along those of each source."""
+    lows, highs = zip(*(extent for extents in of_sources for extent in extents), strict=True)
+    parts = [sum(high - low for low, high in extents) / len(extents) for extents in of_sources]
+    return {"low": reduce(at_most, lows, value), "high": reduce(at_least, highs, value)}, parts
 
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
