@@ -13,8 +13,7 @@ class Question:
         headline: tuple[str, ...],  # those that the command is named after; --bare writes them alone
         quantities: tuple[str, ...],  # all that are shown, in this order
         named: tuple[str, ...] = (),  # asked for by name: shown for any scene
-        # Those without a row in the table of an answer: a limit of the headline is a column, another one a note.
-        without_row: tuple[str, ...] = (),
+        without_row: tuple[str, ...] = (),  # left to programs by the table of an answer, which has P_DMT as a column
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
 
