@@ -75,7 +75,6 @@ _LOST = 0.01  # part of the uncertain values from which on a note says that they
 _MAX_NOTES = 2  # below results, with the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
 _MAX_CODES = 4  # of doubts, which are named
-_MAX_MEANINGS = 2  # of such codes, which are explained
 
 
 # --- What is given ----------------------------------------------------------------------------------------------------
@@ -290,7 +289,7 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
     `bits`: the doubts that are told; `where`: the place at which there is more of them.
     """
     kinds: tuple[tuple[Kind, str, int, int], ...] = (
-        ("warning", "numbers have no meaning", bits & ENDING_MEANING, _MAX_MEANINGS),
+        ("warning", "numbers have no meaning", bits & ENDING_MEANING, 2),  # with what these codes mean
         ("remark", "doubts", bits & ~ENDING_MEANING, _MAX_CODES),
     )
     for kind, lead, told, most in kinds:

@@ -7,7 +7,7 @@ from typing import Any, TextIO
 from ..answers.questions import QUESTIONS
 from ..materials.library import ORIGIN, Material
 from ..physics.accuracy import accuracy_of
-from ..quantities.formatting import AS_USUAL, amount, in_words, pretty, symbol_among
+from ..quantities.formatting import AS_USUAL, DIGITS, Format, amount, in_words, pretty, symbol_among
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, bracketed, header
 from ..rows.columns import Wanted
 from ..scene.doubts import LIMITS
@@ -17,6 +17,8 @@ from .answered import bar_object, numbers_of, write_measure
 from .manual import has_words, without_variants, words_of
 from .sources import bibtex, docstring_fields
 from .writers import Cell, write_records
+
+_EXACT = Format(digits=DIGITS)  # of values in a table
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named: bool) -> None:
@@ -56,22 +58,22 @@ def _write_rows(chosen: Sequence[Material], out: TextIO, kind: str) -> None:
 
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of the properties of some materials."""
-    from .table import Column, input_column, write_table
+    from .table import Column, columns_of, write_table
 
-    values = (
-        input_column(name, [material.measures.get(name) for material in chosen], AS_USUAL, symbol_among(name, ()))
-        for name in PROPERTIES
-    )
-    write_table([Column("material", [material.name for material in chosen], is_right=False)], [*values], out)
+    columns: list[Column] = []
+    for name in PROPERTIES:
+        values = [material.measures.get(name) for material in chosen]
+        columns += columns_of(name, {symbol_among(name, ()): values}, _EXACT)
+    write_table([Column("material", [material.name for material in chosen], is_right=False)], columns, out)
     say(f"\n{_IN_FULL}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of materials by sets: the surface energy of each, and how it was found."""
-    from .table import input_column, write_texts
+    from .table import columns_of, write_texts
 
     measures = [material.measures.get("surface_energy") for material in chosen]
-    head, energies, *_ = input_column("surface_energy", measures, AS_USUAL, "γ")
+    ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, _EXACT)
     rows: dict[str, list[tuple[str, str, str]]] = {}
     without: dict[str, list[str]] = {}
     for material, energy in zip(chosen, energies, strict=True):

@@ -70,20 +70,14 @@ def _cell(value: "Value", unit: tuple[str, Unit], form: Format) -> str:
     return form.in_unit(value, unit)
 
 
-def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format, symbol: str) -> list[Column]:
-    """Return the columns of values of a quantity, by words behind its symbol, in the unit that suits the first ones."""
+def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format) -> list[Column]:
+    """Return the columns of values of a quantity, by their heads, in the unit that suits the first ones."""
     unit = form.common_unit(name, next(filter(None, map(_numbers, values.values())), []))
     in_unit, is_right = f" [{unit[0]}]" if unit[0] else "", not NOMENCLATURE[name].is_word
     return [
-        Column(f"{symbol}{words}{in_unit}", [_cell(value, unit, form) for value in each], is_right)
-        for words, each in values.items()
+        Column(f"{head}{in_unit}", [_cell(value, unit, form) for value in each], is_right)
+        for head, each in values.items()
     ]
-
-
-def input_column(name: str, values: "Sequence[Value]", form: Format, symbol: str) -> Column:
-    """Return the column of an input, with all digits."""
-    (column,) = columns_of(name, {"": values}, Format(form.units, form.digits or DIGITS), symbol)
-    return column
 
 
 # --- One scene --------------------------------------------------------------------------------------------------------
@@ -135,14 +129,13 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
     _write_inputs(count, common, assumed, out, form)
-    leading = [
-        input_column(name, inputs[name], form, symbol_among(name, inputs))
-        for name in several
-        if name in form.typed or name not in _FOLLOWING
-    ]
-    results = []
-    for name in (name for name in columns.wanted.names if name not in inputs):
-        results += columns_of(name, _values(columns, name), form, symbol_among(name, inputs))
+    exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
+    for name in several:
+        if name in form.typed or name not in _FOLLOWING:
+            leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
+    for name in columns.wanted.names:
+        if name not in inputs:
+            results += columns_of(name, _values(columns, name), form)
     doubts = [_in_short(codes_of(bits & columns.told)) for bits in columns.doubts]
     is_told = len({*doubts}) > 1 if "state" in inputs else any(doubts)  # notes have those of all states of a pair
     results += [Column(DOUBT, doubts, is_right=False)] if is_told else []
@@ -161,13 +154,14 @@ def _in_short(codes: Sequence[str]) -> str:
 def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
     """Return the values of a result, and those by data and by the other law, if that moves a result of the pairs."""
     law_matters = any(bits & OF_LAW for bits in columns.doubts)
-    values = {"": _measures(columns, name)}
+    symbol = symbol_among(name, columns.inputs)
+    values = {symbol: _measures(columns, name)}
     for kind, key in columns.wanted.alternatives_of(name).items():
         others = _measures(columns, key)
         if kind == DATA and any(value is not None for value in others):
-            values[" by data"] = ["no data" if value is None else value for value in others]
+            values[f"{symbol} by data"] = ["no data" if value is None else value for value in others]
         elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
-            values[f" by {head_of(kind)}"] = others
+            values[f"{symbol} by {head_of(kind)}"] = others
     return values
 
 
