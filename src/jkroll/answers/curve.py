@@ -25,7 +25,7 @@ FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = "fold", "pull-off", "jump-in", "equilibri
 NAMED = {FOLD: 1 / 6, PULL_OFF: 1 / 2, JUMP_IN: 2 / 3, EQUILIBRIUM: 1.0}  # the load factors of JKR
 STEPS = 40  # on the stable branch
 MAX_LOAD = 16 / 9  # over the pull-off force of the law, where no loads are given
-# By law, the input that sets a state, and the quantity that has its value at a load.
+# By law, the input that sets a state, and the quantity that has its value at a load; by others both are the load.
 _SET_BY = {
     "jkr": ("load_factor", "load_factor"),
     "maugis": ("edge_ratio", "edge_ratio_at_load"),
@@ -74,7 +74,7 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
     hold the contact, and the named states.
     """
     try:
-        given, at_load = _SET_BY[scene.law.name]
+        given, at_load = _SET_BY.get(scene.law.name, ("load", "load"))
         named, force = _named(scene), scene["pull_off_force"]
         low, high = loads or Loads(-inf, MAX_LOAD * force)
         first = scene.replace(load=low)[at_load] if low > -force else named[PULL_OFF]
@@ -105,8 +105,10 @@ def _named(scene: Scene) -> dict[str, float]:
         return {**NAMED}
     if scene.law.name == "dmt":
         return {PULL_OFF: 0.0, EQUILIBRIUM: scene.replace(load=0.0)["approach_at_load"]}
-    ends = {FOLD: scene["edge_ratio_at_fold"], PULL_OFF: scene["edge_ratio_at_pull_off"]}
-    return {**ends, EQUILIBRIUM: scene.replace(load=0.0)["edge_ratio_at_load"]}
+    if scene.law.name == "maugis":
+        ends = {FOLD: scene["edge_ratio_at_fold"], PULL_OFF: scene["edge_ratio_at_pull_off"]}
+        return {**ends, EQUILIBRIUM: scene.replace(load=0.0)["edge_ratio_at_load"]}
+    return {PULL_OFF: -scene["pull_off_force"], EQUILIBRIUM: 0.0}
 
 
 def _without_contact(scene: Scene, ratio: float, steps: int) -> Iterator[State]:

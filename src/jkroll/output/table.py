@@ -88,7 +88,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     _write_inputs("", answer.measures, answer.assumed, out, form)
     law, data = head_of(answer.scene.law.name), "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
     others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
-    if (limit := "pull_off_force_dmt") in answer.question.without_row and law != head_of("dmt"):
+    if (limit := "pull_off_force_dmt") in answer.question.without_row and limit in answer.values:
         others[head_of("dmt")] = {"pull_off_force": answer.result(limit).measure}
     rows = [["quantity", "symbol", "unit", law, *others]]
     # A quantity with a note of its own has no row where it is one without.

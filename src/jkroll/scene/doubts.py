@@ -89,8 +89,8 @@ def measured_solid(material: Material) -> str:
 
 
 def assumes_displacement(scene: Scene) -> bool:
-    """Return whether nothing says where rolling begins, so that the paper's displacement is assumed."""
-    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE)
+    """Return whether the paper's displacement is assumed where rolling begins, under a law by which forces mean one."""
+    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE) and not scene.plan("yield_force").lacking
 
 
 def solid_of_kind(scene: Scene) -> str:
