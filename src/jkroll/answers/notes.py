@@ -254,8 +254,9 @@ def about_left_out(sources: "Iterable[Source]") -> list[Note]:
 
 def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
     """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
-    forces = answer.scene.numbers("load", "pull_off_force") if "load" in answer.inputs else {}
-    if answer.sources is None or len(forces) < 2 or any(isinstance(bar, JkrollError) for bar in answer.bars.values()):
+    has_spread = answer.sources is not None and "load" in answer.inputs
+    forces = answer.scene.numbers("load", "pull_off_force") if has_spread else {}
+    if len(forces) < 2 or any(isinstance(bar, JkrollError) for bar in answer.bars.values()):
         return
     from ..scene.uncertainty import measures_of, uncertainties
 

@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import accumulate, compress
 from math import isnan
-from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
@@ -242,10 +241,8 @@ def write_table(
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
     """Write rows of texts; what is wider than the terminal goes on below the last column."""
     columns = _of_rows([heads, *rows], words=len(heads))
-    left = _size(columns[:-1])
-    width = max(terminal_width(), left + _LEAST_TEXT)
     for line in _lines(columns):
-        say("\n".join(wrap(line, width, subsequent_indent=" " * left)), out)
+        say_wrapped(line, out, min(_size(columns[:-1]), terminal_width() - _LEAST_TEXT))
 
 
 def _of_rows(rows: Iterable[Sequence[str]], *, words: int) -> list[Column]:
