@@ -478,7 +478,7 @@ def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -
     low, high = (one["value"] for one in found)
     assert middle["uncertainty"]["plus"] + middle["uncertainty"]["minus"] == approx(high - low)
     assert (
-        "error bars: ± and ranges do not go together; ξ left out"
+        "error bars leave out ξ: ± and ranges do not go together"
         in run(f"yield-force own 100±10nm {own} --explain").out
     )
     inferred = run(f"infer radius own --measured yield_force={high!r}N {own} --bare --quiet").out

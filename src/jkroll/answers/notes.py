@@ -248,7 +248,7 @@ def about_bars(evaluation: Evaluation) -> list[Note]:
 def about_left_out(sources: "Iterable[Source]") -> list[Note]:
     """Return the note on sources that enter no error bar, as others are of another kind, if there are some."""
     symbols = dict.fromkeys(symbol_of(source.names[0]) for source in sources)
-    text = f"error bars: ± and ranges do not go together; {', '.join(symbols)} left out"
+    text = f"error bars leave out {', '.join(symbols)}: ± and ranges do not go together"
     return [Note("caveat", text)] if symbols else []
 
 
