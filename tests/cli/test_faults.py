@@ -233,7 +233,7 @@ def test_it_dies_by_other_signals_silently(number: int, tmp_path: Path) -> None:
 # --- A broken configuration -------------------------------------------------------------------------------------------
 
 
-NO_UTF_8 = "is not TOML: 'utf-8' codec can't decode byte 0xff in position 0: invalid start byte"
+NO_UTF_8 = "is not text in UTF-8: save it with this encoding"
 BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
     "a directory": (Path.mkdir, "Is a directory"),
     "no UTF-8": (lambda path: path.write_bytes(b"\xff\xfe"), NO_UTF_8),

@@ -270,7 +270,7 @@ def run_export(call: Call) -> int:
         question = f"which program, {', '.join(PROGRAMS)}? Write jkroll export {guess} quartz 100nm"
         raise BadRequest(f"export: {question}; what other codes call γ is in jkroll guide dem")
     if (count := len(call.sweep)) != 1:
-        raise BadRequest(f"export takes one pair of spheres, not {count}; for unlike ones: --radius2, --material2")
+        raise BadRequest(f"export takes one pair of spheres, not {count}; for unlike ones: --radius2")
     scene = next(call.sweep.scenes())
     if (model := scene.law.name) not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
