@@ -122,8 +122,7 @@ def infer(
     Parameters
     ----------
     wanted
-        An input: surface_energy, work_of_adhesion, hamaker, yield_displacement, adhesion_hysteresis, youngs_modulus,
-        shear_strength, radius or load, or the word of its option. A list of one or two.
+        An input among `jkroll.scene.inverse.SIZES`, or the word of its option. A list of one or two.
     measured
         One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`. For
         two inputs, two quantities.

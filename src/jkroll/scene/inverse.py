@@ -46,7 +46,7 @@ _ROUNDING = 1e-13  # of a quantity: a change as small as this comes from roundin
 
 # Of scans.
 _TOGETHER = 1000  # rows that are scanned at once
-_WIDEST = (1e-30, 1e30)  # the sizes that are scanned where no value is found among the usual ones
+_WIDEST = (1.01 * LEAST, MOST / 1.01)  # the sizes that are scanned where no value is found among the usual ones
 _AHEAD = 1e-8  # relative, the step that tells whether a function rises or falls
 _MANY = 64  # intervals of a row: more of them come from rounding
 
@@ -264,9 +264,9 @@ class Problem:
 
     def quantities(self, values: Values) -> Any:
         """Return the measured quantities, a row for each, at arrays of the unknowns; nan where there is no result."""
-        scene = self.with_values({name: taken(name, x) for name, x in values.items()})
         quantities = numpy.full((len(self.measured), len(next(iter(values.values())))), nan)
-        for quantity, outcome in zip(quantities, scene.evaluate([*self.measured]).values(), strict=True):
+        outcomes = self.with_values(values).evaluate([*self.measured])
+        for quantity, outcome in zip(quantities, outcomes.values(), strict=True):
             if not isinstance(outcome, JkrollError):
                 quantity[:] = outcome
             elif not isinstance(outcome, NoResult):
@@ -330,13 +330,6 @@ class Problem:
 
 
 # --- One unknown ------------------------------------------------------------------------------------------------------
-
-
-def taken(name: str, values: Any) -> Any:
-    """Return the values of an unknown that a scene takes in place of those that are too small or too large for it."""
-    if name == "load":
-        return numpy.where(abs(values) < LEAST, 0.0, numpy.clip(values, -MOST, MOST))
-    return numpy.clip(values, LEAST, MOST)
 
 
 def grid(name: str, sizes: tuple[float, float]) -> Any:
@@ -485,6 +478,7 @@ class Pairs:
         self.problem = problem
         self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
         self.axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in problem.unknowns]
+        self.ends = [numpy.array([[axis[end]] for axis in self.axes]) for end in (0, -1)]
         size = prod(problem.shape)
         self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
 
@@ -494,8 +488,7 @@ class Pairs:
         problem, levels = self.problem.rows(rows), self.levels[:, rows]
         values = dict(zip(problem.unknowns, numpy.exp(places), strict=True))
         if self.load is not None:
-            others = {name: taken(name, x) for name, x in values.items() if name != "load"}
-            unloaded = problem.with_values({**others, "load": 0.0}).numbers("pull_off_force")
+            unloaded = problem.with_values({**values, "load": 0.0}).numbers("pull_off_force")
             force = unloaded.get("pull_off_force", SIZES["load"][0])  # the smallest that is scanned where there is none
             is_unloaded = abs(places[self.load]) <= _NEAR
             values["load"] = numpy.where(is_unloaded, 0.0, force * numpy.expm1(places[self.load]))
@@ -527,10 +520,11 @@ class Pairs:
         """
         best, steps, distance = start, numpy.zeros_like(start), numpy.full(start.shape[1], inf)
         for _ in range(_ROUNDS):
-            here, matrices = self.slopes(best + steps)
+            places = numpy.clip(best + steps, *self.ends)
+            here, matrices = self.slopes(places)
             size = numpy.hypot(*here[2:])
             is_nearer = size < distance
-            best, distance = best + numpy.where(is_nearer, steps, 0.0), numpy.where(is_nearer, size, distance)
+            best, distance = numpy.where(is_nearer, places, best), numpy.where(is_nearer, size, distance)
             # Where both quantities change alike, the pseudo-inverse gives the shortest step.
             inverse = numpy.linalg.pinv(numpy.nan_to_num(matrices[:, 2:]), rcond=0.01 / MAX_CONDITION)
             newton = -numpy.einsum("kij,jk->ik", inverse, numpy.nan_to_num(here[2:]))
@@ -538,8 +532,7 @@ class Pairs:
             steps = numpy.where(is_nearer, limited, steps / 2)
             if (abs(steps) <= _LAST_STEP).all():
                 break
-        is_inside = [(x >= axis[0] - _NEAR) & (x <= axis[-1] + _NEAR) for x, axis in zip(best, self.axes, strict=True)]
-        return best, numpy.where((distance <= _NEAR) & numpy.all(is_inside, axis=0), distance, inf)
+        return best, numpy.where(distance <= _NEAR, distance, inf)
 
     def pair(self) -> Any:
         """Return the table of the one pair. Raises the reason why there is none."""
