@@ -358,7 +358,7 @@ def _in_scene(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
             ends = [end(scene)["yield_displacement"] for end in (at_least_measured, at_most_measured)]
             value = sum(scene.replace(yield_displacement=end)[name] for end in ends) / 2
         else:
-            other = Scene({**scene.stated, **scene.uncertain}, scene.material, scene.material2, model=kind)
+            other = Scene(scene.stated, scene.material, scene.material2, model=kind)
             spacing = {"atomic_spacing": other["atomic_spacing"]} if kind == "maugis" else {}
             value = other.replace(**spacing).evaluate((name,))[name]
         if value != values[key]:

@@ -9,7 +9,7 @@ from ..errors import BadRequest, JkrollError, NoResult
 from ..quantities.values import parse_quantity
 from ..rows.columns import Wanted, sides_in
 from ..scene.doubts import Doubt
-from ..scene.failures import MissingInput, without_value
+from ..scene.failures import NO_STIFFNESS, Failure, MissingInput
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from ..text import quoted
@@ -125,7 +125,7 @@ class AtState(Answer):
         """`curve`: the answer that stands for the whole curve, its pull-off force."""
         scene = state.in_scene(curve.scene)
         if state.name == FOLD:
-            scene.lose(without_value("stiffness", "infinite where fixed grips let go"))
+            scene.lose(Failure(NO_STIFFNESS, "stiffness"))
         super().__init__(Question(question.headline, question.quantities, question.quantities), scene)
         self.state, self.curve, self.laws, self.validity = state, curve, curve.laws, curve.validity
         self.alternatives = {}  # a state has no place on the curve of another law

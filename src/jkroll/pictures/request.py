@@ -16,7 +16,7 @@ from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
 from ..scene.doubts import LIMITS, OF_LAW, Limit, judged, touched
-from ..scene.failures import RESTS_ON_SPACING, MissingInput, reason_of, without_value
+from ..scene.failures import RESTS_ON_SPACING, Failure, Kind, MissingInput, reason_of
 from ..scene.scene import Scene
 from ..text import quoted
 from .picture import (
@@ -196,7 +196,7 @@ class Layer:
         if not self.known.any():
             outcome = self.scene.evaluate([quantity])[quantity]
             reason = f": {reason_of(quantity, outcome)}" if isinstance(outcome, JkrollError) else ""
-            raise without_value(quantity, f"no value anywhere on these axes{reason}")
+            raise Failure(Kind("", f"no value anywhere on these axes{reason}"), quantity)
 
     def regions(self) -> Iterator[Region]:
         """Iterate over the thresholds that values pass: of a law the last, then the first unless all pass the last."""

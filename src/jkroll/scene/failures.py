@@ -4,7 +4,6 @@ Below: the numbers for which the physics gives a formula no result, with the err
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from math import isinf
 from operator import ge, gt, le
 from typing import Any
 
@@ -133,6 +132,7 @@ NO_POISSON_RATIO = Kind(
 TOO_LARGE = Kind("no finite value", "no finite value for these inputs")
 TOO_SMALL = Kind("no finite value", "no value that a double can hold")
 INFINITE = Kind("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
+NO_STIFFNESS = Kind("", "infinite where fixed grips let go")
 
 
 NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
@@ -159,16 +159,6 @@ class Failure(NoResult):
             if value != limits[0] and all(map(ge, held, self.numbers[1:])):
                 break
         return self.kind.words.format(value, *limits)
-
-
-def without_value(name: str, words: str, phrase: str = "") -> Failure:
-    """Return the error of a quantity that has no value for a reason that is in words already."""
-    return Failure(Kind(phrase, words), name)
-
-
-def written_outcome(name: str, outcome: Any) -> Any:
-    """Return the outcome of a quantity for a reader of numbers: an infinite value is a failure."""
-    return Failure(INFINITE, name) if isinstance(outcome, float) and isinf(outcome) else outcome
 
 
 def reason_of(name: str, error: JkrollError) -> str:

@@ -7,7 +7,7 @@ the names in DEFAULTS have values if nothing else is said. A scene takes numbers
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property, reduce
-from math import isfinite, nan
+from math import isfinite, isinf, nan
 from operator import and_
 from types import MappingProxyType
 from typing import Any
@@ -27,16 +27,16 @@ from ..quantities.nomenclature import (
     UnknownQuantity,
     of_sphere,
 )
-from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain
+from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain, middle
 from ..text import listed
 from .failures import (
+    INFINITE,
     RESTS_ON_SPACING,
     TWO_RIGID_BODIES,
     Failure,
     MissingInput,
     NotInLaw,
     failure_of,
-    written_outcome,
 )
 from .wiring import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
 
@@ -141,9 +141,9 @@ _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strengt
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
-    The inputs that were given by name are `stated`; with the properties of the materials they are `given`; with what is
-    assumed and what follows from the value of an input they are `known`. `values` are those of the known names and of
-    all results so far, where an error stands for a result that does not exist.
+    The inputs that were given by name are `stated`; with the properties of the materials, and without uncertainties,
+    they are `given`; with what is assumed and what follows from the value of an input they are `known`. `values` are
+    those of the known names and of all results so far, where an error stands for a result that does not exist.
 
     >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{scene['pull_off_force']:.4e}"
@@ -175,14 +175,14 @@ class Scene:
         # The materials of the spheres that have one of their own, each with the number of the sphere.
         self.materials = [(solid, sphere) for solid, sphere in ((material, 1), (material2, 2)) if solid is not None]
         self.uncertain: dict[str, Uncertain] = {name: value for name, value in given.items() if is_uncertain(value)}
-        self.stated = {**given, **{name: value.value for name, value in self.uncertain.items()}}
+        self.stated = {**given}
         # By the name of an input, the material that has it, and its name there.
         self.of_materials = {
             of_sphere(sphere, name): (solid, name) for solid, sphere in self.materials for name in solid.properties
         }
         of_solids = {given: solid.properties[name] for given, (solid, name) in self.of_materials.items()}
         every = {**of_solids, **self.stated, **moved}
-        self.given: dict[str, Any] = {name: value for name, value in every.items() if value is not None}
+        self.given: dict[str, Any] = {name: middle(value) for name, value in every.items() if value is not None}
         self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
         self.shape = broadcast(self.arrays)
         for name, value in self.given.items():
@@ -212,7 +212,7 @@ class Scene:
         model = values.pop("model", self.stated_model)
         of_materials = self.of_materials.keys() & values.keys() - self.stated.keys()
         moved = {**self.moved, **{name: values.pop(name) for name in of_materials}}
-        every = {**self.stated, **self.uncertain, **values}
+        every = {**self.stated, **values}
         given = {name: value for name, value in every.items() if value is not None}
         scene = Scene(given, self.material, self.material2, model=model, moved=moved)
         scene._results, scene._gaps = {**self._results}, {*self._gaps}
@@ -387,10 +387,11 @@ class Scene:
     def outcomes(self, names: Iterable[str], named: Collection[str]) -> dict[str, Any]:
         """Return the value of each quantity that concerns the scene, or some elements, or the error that says why not.
 
-        `named`: quantities that were asked for by name, and concern any scene.
+        An infinite number is none. `named`: quantities that were asked for by name, and concern any scene.
         """
         results = self.evaluate(name for name in names if name in named or self.shows(name) is not False)
-        return {name: written_outcome(name, value) for name, value in results.items()}
+        are_infinite = [name for name, value in results.items() if isinstance(value, float) and isinf(value)]
+        return {**results, **{name: Failure(INFINITE, name) for name in are_infinite}}
 
     def numbers(self, *names: str) -> dict[str, Any]:
         """Return the values of quantities, without those that have none."""
