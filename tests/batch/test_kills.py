@@ -132,9 +132,22 @@ def started_by(process: "subprocess.Popen[Any]") -> list[str]:
     return found
 
 
-def in_two_processes(path: str, target: str) -> "subprocess.Popen[str]":
-    """A run that has more to do than a test waits for."""
-    Path("small.py").write_text(IN_SMALL_BLOCKS)
+# A process gets a signal when it has started another. It has one thread, as `run` sees to, so that a signal can wait.
+STRUCK = """
+import os
+from multiprocessing import util
+os.environ["OPENBLAS_NUM_THREADS"], spawn = "1", util.spawnv_passfds
+def struck(program, words, files):
+    child = spawn(program, words, files)
+    if "spawn_main" in str(words): os.kill(os.getpid(), {:d})
+    return child
+util.spawnv_passfds = struck
+"""
+
+
+def in_two_processes(path: str, target: str, begin: str = "") -> "subprocess.Popen[str]":
+    """A run that has more to do than a test waits for, and that begins with some lines of Python."""
+    Path("small.py").write_text(begin + IN_SMALL_BLOCKS)
     command = [sys.executable, "small.py", "batch", path, "-o", target, "--material", "quartz", "--jobs", "2"]
     return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
 
@@ -166,6 +179,16 @@ def test_an_interrupt_of_many_tables_leaves_whole_ones_only() -> None:
     left = {path.name: path.read_text(encoding="utf-8") for path in Path("forces").iterdir()}
     assert {name: len(text.splitlines()) for name, text in left.items()} == dict.fromkeys(left, 2_001)
     assert 2 < len(left) < 30
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_while_processes_start_ends_the_run_without_a_word(number: int) -> None:
+    Path("grains.csv").write_text(grains(20_000), encoding="utf-8")
+    with in_two_processes("grains.csv", "out.csv", STRUCK.format(number)) as process:
+        _, message = process.communicate()
+    assert process.returncode == -number, message
+    assert re.fullmatch(r"read: .*\nassumed: .*\n", message)
+    assert {*os.listdir()} == {"grains.csv", "small.py"}
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")

@@ -36,12 +36,3 @@ def test_a_spelling_is_read_rightly_or_refused(how: str) -> None:
 def test_there_are_some_twenty_thousand() -> None:
     assert len(SPELLINGS) > 19_000
     assert len(MANGLINGS) >= 12
-
-
-@pytest.mark.parametrize("text", ["radius__m_", "Load___N_", "E...MPa.", "hamakerZj", "load_MN", "speed__m_s_"])
-def test_what_lost_a_letter_on_its_way_is_not_read(text: str) -> None:
-    """A program that knows no µ, no * and no capitals has written m for µm, E for E* and M for m."""
-    try:
-        assert not understood([text], [["3"]]).inputs
-    except BadTable as refusal:
-        assert "--column" in str(refusal)

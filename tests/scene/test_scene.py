@@ -1,6 +1,7 @@
 """Scenes: one plan for all that is asked, failures that leave other quantities alone, and changed inputs."""
 
 import gc
+from itertools import combinations, islice
 from typing import Any
 from weakref import ref
 
@@ -15,7 +16,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.doubts import LIMITS, at_half_spacing
 from jkroll.scene.failures import BEYOND_PULL_OFF, NO_CHAIN, TOO_SMALL, Failure, MissingInput
 from jkroll.scene.scene import Scene
-from jkroll.scene.wiring import depends_on, formula_of
+from jkroll.scene.wiring import KEPT, depends_on, formula_of, plan_for
 from relative import approx
 from scenes import QUARTZ
 
@@ -128,3 +129,11 @@ def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
         assert last_seen() is None
     finally:
         gc.enable()
+
+
+def test_plans_are_not_remembered_for_ever() -> None:
+    results = [*filter(formula_of, NOMENCLATURE)]
+    for known in islice(combinations(results, 3), 60):
+        for name in results:
+            plan_for(name, frozenset(known), False)
+    assert plan_for.cache_info().currsize <= KEPT < plan_for.cache_info().misses

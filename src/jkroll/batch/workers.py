@@ -10,11 +10,12 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from itertools import cycle
-from multiprocessing import connection, get_context, parent_process
+from multiprocessing import connection, get_context, parent_process, resource_tracker
 from threading import Thread
 from typing import Any
 
 from ..errors import JkrollError
+from ..output.writers import SIGNALS
 
 PATIENCE = 5.0  # seconds for a process to remove what it has begun
 CONTEXT = get_context("spawn")  # safe beside threads, and the same on every system
@@ -59,6 +60,7 @@ class Worker:
 
 
 def _serve(questions: "connection.Connection[Any, Any]", answer: Answer) -> None:
+    _mask("SIG_UNBLOCK", {*SIGNALS} - {signal.SIGINT})
     Thread(target=_end_with_parent, daemon=True).start()
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
     with suppress(EOFError, ConnectionError):
@@ -83,20 +85,27 @@ def _end_with_parent() -> None:
         os.kill(os.getpid(), signal.SIGTERM)  # which removes a file that was begun
 
 
+def _mask(how: str, numbers: Iterable[int]) -> None:
+    """Block or unblock signals, for processes that are started too: a blocked one waits. Windows has no such thing."""
+    if hasattr(signal, "pthread_sigmask"):
+        resource_tracker.ensure_running()  # its start unblocks some
+        signal.pthread_sigmask(getattr(signal, how), numbers)
+
+
 def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[Any]:
     """Iterate over the answers of some processes in the order of the questions.
 
-    All ignore interrupts: they end with the iteration.
+    No interrupt reaches them: they end with the iteration.
     """
     workers: list[Worker] = []
     at_work: deque[Worker] = deque()
     try:
-        heeding = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        _mask("SIG_BLOCK", SIGNALS)  # a process that starts would say that it was struck
         try:
             while len(workers) < count:
                 workers.append(Worker(answer))
         finally:
-            signal.signal(signal.SIGINT, heeding)
+            _mask("SIG_UNBLOCK", SIGNALS)
         for worker, question in zip(cycle(workers), questions, strict=False):
             if len(at_work) == count:
                 yield at_work.popleft().answer()

@@ -17,7 +17,7 @@ from typing import Any
 
 from .. import __version__
 from ..errors import FAILED, BadRequest, JkrollError
-from ..quantities.nomenclature import ALIKE, NOMENCLATURE, QUANTITY_SYNONYMS, named, nearest
+from ..quantities.nomenclature import ALIKE, NOMENCLATURE, QUANTITY_SYNONYMS, as_input, named, nearest
 from ..text import closest, first_of, quoted, say, say_wrapped, shown
 from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of, help_of
 
@@ -250,16 +250,11 @@ def _is_negative(text: str) -> bool:
 
 
 def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
-    """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none.
-
-    Raises BadRequest for R, which is a sphere's radius in many other places and the reduced radius here.
-    """
+    """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none."""
     if option := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
         return option
     by_name = {option.name: option for option in flags.values() if option.name in NOMENCLATURE}
-    if flag == "--R" and "radius" in by_name:
-        raise BadRequest("R may be a sphere's radius or the reduced radius: write --radius or --reduced-radius")
-    return by_name.get(named(flag[2:], by_name)) if flag.startswith("--") else None
+    return by_name.get(named(as_input(flag[2:]), by_name)) if flag.startswith("--") else None
 
 
 # --- Mistakes ---------------------------------------------------------------------------------------------------------

@@ -271,7 +271,7 @@ def _text(cell: Cell) -> str:
 # --- The file that is written: whole or not at all, or standard output ------------------------------------------------
 
 MAX_KEPT = 50  # characters of a name that its temporary name has, too
-_SIGNALS = [signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)]  # Windows has two of them
+SIGNALS = [signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)]  # Windows has two of them
 _STREAMS = ("/dev/stdin", "/dev/stdout", "/dev/stderr")
 
 
@@ -321,7 +321,7 @@ def _removed_at_last(path: str) -> Iterator[None]:
         signal.signal(number, signal.SIG_DFL)
         signal.raise_signal(number)
 
-    ending = [number for number in _SIGNALS if signal.getsignal(number) == signal.SIG_DFL]
+    ending = [number for number in SIGNALS if signal.getsignal(number) == signal.SIG_DFL]
     with suppress(ValueError):  # in a thread, to which no signals come
         for number in ending:
             signal.signal(number, end)

@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping
 from types import MappingProxyType
 from typing import Any
 
-from ..errors import JkrollError
+from ..errors import BadRequest, JkrollError
 from ..text import ascii_text, closest, listed, quoted
 from .laws import LAWS, routes_anywhere
 
@@ -409,9 +409,13 @@ OPTION_WORDS = {
 def as_input(word: str) -> str:
     """Return the name for which a word of an input stands: approach is that of an option, and else a result.
 
+    Raises BadRequest for R, which is a sphere's radius in many other places and the reduced radius here.
+
     >>> as_input("approach"), as_input("radius")
     ('approach_at_load', 'radius')
     """
+    if word in ("R", "r"):
+        raise BadRequest(f"{word} may be a sphere's radius or the reduced radius: write radius or reduced_radius")
     name = word.strip().lstrip("-").replace("-", "_")
     return OPTION_WORDS.get(name, name if name in NOMENCLATURE else word)
 

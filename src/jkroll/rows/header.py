@@ -280,10 +280,7 @@ def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
             raise BadRequest(f"--column: {quoted(meaning)} is not an input{problem}; write one, as in radius [nm]")
         if head in meanings:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
-        splits = [*_splits(head)] if reading.name and not reading.unit_text else []
-        known = dict.fromkeys((key(split.word) for split in splits), Meaning([reading.name]))
-        units = [each.unit_text for split in splits if (each := _exact(split, known)) and each.unit_text]
-        meanings[head] = f"{meaning} [{units[-1]}]" if units else meaning  # of several units, the longest is the last
+        meanings[head] = meaning
     return meanings
 
 

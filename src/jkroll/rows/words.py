@@ -159,11 +159,7 @@ def slips() -> dict[str, str]:
 
 
 def lacking_a_letter(word: str) -> list[str]:
-    """Return a word, and its spellings that lack one letter.
-
-    >>> lacking_a_letter("load")
-    ['load', 'oad', 'lad', 'lod', 'loa']
-    """
+    """Return a word, and its spellings that lack one letter."""
     return [word, *(word[:place] + word[place + 1 :] for place in range(len(word)))]
 
 

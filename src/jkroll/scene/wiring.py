@@ -7,7 +7,7 @@ was not given is that of sphere 1, unless sphere 2 has a material of its own tha
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from functools import cache
+from functools import cache, lru_cache
 from types import MappingProxyType
 from typing import Any
 
@@ -17,6 +17,7 @@ from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, of_sphere
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
 OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
+KEPT = 5_000  # plans that are remembered: of each set of inputs there are some hundred
 
 
 class Plan:
@@ -40,7 +41,7 @@ class Plan:
         self.steps[name] = self
 
 
-@cache
+@lru_cache(maxsize=KEPT)
 def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
     """Return the plan of a quantity under a law of attraction, for the names of what is known."""
     name = _source(wanted, known, own_material2, routes(model, known))
@@ -58,7 +59,7 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
     return Plan(name, formula_of(name), plans)
 
 
-@cache
+@lru_cache(maxsize=KEPT)
 def taken_by(names: tuple[str, ...], *kind: Any) -> frozenset[str]:
     """Return some quantities, and the parameters of all formulas that lead to them; `kind`: as for their plans."""
     plans = [plan_for(name, *kind) for name in names]
@@ -76,7 +77,7 @@ def _source(name: str, known: frozenset[str], own_material2: bool, by_law: Route
     return name if has_own else of_1
 
 
-@cache
+@lru_cache(maxsize=KEPT)
 def _mixes_laws(name: str, model: str, known: frozenset[str]) -> bool:
     """Return whether another law's formula would take what these two have by different ones: a contact of neither."""
     owner = law_of(name)
