@@ -36,7 +36,8 @@ REFUSED = {
     "batch -1.csv -oout.csv": "'-1.csv': No such file or directory",
     "batch grains.csv --output=": "-o: the name of the output file is empty",
     "pull-off quartz 100nm --to nN,pN": "--to: 'nN' and 'pN' are units of one dimension; give one of them",
-    "pull-off quartz plane": "a plane is sphere 2: write --radius2 plane",
+    "pull-off quartz plane": "plane is said of sphere 2: write --radius2 plane",
+    "contact iron 1um --material2 rigid": "rigid is said of sphere 2: write --young2 rigid",
     "pull-off": f"pull-off needs radius of sphere 1 and surface energy per surface; {GIVE}",
     "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (
         "--gamma and --work-of-adhesion exclude each other: one follows from the other"

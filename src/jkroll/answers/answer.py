@@ -332,7 +332,7 @@ class Answer(Evaluation):
             *about_given(self.scene, self._possible, inputs),
             *about_idle(idle),
             *about_values(self.scene, [*self.values]),
-            *about_limits(self.validity),
+            *about_limits(self.validity, "more" if self.errors else "remark"),  # where results say what is missing
             *about_lost_contacts(self),
         )
         return tuple(dict.fromkeys(every))

@@ -225,12 +225,10 @@ def _first_to_yield(scene: Scene) -> Note:
 # --- What is missing --------------------------------------------------------------------------------------------------
 
 
-def about_limits(every: Iterable[Doubt]) -> list[Note]:
+def about_limits(every: Iterable[Doubt], kind: Kind = "remark") -> list[Note]:
     """Return notes on the codes that could not be judged, of each limit the first, by the inputs that they need."""
     errors = {next(iter(doubt.limit.codes.values())): doubt.error for doubt in every if doubt.error is not None}
-    return [
-        Note("remark", f"not checked: {first_of(codes, _MAX_CODES)}: {reason}") for codes, reason in grouped(errors)
-    ]
+    return [Note(kind, f"not checked: {first_of(codes, _MAX_CODES)}: {reason}") for codes, reason in grouped(errors)]
 
 
 def about_missing(errors: Mapping[str, JkrollError], lead: str = "") -> list[Note]:

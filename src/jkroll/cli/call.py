@@ -103,8 +103,6 @@ class Call:
     def values(self) -> dict[str, str]:
         """The texts of inputs that are numbers, by name; the radii among the words are one of them."""
         texts = {name: text for name, text in self.inputs.items() if name not in ("material2", "model")}
-        if "plane" in map(str.casefold, self.words):
-            raise BadRequest("a plane is sphere 2: write --radius2 plane")
         if radii := [word for word in self.words if not _is_material(word)]:
             texts["radius"] = ",".join(radii)
         check_exclusive(texts, lambda name: NOMENCLATURE[name].option or "a radius")
@@ -152,6 +150,9 @@ class Call:
         if self.file is not None:
             _ = self.materials
         named = [word for word in self.words if _is_material(word)]
+        for word in map(str.casefold, (*self.words, self.inputs.get("material2", ""))):
+            if option := {"plane": "--radius2", "rigid": "--young2"}.get(word):
+                raise BadRequest(f"{word} is said of sphere 2: write {option} {word}")
         if len(named) > 1:
             both = f"two materials, {quoted(named[0])} and {quoted(named[1])}"
             raise BadRequest(f"{both}; for a list write quartz,iron; for sphere 2, --material2 iron")
