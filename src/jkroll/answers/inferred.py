@@ -7,13 +7,13 @@ from functools import cached_property
 from math import isfinite
 from typing import Any
 
-from ..quantities.formatting import amount, in_words, span, symbol_among
+from ..quantities.formatting import amount, in_words, span, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain, middle
 from ..scene.doubts import Doubt, Evaluation, factor_of_law
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import SIZES, Problem, sizes_in_words
+from ..scene.inverse import SIZES, Problem, equal, sizes_in_words
 from ..scene.uncertainty import measures_of
 from ..text import listed
 from .answer import Answer, Result
@@ -48,14 +48,12 @@ class Inferred(Answer):
         if self.failure is not None:
             return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
         solution, which = self.problem.solution, "growth" if self.condition else "condition"
-        growths = {name: {which: growth} if isfinite(growth) else {} for name, growth in solution.growths.items()}
-        by_law = {
-            name: {law: middle(values[name]) for law, values in self.alternatives.items()} for name in solution.values
-        }
-        return tuple(
-            Result(name, value, by_law=by_law[name], propagated=self.propagated(name), **growths[name])
-            for name, value in solution.values.items()
-        )
+        results = []
+        for name, value in solution.values.items():
+            by_law = {law: middle(values[name]) for law, values in self.alternatives.items()}
+            growth = {which: solution.growths[name]} if isfinite(solution.growths[name]) else {}
+            results.append(Result(name, value, by_law=by_law, propagated=self.propagated(name), **growth))
+        return tuple(results)
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
@@ -94,7 +92,9 @@ class Inferred(Answer):
         used = scene.data_used(scene.inputs_of(*forward))
         for name, value in values.items():
             if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
-                yield Note("warning", f"{_equal({name: value})} is beyond usual values, {sizes_in_words([name])}")
+                yield Note(
+                    "warning", f"{equal({name: value}, symbol_of)} is beyond usual values, {sizes_in_words([name])}"
+                )
             if name in _RAISING and not _LOSING.isdisjoint(forward):
                 symbol = symbol_among(name, scene.given)
                 yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
@@ -103,7 +103,7 @@ class Inferred(Answer):
                 if replaced in material.properties and (material, replaced) not in used:
                     symbol = NOMENCLATURE[replaced].symbol.rstrip("1")
                     yield Note("more", f"{symbol} of {material.name} is not used")
-        proof = f"{_equal(values)} {'give' if self.condition else 'gives'} {_equal(forward)}"
+        proof = f"{equal(values, symbol_of)} {'give' if self.condition else 'gives'} {equal(forward, symbol_of)}"
         if "surface_energy" in values and "radius2" in scene.stated and "surface_energy2" not in scene.given:
             proof += f" if γ2 = γ1, so w = {amount('work_of_adhesion', scene['work_of_adhesion'])}"
         slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*values, *forward))
@@ -116,7 +116,3 @@ class Inferred(Answer):
         explained = copy(self)
         explained.results = (*self.results, *map(self.result, self.outcomes))
         return explained
-
-
-def _equal(values: Mapping[str, float]) -> str:
-    return listed(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values.items())

@@ -295,7 +295,7 @@ def run_infer(call: Call) -> int:
     """Find inputs for every scene and measured value; return the exit code."""
     from ..answers.inferred import Inferred
     from ..rows.infer import Problems
-    from ..scene.inverse import SIZES, already_given, inputs_named
+    from ..scene.inverse import SIZES, inputs_named
 
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
@@ -304,26 +304,25 @@ def run_infer(call: Call) -> int:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
     for word in filter(os.path.isfile, call.words):
         raise BadRequest(f"infer reads no tables; jkroll batch {word} --infer INPUT --measured QUANTITY does")
-    measured = _measured(call.measured, names)
     check_format(call)
-    form = call.form(names)
-    for quantity in measured:
-        if quantity in call.spreads:
-            raise already_given(quantity)
-    problems = Problems(names, measured, call.sweep)
-    return write(call, problems, Question(tuple(names), tuple(names)), form, Inferred)
+    problems = Problems(names, _measured(call, names), call.sweep)
+    return write(call, problems, Question(tuple(names), tuple(names)), call.form(names), Inferred)
 
 
-def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spread]]:
+def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
     """Read the measured quantities and their values: as many as inputs are sought."""
+    from ..scene.inverse import already_given
+
     measured: dict[str, list[Spread]] = {}
-    for text in texts:
+    for text in call.measured:
         word, has_value, value = text.partition("=")
         if not has_value:
             raise BadRequest("--measured: write a quantity and its value, such as pull_off_force=300nN")
         quantity = quantity_named(word)
+        if quantity in call.spreads:
+            raise already_given(quantity)
         measured[quantity] = spreads_of(value, quantity)
-    if not len(texts) == len(measured) == len(names):
+    if not len(call.measured) == len(measured) == len(names):
         example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)
         wanted = f"infer needs a measured quantity for each input, {len(names)} in all: {example}"
         raise BadRequest(f"{wanted}; several values of one have commas")

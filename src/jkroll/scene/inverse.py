@@ -3,7 +3,7 @@
 One unknown is found by a scan and by halving, two by a grid and Newton's method, in one row or in many.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property, partial
 from math import inf, nan, prod
 from typing import Any, NamedTuple
@@ -156,9 +156,9 @@ def sizes_in_words(unknowns: Iterable[str]) -> str:
     return listed(f"{symbols[name]} = {sizes}" for name, sizes in spans.items())
 
 
-def equal(values: Mapping[str, float]) -> str:
-    """Return what quantities are equal to, in words."""
-    return listed(f"{name} = {amount(name, float(value))}" for name, value in values.items())
+def equal(values: Mapping[str, float], word_of: Callable[[str], str] = str) -> str:
+    """Return what quantities are equal to, in words; `word_of` returns the word of a quantity, by default its name."""
+    return listed(f"{word_of(name)} = {amount(name, float(value))}" for name, value in values.items())
 
 
 # --- Problems ---------------------------------------------------------------------------------------------------------
