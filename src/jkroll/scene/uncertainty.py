@@ -7,7 +7,7 @@ value among the places along the edges of their box: within 1 % of the distance 
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import reduce
-from itertools import product
+from itertools import chain, product
 from math import fsum, isfinite
 from typing import Any, NamedTuple
 
@@ -133,19 +133,13 @@ def uncertainties(
         """Return the quantities at a place, which are values of some inputs; the others have their middles."""
         return made_of(scene.replace(**place)).evaluate([*values])
 
-    givens = [source.given for source in entering]
-    edges = [*_edges(givens)]
-    places = [
-        {name: value for source, value in zip(entering, place, strict=True) for name in source.names}
-        for edge in edges
-        for place in edge
-    ]
+    kind, edges = type(entering[0].given), [*_edges(entering)]
+    places = [*chain.from_iterable(edges)]
     if scene.shape or (len(places) <= FEW and isinstance(scene, Scene)):  # to solve a problem takes arrays
         rows = [*map(outcomes, places)]
         columns = {name: [row[name] for row in rows] for name in values}
     else:
         columns = _as_arrays(outcomes, places)
-    kind = type(givens[0])
     for name, value in values.items():
         if errors := [outcome for outcome in columns[name] if isinstance(outcome, JkrollError)]:
             bars[name] = errors[0]
@@ -185,21 +179,22 @@ def _as_arrays(outcomes: Callable[[Any], Any], places: Sequence[Any]) -> dict[st
     return columns
 
 
-def _edges(given: Sequence[Uncertain]) -> Iterator[list[list[Any]]]:
-    """Iterate over the edges along which each uncertainty in turn is moved: equally many for each, as lists of places.
+def _edges(sources: Sequence[Source]) -> Iterator[list[dict[str, Any]]]:
+    """Iterate over the edges along which each source in turn is moved: equally many for each, as lists of places.
 
-    A standard one is moved to both of its ends, with the others at their middles; a range by steps, with the others at
-    each corner of their box. The largest value of a quantity that has no turning point is that of a corner. One that is
-    that of the weaker body, and falls off where the other becomes the weaker, has it at a corner or where such a ridge
-    meets an edge.
+    A standard uncertainty is moved to both of its ends, with the others at their middles; a range by steps, with the
+    others at each corner of their box. The largest value of a quantity that has no turning point is that of a corner.
+    One that is that of the weaker body, and falls off where the other becomes the weaker, has it at a corner or where
+    such a ridge meets an edge.
     """
-    for axis, value in enumerate(given):
-        is_range = isinstance(value, Interval)
-        moved = _steps(value.low, value.high) if is_range else [value.low, value.high]
-        others = [*given[:axis], *given[axis + 1 :]]
-        fixed = [(other.low, other.high) if is_range else (other.value,) for other in others]
+    for source in sources:
+        given, others = source.given, [other for other in sources if other is not source]
+        is_range = isinstance(given, Interval)
+        moved = _steps(given.low, given.high) if is_range else [given.low, given.high]
+        fixed = [(other.given.low, other.given.high) if is_range else (other.given.value,) for other in others]
         for corner in product(*fixed):
-            yield [[*corner[:axis], end, *corner[axis:]] for end in moved]
+            place = {name: end for other, end in zip(others, corner, strict=True) for name in other.names}
+            yield [{**place, **dict.fromkeys(source.names, end)} for end in moved]
 
 
 def _steps(low: Any, high: Any) -> list[Any]:
