@@ -259,15 +259,7 @@ class Progress:
 
 Pair = tuple[str, str]  # a table, and the file that it becomes
 
-
-class Outcome(NamedTuple):
-    """The counts of a table, or why it failed as a whole."""
-
-    tally: Tally
-    problem: str = ""
-    exit_code: int = 0
-
-
+Outcome = tuple[Tally, JkrollError | None]  # the counts of a table, and why it failed as a whole
 Task = Callable[[Pair], Outcome]
 
 
@@ -277,16 +269,16 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
     left = [pair for pair in pairs if not (job.resume and _is_newer(pair))]
     task = partial(_outcome, job._replace(jobs=1, quiet=True))
     outcomes = [*(_on_cluster(job.dask, task, left) if job.dask else _by_processes(job.processes, task, left))]
-    tally = reduce(Tally.plus, (outcome.tally for outcome in outcomes), Tally())
+    tally = reduce(Tally.plus, (of_table for of_table, _ in outcomes), Tally())
     if not job.quiet:
         if kept := len(pairs) - len(left):
             say(f"note: {kept} of {len(pairs)} files are newer than their tables and were kept", sys.stderr)
         for line, count in Counter(tally.said).most_common(MAX_NOTES):
             say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
-    for (table, _), outcome in zip(left, outcomes, strict=True):
-        if outcome.problem:
-            say(f"jkroll: {quoted(table)}: {outcome.problem}", sys.stderr)
-    return tally, max((outcome.exit_code for outcome in outcomes), default=0)
+    errors = {quoted(table): error for (table, _), (_, error) in zip(left, outcomes, strict=True) if error is not None}
+    for table, error in errors.items():
+        say(f"jkroll: {table}: {str(error).removeprefix(f'{table}: ')}", sys.stderr)
+    return tally, max((error.exit_code for error in errors.values()), default=0)
 
 
 def _pairs(directory: str, path: str) -> list[Pair]:
@@ -318,11 +310,11 @@ def _outcome(job: Job, pair: Pair) -> Outcome:
     """Convert a table in this process; a failure is an outcome."""
     path, target = pair
     try:
-        return Outcome(convert_one(path, job._replace(target=target)))
+        return convert_one(path, job._replace(target=target)), None
     except MissingExtra:
         raise  # as it would for every table
     except JkrollError as error:
-        return Outcome(Tally(), str(error).removeprefix(f"{quoted(path)}: "), error.exit_code)
+        return Tally(), error
 
 
 def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
@@ -343,6 +335,8 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
     """
     import logging
 
+    from .workers import LostWorker
+
     with missing_extra("dask"):
         from distributed import Client, KilledWorker
     for name in ("distributed", "distributed.worker", "distributed.scheduler", "tornado"):
@@ -362,7 +356,7 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
             try:
                 yield future.result()
             except KilledWorker as error:
-                yield Outcome(Tally(), f"its worker ended {error.allowed_failures + 1} times", 1)
+                yield Tally(), LostWorker(f"its worker ended {error.allowed_failures + 1} times")
 
 
 # --- Lists and ranges -------------------------------------------------------------------------------------------------

@@ -10,15 +10,13 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from itertools import cycle
-from multiprocessing import connection, get_context, parent_process, resource_tracker
+from multiprocessing import get_context, parent_process, resource_tracker
 from threading import Thread
 from typing import Any
 
 from ..errors import JkrollError
 from ..output.writers import SIGNALS
 
-PATIENCE = 5.0  # seconds for a process to remove what it has begun
-CONTEXT = get_context("spawn")  # safe beside threads, and the same on every system
 Answer = Callable[[Any], Any]
 
 
@@ -28,38 +26,8 @@ class LostWorker(JkrollError):
     exit_code = 1
 
 
-class Worker:
-    """A process that answers questions."""
-
-    def __init__(self, answer: Answer) -> None:
-        """Start it. `answer`: the function that it calls."""
-        self.connection, end = CONTEXT.Pipe()
-        self.process = CONTEXT.Process(target=_serve, args=(end, answer), daemon=True)
-        self.process.start()
-        end.close()
-
-    def answer(self) -> Any:
-        """Return the answer to the last question, or raise its error; LostWorker if the process was ended."""
-        try:
-            answer = self.connection.recv()
-        except (EOFError, ConnectionError):
-            self.process.join()
-            code = self.process.exitcode or 0
-            how = f"was ended by signal {-code}" if code < 0 else f"ended with exit code {code}"
-            raise LostWorker(f"a worker process {how}; the table it was working on was not written") from None
-        if isinstance(answer, Exception):
-            raise answer
-        return answer
-
-    def end(self) -> None:
-        """Wait for the end of the process, which was told to end; kill it if it does not."""
-        self.process.join(PATIENCE)
-        self.process.kill()
-        self.process.join()
-        self.connection.close()
-
-
-def _serve(questions: "connection.Connection[Any, Any]", answer: Answer) -> None:
+def _serve(questions: Any, answer: Answer) -> None:
+    """Answer the questions in a pipe until it is closed."""
     _mask("SIG_UNBLOCK", {*SIGNALS} - {signal.SIGINT})
     Thread(target=_end_with_parent, daemon=True).start()
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
@@ -93,29 +61,41 @@ def _mask(how: str, numbers: Iterable[int]) -> None:
 
 
 def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[Any]:
-    """Iterate over the answers of some processes in the order of the questions.
+    """Iterate over the answers of some processes in the order of the questions. Raises their errors, and LostWorker.
 
     No interrupt reaches them: they end with the iteration.
     """
-    workers: list[Worker] = []
-    at_work: deque[Worker] = deque()
+    context = get_context("spawn")  # safe beside threads, and the same on every system
+    processes, pipes, asked = list[Any](), list[Any](), deque[Any]()
     try:
         _mask("SIG_BLOCK", SIGNALS)  # a process that starts would say that it was struck
-        try:
-            while len(workers) < count:
-                workers.append(Worker(answer))
-        finally:
-            _mask("SIG_UNBLOCK", SIGNALS)
-        for worker, question in zip(cycle(workers), questions, strict=False):
-            if len(at_work) == count:
-                yield at_work.popleft().answer()
-            with suppress(ConnectionError):  # a process that was ended is noticed by its answer
-                worker.connection.send(question)
-            at_work.append(worker)
-        for worker in at_work:
-            yield worker.answer()
+        for _ in range(count):
+            pipe, end = context.Pipe()
+            process = context.Process(target=_serve, args=(end, answer), daemon=True)
+            process.start()
+            end.close()
+            processes.append(process)
+            pipes.append(pipe)
+        _mask("SIG_UNBLOCK", SIGNALS)
+        for pipe, question in zip(cycle(pipes), questions, strict=False):
+            if len(asked) == count:
+                yield _answer(asked.popleft())
+            pipe.send(question)
+            asked.append(pipe)
+        while asked:
+            yield _answer(asked.popleft())
+    except (EOFError, ConnectionError):
+        raise LostWorker("a worker process was ended from outside; its table was not written") from None
     finally:
-        for worker in workers:
-            worker.process.terminate()
-        for worker in workers:
-            worker.end()
+        for process in processes:
+            process.terminate()
+        for process in processes:
+            process.join()  # it removes what it has begun
+
+
+def _answer(pipe: Any) -> Any:
+    """Return the next answer in a pipe. Raises its error."""
+    answer = pipe.recv()
+    if isinstance(answer, Exception):
+        raise answer
+    return answer
