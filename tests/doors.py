@@ -14,7 +14,6 @@ import numpy as np
 
 import jkroll.batch.run
 import jkroll.rows.columns
-import jkroll.rows.sweep
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.call import Call
@@ -23,6 +22,8 @@ from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.rows.columns import ROW, SIDES, Block, Columns, Row, Wanted, evaluated
+from jkroll.rows.infer import Problems
+from jkroll.rows.sweep import Sweep
 from jkroll.rows.table import Table
 from jkroll.scene.doubts import LIMITS, NOT_JUDGED, Limit, at_least_measured, at_most_measured
 from jkroll.scene.failures import Failure
@@ -90,7 +91,8 @@ def kind_of(key: str) -> str:
 def computed(*, by_arrays: bool) -> Iterator[None]:
     """Have rows of lists computed by arrays, a few at a time, or by floats, however many they are."""
     with ExitStack() as stack:
-        stack.enter_context(patch.object(jkroll.rows.sweep, "WORTH_ARRAYS", -1 if by_arrays else INFINITY))
+        for kind in (Sweep, Problems):
+            stack.enter_context(patch.object(kind, "few", -1 if by_arrays else INFINITY))
         stack.enter_context(patch.object(jkroll.rows.columns, "BLOCK", 5))
         yield
 

@@ -13,7 +13,8 @@ import pytest
 from harness import Ran, Run
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.rows import sweep as rows_of_lists
+from jkroll.rows.infer import Problems
+from jkroll.rows.sweep import Sweep
 from jkroll.scene.wiring import formula_of
 from jkroll.text import spelled
 from relative import approx
@@ -42,7 +43,8 @@ def table(text: str) -> list[list[str]]:
 
 def by(way: str, patch: pytest.MonkeyPatch) -> None:
     """Have rows computed one by one with floats, or as arrays, whatever their number."""
-    patch.setattr(rows_of_lists, "WORTH_ARRAYS", {"floats": 10**9, "arrays": -1}[way])
+    for kind in (Sweep, Problems):
+        patch.setattr(kind, "few", {"floats": 10**9, "arrays": -1}[way])
 
 
 def in_both_ways(run: Run, monkeypatch: pytest.MonkeyPatch, *words: str) -> list[Ran]:
@@ -121,7 +123,7 @@ def test_what_is_named_is_a_column_whether_a_command_shows_it_there_or_not(
 
 def test_a_value_of_many_rows_is_rounded_once(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """Else the time grows as the square of the number of rows that are written together."""
-    monkeypatch.setattr(rows_of_lists, "WORTH_ARRAYS", 0)
+    by("arrays", monkeypatch)
     with patch.object(Format, "number", autospec=True, side_effect=Format.number) as number:
         _, *rows = table(run("pull-off quartz 1nm:1um:1000 --csv --digits 3 --quantities pull_off_force").out)
     assert (len(rows), number.call_count) == (1000, 1000)

@@ -45,7 +45,7 @@ def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pyt
     monkeypatch.setattr("jkroll.rows.sweep.Sweep.most_in_table", 99)
     monkeypatch.setattr("jkroll.rows.columns.BLOCK", 40)
     for way in (10**9, -1):  # by floats, and by arrays
-        monkeypatch.setattr("jkroll.rows.sweep.WORTH_ARRAYS", way)
+        monkeypatch.setattr("jkroll.rows.sweep.Sweep.few", way)
         assert "─" in run("pull-off quartz 1nm:1um:99 --quiet", terminal=True).out
         lines = run("pull-off quartz 1nm:1um:100 --quiet", terminal=True).out.splitlines()
         assert [len(line.split("\t")) for line in lines] == [6] * 101

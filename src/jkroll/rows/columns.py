@@ -40,8 +40,6 @@ BLOCK = 6 << 10  # rows computed together as arrays: many for the calls of numpy
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
-_REST = 15  # cost of the rest of a row, in formulas
-_JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
 ROW = ""  # stands for the row as a whole, in place of the name of a column
@@ -119,10 +117,6 @@ class Wanted:
     def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
         """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
         return (DOUBT, STATUS) if doubt and self.doubts else (STATUS,)
-
-    def work(self, scene: Any) -> int:
-        """Return the cost of a row that is computed by itself, counted in formulas."""
-        return (_REST + len(scene.formulas_to(*scene.possible(self.names)))) * (_JUDGED if self.doubts else 1)
 
     # --- Rows ---------------------------------------------------------------------------------------------------------
 

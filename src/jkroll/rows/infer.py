@@ -18,8 +18,6 @@ from ..scene.wiring import in_order
 from .columns import Columns, Wanted
 from .sweep import Sweep
 
-_WORK = 1_000  # formulas of a scene of numbers that take as long as to infer an unknown
-
 
 class Unknowns(Wanted):
     """Unknowns of rows, each of which is a problem."""
@@ -27,10 +25,6 @@ class Unknowns(Wanted):
     def with_alternatives(self, *_: Any, **__: Any) -> "Wanted":
         """Return the same unknowns: each value is one of its own law."""
         return self
-
-    def work(self, scene: Problem) -> int:  # noqa: ARG002
-        """Return the cost of a row that is computed by itself, counted in formulas."""
-        return _WORK
 
     def evaluation(self, scene: Problem) -> Evaluation:
         """Return the values of the unknowns, or why a problem of numbers has none."""
@@ -61,6 +55,7 @@ class Problems(Sweep):
 
     most_answers = 10_000  # each takes milliseconds
     most_in_table = 500
+    few = 10
 
     def __init__(self, names: Sequence[str], measured: Mapping[str, Sequence[Spread]], given: Sweep) -> None:
         """`names`: of the unknowns; `measured`: the lists and ranges of the values of each quantity."""

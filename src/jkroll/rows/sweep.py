@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from .cells import Indices, Numbers
     from .columns import Columns, Wanted
 
-WORTH_ARRAYS = 80_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
-
 Pair = tuple[Material | None, Material | None]
 
 
@@ -32,6 +30,7 @@ class Sweep:
 
     most_answers = 1_000_000  # that are written one by one
     most_in_table = 10_000  # rows that are computed one by one for a table on a terminal
+    few = 300  # rows that take about as long one by one as to import numpy and orjson
 
     def __init__(
         self, pairs: Sequence[Pair], spreads: Mapping[str, Sequence[Spread]], models: Sequence[str | None]
@@ -131,7 +130,7 @@ class Sweep:
         from .columns import BLOCK, Columns, evaluated
 
         size = len(self)
-        if one_by_one or size * wanted.work(self.kinds[0]) <= WORTH_ARRAYS:
+        if one_by_one or size <= self.few:
             yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])
             return
         for start in range(0, size, BLOCK):
