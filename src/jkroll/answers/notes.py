@@ -25,7 +25,7 @@ from ..scene.doubts import (
     solid_of_kind,
     touched,
 )
-from ..scene.failures import NO_END, grouped
+from ..scene.failures import grouped
 from ..scene.scene import DEFAULTS, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
@@ -231,16 +231,16 @@ def about_limits(every: Iterable[Doubt], kind: Kind = "remark") -> list[Note]:
     return [Note(kind, f"not checked: {first_of(codes, _MAX_CODES)}: {reason}") for codes, reason in grouped(errors)]
 
 
-def about_missing(errors: Mapping[str, JkrollError], lead: str = "") -> list[Note]:
-    """Return a note for each reason why there are no values, behind a lead, with the names of all that it concerns."""
-    return [Note("caveat", f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(errors)]
+def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
+    """Return a note for each reason why there are no values, with the names of all that it concerns."""
+    return [Note("caveat", f"{first_symbols(names)}: {reason}") for names, reason in grouped(errors)]
 
 
 def about_bars(evaluation: Evaluation) -> list[Note]:
     """Return notes on error bars that do not exist, and on sources that enter none."""
     failures = {name: bar for name, bar in evaluation.bars.items() if isinstance(bar, JkrollError)}
     sources = evaluation.sources
-    return [*about_missing(failures, NO_END), *(about_left_out(sources.left_out) if sources is not None else ())]
+    return [*about_missing(failures), *(about_left_out(sources.left_out) if sources is not None else ())]
 
 
 def about_left_out(sources: "Iterable[Source]") -> list[Note]:

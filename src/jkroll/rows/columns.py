@@ -29,7 +29,7 @@ from ..scene.doubts import (
     names_with_alternatives,
     touched,
 )
-from ..scene.failures import NO_END, OF_IDENTICAL_SPHERES, Failure, MissingInput, grouped, needs_in_words
+from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, MissingInput, grouped, needs_in_words
 from ..scene.scene import FOLLOWS, Scene, takes
 from ..text import first_of, listed
 
@@ -506,26 +506,24 @@ def status_of(reasons: Reasons) -> str:
     """Return a phrase for each kind of reason. All inputs that quantities lack are in one."""
     lacked = (error.missing for error in reasons.values() if isinstance(error, MissingInput))
     needs = needs_in_words(dict.fromkeys(chain.from_iterable(lacked)))
-    phrases = []
-    for name, error in reasons.items():
-        phrase = needs if isinstance(error, MissingInput) and error.missing else error.phrase or str(error)
-        phrases.append("no error bar" if _is_side(name) else phrase)
+    phrases = (
+        needs if isinstance(error, MissingInput) and error.missing else error.phrase or str(error)
+        for error in reasons.values()
+    )
     return "; ".join(dict.fromkeys(phrases))
-
-
-def _is_side(name: str) -> bool:
-    """Return whether a column is that of an uncertainty."""
-    return name not in NOMENCLATURE and name not in (ROW, UNCERTAINTY)
 
 
 def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
     """Return reasons in full; `word_of` returns the word of a quantity, by default its name."""
     if (error := lack(reasons)) is not None:
         return str(error)
-    of_values = {name: error for name, error in reasons.items() if name in NOMENCLATURE}
-    of_sides = {name.rpartition("_")[0]: error for name, error in reasons.items() if _is_side(name)}
-    groups = [*grouped(of_values), *((names, NO_END + reason) for names, reason in grouped(of_sides))]
-    clauses = [f"{first_of([*map(word_of, names)])}: {reason}" for names, reason in groups]
+    # A side of an error bar has the reason of its quantity.
+    errors = {
+        key if key in NOMENCLATURE else key.rpartition("_")[0]: error
+        for key, error in reasons.items()
+        if key != UNCERTAINTY
+    }
+    clauses = [f"{first_of([*map(word_of, names)])}: {reason}" for names, reason in grouped(errors)]
     clauses += [str(reasons[UNCERTAINTY])] if UNCERTAINTY in reasons else []
     return "; ".join(clauses)
 

@@ -135,9 +135,6 @@ INFINITE = Kind("infinite", "infinite")  # where a number is to be written, such
 NO_STIFFNESS = Kind("", "infinite where fixed grips let go")
 
 
-NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
-
-
 class Failure(NoResult):
     """Error raised where a quantity has no value, for a reason of some kind."""
 

@@ -10,7 +10,6 @@ from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..physics.elementary import NUMBER
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, as_input, named
 from ..quantities.values import Measured, QuantityError, Uncertain, checked, is_uncertain, value_of
-from .failures import NO_END, Failure, Kind, reason_of
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -155,7 +154,7 @@ def with_uncertainties(
     measures: dict[str, float | Uncertain] = dict(values)
     for name, bar in bars.items():
         if isinstance(bar, JkrollError):
-            raise Failure(Kind("no error bar", NO_END + reason_of(name, bar)), name)
+            raise bar
         measures[name] = bar.uncertainty
     return measures
 

@@ -15,6 +15,7 @@ from ..errors import BadRequest, JkrollError
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain
+from .failures import Failure, Kind, reason_of
 from .scene import Scene
 from .wiring import in_order
 
@@ -142,7 +143,8 @@ def uncertainties(
         columns = _as_arrays(outcomes, places)
     for name, value in values.items():
         if errors := [outcome for outcome in columns[name] if isinstance(outcome, JkrollError)]:
-            bars[name] = errors[0]
+            reason = f"no uncertainty, as there is no value at an end of an input: {reason_of(name, errors[0])}"
+            bars[name] = Failure(Kind("no error bar", reason), name)
             continue
         on_edges = _divided(columns[name], len(edges[0]))
         extents = [(reduce(at_most, on_edge), reduce(at_least, on_edge)) for on_edge in on_edges]
