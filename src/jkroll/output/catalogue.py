@@ -45,9 +45,8 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named
 
 def _write_rows(chosen: Sequence[Material], out: TextIO, kind: str) -> None:
     """Write a row for each material, with the columns of uncertainties that any of them has."""
-    bars = [(name, bar) for material in chosen for name, bar in material.uncertainties.items()]
-    sides = {name: {side for owner, bar in bars if owner == name for side in bar.sides} for name in PROPERTIES}
-    columns = Wanted(PROPERTIES, sides=sides)
+    bars = [bar for material in chosen for bar in material.uncertainties.values()]
+    columns = Wanted(PROPERTIES, sides={side for bar in bars for side in bar.sides})
     rows: list[list[Cell]] = []
     for material in chosen:
         numbers = numbers_of(material.measures)

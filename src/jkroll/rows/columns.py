@@ -59,8 +59,7 @@ class Wanted:
         names: Sequence[str],
         named: Collection[str] = (),  # those that were asked for by name, and concern any row
         inputs: Sequence[str] = (),  # that stand before them
-        # By the key of a value, those of SIDES that have columns; None where uncertainties are not wanted.
-        sides: Mapping[str, Collection[str]] | None = None,
+        sides: Collection[str] | None = None,  # those of uncertainties that have columns; None: they are not wanted
         doubts: bool = True,  # whether limits are judged
         # By kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
         alternatives: Mapping[str, Sequence[str]] = _NONE,
@@ -68,23 +67,16 @@ class Wanted:
         self.names, self.named, self.inputs, self.sides = names, named, inputs, sides
         self.doubts, self.alternatives = doubts, alternatives
 
-    def with_sides(self, sides: Mapping[str, Collection[str]] | None) -> "Wanted":
-        """Return the same columns with those of other uncertainties."""
-        return type(self)(self.names, self.named, self.inputs, sides, self.doubts, self.alternatives)
-
     def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str]) -> "Wanted":
         """Return the same quantities, some of them with columns of what may stand in their place.
 
         `scenes`: of each kind of rows.
         """
         names_of = names_with_alternatives(scenes, [name for name in self.names if name in names])
-        sides = self.sides
-        if sides is not None:
-            law, names = next(iter(names_of.items()))
-            with suppress(JkrollError):  # sources of two kinds give no error bars
-                of_law = sides_in((scene.by_law, names) for scene in scenes)
-                sides = {**sides, **{f"{name}{_BY}{law}": of_name for name, of_name in of_law.items()}}
-        return type(self)(self.names, self.named, self.inputs, sides, self.doubts, names_of)
+        of_law, sides = next(iter(names_of.values())), {*(self.sides or ())}
+        with suppress(JkrollError):  # sources of two kinds give no error bars
+            sides |= sides_in((scene.by_law, of_law) for scene in scenes)
+        return Wanted(self.names, self.named, self.inputs, sides, self.doubts, names_of)
 
     @cached_property
     def keys(self) -> tuple[str, ...]:
@@ -103,7 +95,7 @@ class Wanted:
 
     def sides_of(self, key: str) -> dict[str, str]:
         """Return the keys of the columns of the uncertainty of a column, by the side: "radius_minus"."""
-        sides = ("low", "high") if key.endswith(f"{_BY}{DATA}") else (self.sides or {}).get(key, ())
+        sides = ("low", "high") if key.endswith(f"{_BY}{DATA}") else self.sides or ()
         return {side: f"{key}_{side}" for side in SIDES if side in sides}
 
     def alternatives_of(self, name: str) -> dict[str, str]:
@@ -186,26 +178,19 @@ class Wanted:
             return {}, None
         from ..scene.uncertainty import measures_of
 
-        if evaluation.sources.sides <= {side for name in self.names for side in self.sides_of(name)}:
+        if evaluation.sources.sides <= {*self.sides}:
             return measures_of(evaluation.bars), None
         problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
         return {}, BadRequest(f"{listed(evaluation.sources.given)}: {problem}", "error bars left out")
 
 
-def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> dict[str, set[str]]:
+def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> set[str]:
     """Return the sides of the uncertainties that enter quantities; `kinds`: scenes with the quantities of each.
 
-    The sources of a scene are those of all its quantities together, as in its rows. Raises a JkrollError for sources
-    that do not go together.
+    Raises a JkrollError for sources that do not go together.
     """
-    sides: dict[str, set[str]] = {}
-    for scene, names in kinds:
-        if (sources := Evaluation(scene, dict.fromkeys(names)).sources) is None:
-            continue
-        for name in scene.possible(names):
-            if not sources.given.keys().isdisjoint(scene.inputs_of(name)):
-                sides.setdefault(name, set()).update(sources.sides)
-    return sides
+    every = (Evaluation(scene, dict.fromkeys(names)).sources for scene, names in kinds)
+    return {side for sources in every if sources is not None for side in sources.sides}
 
 
 class Row(NamedTuple):

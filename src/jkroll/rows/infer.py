@@ -15,7 +15,7 @@ from ..scene.scene import Scene, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
 from ..scene.uncertainty import uncertainties
 from ..scene.wiring import in_order
-from .columns import Columns, Wanted
+from .columns import Columns, Wanted, sides_in
 from .sweep import Sweep
 
 
@@ -73,9 +73,9 @@ class Problems(Sweep):
         for problem in self.kinds:
             with suppress(MissingInput, NoResult):  # each row says why it has no value
                 problem.check()
-        sides = {side for problem in self.kinds if problem.is_uncertain for side in problem.sources().sides}
+        sides = sides_in((problem, self.names) for problem in self.kinds)
         inputs = {name for problem in self.kinds for name in problem.echo(problem.inputs_used(self.names))}
-        return Unknowns(self.names, named=self.names, inputs=in_order(inputs), sides=dict.fromkeys(self.names, sides))
+        return Unknowns(self.names, named=self.names, inputs=in_order(inputs), sides=sides)
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:  # noqa: ARG002
         """Return the columns of the unknowns alone."""

@@ -25,7 +25,7 @@ from .header import Header, is_input, stated_meanings, typed
 from .words import MATERIALS
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Source
+    from ..scene.uncertainty import Sources
 
 _NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row yet
 
@@ -73,16 +73,24 @@ class Table:
         cells = {name: [row[place].encode() for row in rows] for name, place in self.places.items()}
         sample = TableBlock(self, Records(rows, cells))  # which looks up materials
         scenes = self._kinds(cells)
-        self.wanted = self._wanted(scenes)
-        if asked.alternatives:
-            self.wanted = self.wanted.with_alternatives(scenes, self.wanted.names)
-        self.left_out = self._add_sides(sample)
+        self.names, named = self._names(scenes)
+        sources = self._sources(sample)
+        self.left_out = [source for each in sources for source in each.left_out]
+        sides = {*SIDES} if asked.uncertainty else {side for each in sources for side in each.sides}
+        sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
+        kind = Wanted
+        if asked.infer:
+            from .infer import Unknowns
+
+            kind = Unknowns
+        wanted = kind(self.names, named=named, sides=sides, doubts=asked.doubt)
+        self.wanted = wanted.with_alternatives(scenes, self.names) if asked.alternatives else wanted
         solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
         if any(solid.displacement is not None for solid in solids):  # which nothing assumes
             self.given |= {XI}
         # A scene of each kind of rows, with the quantities that it shows, or that were measured.
         self.kinds = [
-            (scene.filled, [asked.measured]) if asked.infer else (scene, self.wanted.names) for scene in scenes
+            (scene.filled, [asked.measured]) if asked.infer else (scene, self.names) for scene in scenes
         ]
         for text in columns.texts:
             if text.strip() in self.added:
@@ -139,14 +147,12 @@ class Table:
             return kinds(solids)  # their rows will say that they are unknown
         return scenes
 
-    def _wanted(self, scenes: Sequence[Any]) -> Wanted:
-        """Return the quantities that columns and options allow, without uncertainties: those that some scene has."""
-        explicit, offered, doubt = self.asked.explicit, self.asked.offered, self.asked.doubt
+    def _names(self, scenes: Sequence[Any]) -> tuple[Sequence[str], Sequence[str]]:
+        """Return the quantities that columns and options allow, and those of them that concern any row."""
+        explicit, offered = self.asked.explicit, self.asked.offered
         if self.asked.infer:
-            from .infer import Unknowns
-
             scenes[0].check()
-            return Unknowns([self.asked.infer], named=[self.asked.infer], sides={}, doubts=doubt)
+            return [self.asked.infer], [self.asked.infer]
         for name in explicit:
             if name in self.given:
                 raise BadRequest(f"--quantities: {name} is an input here")
@@ -172,21 +178,15 @@ class Table:
             )
         # Where some cells are the reason why a quantity has a column, all rows have it.
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
-        return Wanted(names, named=[*explicit, *of_cells], sides={}, doubts=doubt)
+        return names, [*explicit, *of_cells]
 
-    def _add_sides(self, block: "TableBlock") -> "list[Source]":
-        """Add the columns of uncertainties that some rows have; return their sources that enter no error bar."""
+    def _sources(self, block: "TableBlock") -> "list[Sources]":
+        """Return the sources of uncertainty of the quantities in each kind of rows."""
         sources = []
         for places, given in groups(block):
             with suppress(JkrollError):  # bad rows, which their status will explain
-                sources.append(Evaluation(block.scene(given, places), dict.fromkeys(self.wanted.names)).sources)
-        of_rows = [*filter(None, sources)]
-        sides = {*SIDES} if self.asked.uncertainty else {side for each in of_rows for side in each.sides}
-        sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
-        if not sides:
-            return []
-        self.wanted = self.wanted.with_sides(dict.fromkeys(self.wanted.keys, sides))
-        return [source for each in of_rows for source in each.left_out]
+                sources.append(Evaluation(block.scene(given, places), dict.fromkeys(self.names)).sources)
+        return [*filter(None, sources)]
 
 
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
@@ -232,7 +232,7 @@ class TableBlock:
         """Return the scene of the inputs of rows that are alike."""
         solids = {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
         scene = self.table.scene(given, solids)
-        if LABEL in solids.values() and scene.missing(self.table.wanted.names):
+        if LABEL in solids.values() and scene.missing(self.table.names):
             raise BadRequest("names are no materials")  # each row by itself says which
         return scene
 
@@ -252,7 +252,7 @@ class TableBlock:
                 problems.append(error)
         if not problems:
             scene = table.scene(given, solids)
-            if not labels or not scene.missing(table.wanted.names):
+            if not labels or not scene.missing(table.names):
                 return scene
         problems = [*labels, *problems]
         phrases = dict.fromkeys(error.phrase or str(error) for error in problems)
