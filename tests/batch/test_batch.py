@@ -163,7 +163,7 @@ STATUS = {
     "x,quartz,100": ("row is short: 3 cells for 4", "row is short: 3 cells for 4"),
     "x,quartz,100,0,": ("row is long: 5 cells for 4", "row is long: 5 cells for 4"),
     'x,"quartz,100,0': ("a quote is not closed", "a quote is not closed"),
-    "x,quartz\ry,100,0": ("a carriage return stands outside quotes", "a carriage return stands outside quotes"),
+    "x,quartz\ry,100,0": ("a carriage return stands outside quotes: lines end in line feeds",) * 2,
     "x,quartz,1e400,0": ("bad radius", "radius: '1e400' is too large for a double; expected a length such as 100nm"),
     "x,quartz,1\x1b[31m,0": (
         "bad radius",
@@ -242,7 +242,7 @@ def test_a_line_end_of_two_carriage_returns_splits_no_row(run: Run) -> None:
 def test_other_separators_and_line_ends_are_named(run: Run) -> None:
     run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv")
     assert run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv").err == (
-        "jkroll: the lines end in carriage returns alone; save the table with line feeds\n"
+        "jkroll: header: a carriage return stands outside quotes: lines end in line feeds\n"
     )
     message = "has semicolons between its columns; write --delimiter semicolon"
     for header in ("material;radius [nm];a,b", '"material";"radius [nm]"'):

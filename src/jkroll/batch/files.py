@@ -51,7 +51,7 @@ _COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a 
 _MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text stands behind it"
-_CARRIAGE_RETURN = "a carriage return stands outside quotes"
+_CARRIAGE_RETURN = "a carriage return stands outside quotes: lines end in line feeds"
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 # --- Formats ----------------------------------------------------------------------------------------------------------
@@ -334,8 +334,6 @@ class Delimited:
 
     def _names(self, cells: Sequence[str], line: str, problem: str) -> tuple[str, ...]:
         """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
-        if problem == _CARRIAGE_RETURN:
-            raise BadTable("the lines end in carriage returns alone; save the table with line feeds")
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
         text, *names = map(_text, (line.strip(), *(cells or [line])))
