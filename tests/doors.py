@@ -198,7 +198,7 @@ def _defined(wanted: Wanted, block: Block, place: int) -> tuple[Row, Scene | Non
     scene = None
     try:
         scene = block.scene_of(place)
-        return wanted.row(scene), scene
+        return wanted.row(wanted.evaluation(scene)), scene
     except JkrollError as error:
         return Row({}, [math.nan] * len(wanted.keys), 0, {ROW: error}), scene
 

@@ -343,13 +343,10 @@ def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome
         logging.getLogger(name).setLevel(logging.CRITICAL)
     try:
         client = Client(address, timeout=DASK_WAIT)
+        client.wait_for_workers(1, timeout=DASK_WAIT)
     except (OSError, ValueError):
-        raise BadTable(f"--dask: no scheduler answers at {quoted(address)}") from None
+        raise BadTable(f"--dask: no scheduler with a worker answers at {quoted(address)}") from None
     with closing(client):
-        try:
-            client.wait_for_workers(1, timeout=DASK_WAIT)
-        except TimeoutError:
-            raise BadTable(f"--dask: the scheduler at {quoted(address)} has no worker") from None
         # A worker opens a relative path in a directory of its own.
         futures = [client.submit(task, tuple(map(os.path.abspath, pair)), pure=False) for pair in pairs]
         for future in futures:

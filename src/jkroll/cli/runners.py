@@ -246,7 +246,7 @@ def _write_curve(call: Call) -> int:
 
     def columns() -> Iterator[Columns]:
         while block := [*islice(states, size)]:
-            yield Columns.of_rows(wanted, [*map(wanted.row_of, block)])
+            yield Columns.of_rows(wanted, [*map(wanted.row, block)])
 
     curves = [*dict.fromkeys(sample.curve for sample in samples)]
     notes = OfRows((curve.scene, [*curve.outcomes]) for curve in curves)

@@ -66,7 +66,7 @@ class Column(NamedTuple):
         if without := next((cell for cell in cells if cell.strip() and has_no_value(cell)), ""):
             return without
         first, *others = (cell.strip() for cell in cells)
-        is_single = _are_equal(first, *others) if self.is_range else not any(others)
+        is_single = first == others[0] if self.is_range else not any(others)
         if is_single:
             return first
         is_bare = not self.error_unit and not any(map(_HAS_UNIT.search, (first, *others)))
@@ -135,11 +135,6 @@ class Column(NamedTuple):
 def _in_unit(number: str, unit_text: str) -> str:
     """Return the text of a number with a unit, unless it has one."""
     return f"{number} {unit_text}" if number and unit_text and not _HAS_UNIT.search(number) else number
-
-
-def _are_equal(first: str, second: str) -> bool:
-    """Return whether two cells are the same, or the same number."""
-    return first == second or (is_number(first) and is_number(second) and float(first) == float(second))
 
 
 def has_no_value(text: str) -> bool:
@@ -281,11 +276,12 @@ class Lookup:
     @property
     def remarks(self) -> list[str]:
         """The remarks on cells beside labels: names of several materials, and other names of one."""
-        unclear = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
-        cells = {cell.decode(errors="replace").strip(): self.known[index] for cell, index in self._indices.items()}
-        solids = {text: solid.name for text, solid in cells.items() if text and solid not in (None, LABEL)}
-        others = {text: name for text, name in solids.items() if self.errors and name.casefold() != text.casefold()}
-        return unclear + [f"material {quoted(text)} is {name}" for text, name in others.items()]
+        remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
+        for cell, index in self._indices.items() if self.errors else ():
+            text, solid = cell.decode(errors="replace").strip(), self.known[index]
+            if text and solid not in (None, LABEL) and solid.name.casefold() != text.casefold():
+                remarks.append(f"material {quoted(text)} is {solid.name}")
+        return remarks
 
     def kinds(self, indices: Indices) -> Indices:
         """Return a number for each row, which is the same for materials that can be one scene's."""

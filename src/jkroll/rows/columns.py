@@ -1,6 +1,6 @@
 """The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells that are empty.
 
-`Wanted.row_of` is the definition of a row. `Wanted.columns` gives the same for many rows at once: where an array leaves
+`Wanted.row` is the definition of a row. `Wanted.columns` gives the same for many rows at once: where an array leaves
 a gap that floats do not leave, or an uncertainty needs a search, the row is computed again by floats.
 """
 
@@ -116,12 +116,8 @@ class Wanted:
         """Return the evaluation of a scene, of numbers or of arrays."""
         return Evaluation(scene, scene.outcomes(self.names, self.named))
 
-    def row(self, scene: Any) -> "Row":
+    def row(self, evaluation: Evaluation) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
-        return self.row_of(self.evaluation(scene))
-
-    def row_of(self, evaluation: Evaluation) -> "Row":
-        """Return the row of what was evaluated for a scene of numbers."""
         outcomes = {**evaluation.outcomes, **self._alternatives(evaluation)}
         reasons = reasons_of(outcomes)
         values = {key: value for key, value in outcomes.items() if key not in reasons}
@@ -427,7 +423,7 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
                 columns.put(places, of_group)
         for row in numpy.flatnonzero(by_floats).tolist():
             try:
-                of_row = wanted.row(block.scene_of(row))
+                of_row = wanted.row(wanted.evaluation(block.scene_of(row)))
             except JkrollError as error:  # its scene cannot be made
                 of_row = Row({}, [nan] * len(wanted.keys), 0, {ROW: error})
             columns.put([row], Columns.of_rows(wanted, [of_row]))
@@ -532,8 +528,10 @@ class Tally(NamedTuple):
         rows: dict[str, list[int]] = {}
         for row, status in sorted(columns.status.items()):
             rows.setdefault(status, []).append(row)
-        reasons = {status: worded(columns.reasons[places[0]], word_of) for status, places in rows.items()}
-        gaps = {status: (len(places), places[0] + 1, reasons[status]) for status, places in rows.items()}
+        gaps = {
+            status: (len(places), places[0] + 1, worded(columns.reasons[places[0]], word_of))
+            for status, places in rows.items()
+        }
         return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally") -> "Tally":

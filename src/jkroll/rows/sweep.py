@@ -131,7 +131,7 @@ class Sweep:
 
         size = len(self)
         if one_by_one or size <= self.few:
-            yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])
+            yield Columns.of_rows(wanted, [*map(wanted.row, map(wanted.evaluation, self.scenes()))])
             return
         for start in range(0, size, BLOCK):
             yield evaluated(wanted, Lists(self, start, min(start + BLOCK, size)))
