@@ -161,7 +161,7 @@ def test_a_lost_process_is_noticed() -> None:
     _, message = process.communicate()
     assert (process.returncode, message.splitlines(keepends=True)[-1]) == (
         1,
-        "jkroll: a worker process was ended from outside; the table it was working on was not written\n",
+        "jkroll: a worker process was ended from outside; its table was not written\n",
     )
     assert not Path("out.csv").exists()
     assert not begun("out.csv")

@@ -6,19 +6,25 @@ from pathlib import Path
 import pytest
 
 from harness import Run, Stream
-from jkroll.batch.run import Progress
+from jkroll.batch.files import Input
+from jkroll.batch.run import Converted, with_progress
+from jkroll.rows.columns import Tally
 
 
 def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
-    out = Stream(terminal=True)
-    monkeypatch.setattr("sys.stderr", out)
-    monkeypatch.setattr("jkroll.batch.run.WAIT", 0)
-    progress = Progress(is_shown=True)
-    progress.show(0.25, 50_000)
+    Path("grains.csv").write_bytes(b"100\n" * 100)
+    file = Input("grains.csv")
+    with file.file:
+        out = Stream(terminal=True)
+        monkeypatch.setattr("sys.stderr", out)
+        monkeypatch.setattr("jkroll.batch.run.WAIT", 0)
+        monkeypatch.setattr(file, "share_read", lambda rows: rows / 200_000)
+        blocks = with_progress(iter([Converted(b"", 0, Tally(rows=50_000))] * 2), file)
+        assert [next(blocks), next(blocks)]
     line = out.text()
     assert " 25%, " in line
     assert "50,000 rows" in line
-    progress.clear()
+    blocks.close()
     assert out.text().removeprefix(line) == f"\r{' ' * (len(line) - 2)}\r"
 
 

@@ -19,10 +19,10 @@ FORCE = "--quantities pull_off_force --no-doubt"
     [
         (
             "# made by a program\n#\n# on Monday\nradius [nm],gamma [mJ/m2]\n100,25\n",
-            "passed over: 3 lines before the header",
+            "lines passed over before the header: 3",
         ),
-        ("# made by a program\nradius [nm],gamma [mJ/m2]\n100,25\n", "passed over: a line before the header"),
-        ("# made by a program\n# radius [nm],gamma [mJ/m2]\n100,25\n", "passed over: a line before the header"),
+        ("# made by a program\nradius [nm],gamma [mJ/m2]\n100,25\n", "lines passed over before the header: 1"),
+        ("# made by a program\n# radius [nm],gamma [mJ/m2]\n100,25\n", "lines passed over before the header: 1"),
         ("# radius [nm],gamma [mJ/m2]\n100,25\n", ""),
     ],
 )

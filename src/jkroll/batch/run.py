@@ -10,7 +10,7 @@ import glob
 import os
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import closing
 from functools import partial, reduce
 from itertools import chain, islice
@@ -25,12 +25,12 @@ from ..rows.columns import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, wor
 from ..rows.header import check_inputs, understood
 from ..rows.table import Asked, Table, TableBlock
 from ..scene.doubts import EVERY_DOUBT
-from ..text import listed, quoted, say, say_wrapped
+from ..text import quoted, say, say_wrapped
 from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, lines_of, output_format
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 ALONE = 4  # blocks that this process converts before it starts others
-WAIT, PAUSE = 0.5, 0.1  # seconds before progress is shown, and between two times
+WAIT = 0.5  # seconds before progress is shown
 WIDTH = 60  # of the line of progress, in characters
 MAX_NOTES = 6  # about rows, or about many tables, at the end
 LITTLE = 1 << 19  # bytes of files that a process converts in the time in which another one starts
@@ -119,9 +119,8 @@ def _about(table: Table) -> Iterator[str]:
     notes = [*dict.fromkeys(remark for lookup in table.lookups.values() for remark in lookup.remarks)]
     if "radius" not in table.given and not table.asked.explicit:
         notes.append("no column and no option gives a radius; what needs one is left out")
-    fills = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.columns.names & table.fixed.keys())
-    if fills:
-        notes.append(f"{listed(fills)} fill{'' if fills[1:] else 's'} empty cells: the others keep their values")
+    filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.columns.names & table.fixed.keys())
+    notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
     # What is infinite may make a body rigid in some rows.
     idle = [name for name in of_rows.idle if table.fixed.get(name, INFINITY) != INFINITY]
     notes += [note.text for note in (*about_idle(idle), *about_left_out(table.left_out))]
@@ -199,24 +198,23 @@ def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: Bin
     form, tally = convert.form, Tally()
     header = compressed(form.writer.header(convert.table.added, [form.header]), convert.compression)
     line = form.lines
-    progress = Progress(is_shown=sys.stderr.isatty() and not job.quiet)
+    converted = _converted(blocks, convert, job.processes)
+    if sys.stderr.isatty() and not job.quiet:
+        converted = with_progress(converted, file)
     try:
-        with form.writer.sink(output, header) as write:
-            for block in _converted(blocks, convert, job.processes):
+        with form.writer.sink(output, header) as write, closing(converted):
+            for block in converted:
                 write(block.output)
                 line += block.lines
                 tally = tally.plus(block.tally)
-                progress.show(file.share_read(tally.rows), tally.rows)
                 del block  # which the next one would wait beside
     except BadRow as error:
         place, status = error.args
         raise BadRow(line + 1 + place, status) from None
-    finally:
-        progress.clear()
     return tally
 
 
-def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Iterator[Converted]:
+def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Generator[Converted]:
     """Iterate over converted blocks in their order.
 
     A library that reads a table by itself has threads for it.
@@ -231,28 +229,22 @@ def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Ite
     yield from answers(processes, convert.converted, chain([block], blocks))
 
 
-class Progress:
-    """A line on a terminal that says how much is done, and nothing elsewhere."""
-
-    def __init__(self, *, is_shown: bool) -> None:
-        self.began = monotonic()
-        self.next = self.began + WAIT if is_shown else INFINITY
-
-    def show(self, share: float, rows: int) -> None:
-        """Show which part is done, if it is known, and the rows so far."""
-        if (now := monotonic()) >= self.next:
-            self.next = now + PAUSE
-            left = f"{share:4.0%}, {(now - self.began) * (1 / share - 1):.0f} s left, " if share else ""
-            self._write(f"{left}{rows:,} rows")
-
-    def clear(self) -> None:
-        """Take the line away."""
-        if self.began + WAIT < self.next < INFINITY:
-            self._write("")
-
-    def _write(self, text: str) -> None:
-        sys.stderr.write(f"\r{text:{WIDTH}}\r")
-        sys.stderr.flush()
+def with_progress(blocks: Iterator[Converted], file: Input) -> Generator[Converted]:
+    """Iterate over blocks. A line on the terminal says how much is done, if it is known, and goes at the end."""
+    began, rows, line = monotonic(), 0, ""
+    try:
+        for block in blocks:
+            rows += block.tally.rows
+            yield block
+            del block  # as above
+            if (taken := monotonic() - began) > WAIT:
+                share = file.share_read(rows)
+                left = f"{share:4.0%}, {taken * (1 / share - 1):.0f} s left, " if share else ""
+                line = f"{left}{rows:,} rows"
+                sys.stderr.write(f"\r{line:{WIDTH}}\r")
+                sys.stderr.flush()
+    finally:
+        sys.stderr.write(f"\r{'':{WIDTH}}\r" if line else "")
 
 
 # --- Many tables ------------------------------------------------------------------------------------------------------

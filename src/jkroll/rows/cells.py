@@ -33,7 +33,6 @@ _CELL = re.compile(rb"\s*(" + _NUMBER + rb")( ?[^\s0-9.,][^,]*)?\s*")
 _POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
 _HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
-_NO_END = "?"  # of a range
 _NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
 
 
@@ -76,7 +75,7 @@ class Column(NamedTuple):
         if "both" in dict(self.sides):
             return f"({first}±{others[0]})" if is_bare else f"{first}±{others[0]}"
         if self.is_range:
-            return f"{first or _NO_END} to {others[0] or _NO_END}"
+            return f"{first or '?'} to {others[0] or '?'}"
         minus, plus = others[0].removeprefix("-") or "0", others[1].removeprefix("+") or "0"
         return f"{first} +{plus}/-{minus}"
 

@@ -83,11 +83,6 @@ class Wanted:
         """The keys of all columns of numbers."""
         return tuple(key for name in self.names for key in self.keys_of(name))
 
-    @cached_property
-    def places(self) -> dict[str, int]:
-        """The places of the columns of numbers, by key."""
-        return {key: place for place, key in enumerate(self.keys)}
-
     def keys_of(self, name: str) -> list[str]:
         """Return the keys of the columns of a quantity and of what may stand in its place, with their uncertainties."""
         values = (name, *self.alternatives_of(name).values())
@@ -245,7 +240,7 @@ class Columns:
 
     def column(self, key: str) -> Any:
         """Return the numbers of a column."""
-        return self.numbers[self.wanted.places[key]]
+        return self.numbers[self.wanted.keys.index(key)]
 
     def repeat(self, inputs: Mapping[str, Any]) -> None:
         """Take inputs that are the same in all rows, or arrays, without their uncertainties."""
@@ -438,8 +433,10 @@ def groups(block: Block) -> "Iterator[tuple[Indices, dict[str, Any]]]":
     columns = [*kinds.values(), *block.kinds]
     for rows in alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), columns):
         of_cells = {name: int(of_input[rows[0]]) for name, of_input in kinds.items()}
-        filled = {name: kind for name, kind in of_cells.items() if kind != _EMPTY}
-        yield rows, {name: _values(block.numbers[name], rows, kind) for name, kind in filled.items()}
+        yield (
+            rows,
+            {name: _values(block.numbers[name], rows, kind) for name, kind in of_cells.items() if kind != _EMPTY},
+        )
 
 
 def _kinds(name: str, column: "Numbers") -> "Indices":

@@ -111,7 +111,11 @@ def _splits(text: str) -> Iterator[_Split]:
 def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
     word, unit, is_explicit, is_mangled = split
-    meaning = known.get(key(word)) or (words.with_symbol(word) if is_explicit else None)
+    meaning = known.get(key(word))
+    stem, _, symbol = word.rpartition(" ")
+    if meaning is None and is_explicit and (named := known.get(key(stem))):  # as in Young's modulus E
+        of_symbol = words.symbols().get(symbol_of(symbol), Meaning())
+        meaning = named if {*named.names} <= {*of_symbol.names} else None
     is_symbol = meaning is None
     if is_symbol and (is_explicit or (not is_mangled and len(squeezed(unit)) > 1 and word[:1].isalpha())):
         meaning = words.symbols().get(symbol_of(word))
@@ -212,7 +216,6 @@ _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": 
 _ENDS = ("low", "high")
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # of the columns of a value, by part
 _VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # kinds of cells
-_NONE_STATED: Mapping[str, str] = MappingProxyType({})
 
 
 class Header(NamedTuple):
@@ -236,8 +239,7 @@ class Header(NamedTuple):
         """Return the sentence that says how the table is read. `preamble`: lines above it that are passed over."""
         sentence = f"read: {', '.join(map(self._from, (*self.materials, *self.inputs))) or 'no input'}"
         if preamble:
-            lines = "a line" if preamble == 1 else f"{preamble} lines"
-            sentence += f"; passed over: {lines} before the header"
+            sentence += f"; lines passed over before the header: {preamble}"
         used = {*self.places.values()}
         others = [text for place, text in enumerate(self.texts) if place not in used and text.strip()]
         if others:
@@ -287,7 +289,7 @@ def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
 def understood(
     texts: Sequence[str],
     rows: Sequence[Sequence[str]] = (),
-    stated: Mapping[str, str] = _NONE_STATED,
+    stated: Mapping[str, str] = MappingProxyType({}),
     given: Collection[str] = (),
     measured: str = "",
 ) -> Header:

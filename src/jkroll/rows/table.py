@@ -89,9 +89,7 @@ class Table:
         if any(solid.displacement is not None for solid in solids):  # which nothing assumes
             self.given |= {XI}
         # A scene of each kind of rows, with the quantities that it shows, or that were measured.
-        self.kinds = [
-            (scene.filled, [asked.measured]) if asked.infer else (scene, self.names) for scene in scenes
-        ]
+        self.kinds = [(scene.filled, [asked.measured]) if asked.infer else (scene, self.names) for scene in scenes]
         for text in columns.texts:
             if text.strip() in self.added:
                 raise BadTable(f"header: the table already has a column {quoted(text)}; rename it")
@@ -237,23 +235,17 @@ class TableBlock:
         return scene
 
     def scene_of(self, row: int) -> Any:
-        """Return the scene of a row by itself. Raises BadRequest, or an error of the scene."""
+        """Return the scene of a row by itself. Raises BadRequest, the error of a cell, or one of the scene."""
         if row in self.odd:
             raise BadRequest(self.odd[row])
         table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
-        given, problems = dict[str, Any](), list[JkrollError]()
-        solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
-        labels = [*filter(None, (table.lookups[name].errors.get(self.cells[name][row]) for name in self.indices))]
+        given: dict[str, Any] = {}
         for column in table.columns.inputs:
-            try:
-                if (text := column.joined(*(cells[name] for name in column.places))).strip():
-                    given[column.name] = column.read(text)
-            except JkrollError as error:
-                problems.append(error)
-        if not problems:
-            scene = table.scene(given, solids)
-            if not labels or not scene.missing(table.names):
-                return scene
-        problems = [*labels, *problems]
-        phrases = dict.fromkeys(error.phrase or str(error) for error in problems)
-        raise BadRequest("; ".join(map(str, problems)), "; ".join(phrases))
+            if (text := column.joined(*(cells[name] for name in column.places))).strip():
+                given[column.name] = column.read(text)
+        solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
+        scene = table.scene(given, solids)
+        for name in self.indices if scene.missing(table.names) else ():
+            if error := table.lookups[name].errors.get(self.cells[name][row]):
+                raise error
+        return scene

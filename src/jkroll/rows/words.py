@@ -117,16 +117,6 @@ def symbols() -> dict[str, Meaning]:
     return _of_spheres({symbol: Meaning(inputs) for symbol, inputs in names.items()} | _DOUBTFUL_SYMBOLS)
 
 
-def with_symbol(text: str) -> Meaning | None:
-    """Return the meaning of a word that has the symbol of its input behind it, as in Young's modulus E; else None.
-
-    The symbol is as it is written, and stands behind a blank: load_pN is no load P in newtons.
-    """
-    word, _, symbol = text.rpartition(" ")
-    meaning, of_symbol = meanings("").get(key(word)), symbols().get(symbol_of(symbol))
-    return meaning if meaning and of_symbol and {*meaning.names} <= {*of_symbol.names} else None
-
-
 def with_index(text: str) -> str:
     """Return the key of the property of a solid whose symbol a text is, with an index; "" for another text.
 
