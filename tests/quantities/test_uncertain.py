@@ -62,6 +62,7 @@ def test_what_is_read(text: str, name: str, found: object) -> None:
 
 
 REFUSED = {
+    "(2.5e1±5)e-3 J/m2": "has two powers of ten; write one, as in (25±5)e-3 J/m2",
     "3.4(9) mJ/m2": "can be read as 3.4±0.9 or as 3.4e9; write the one that is meant",
     "5.4(10) mJ/m2": "can be read as 5.4±1.0 or as 5.4e10; write the one that is meant",
     "25±15 mJ/m2": "has an uncertainty of half the value or more; give a range: FROM to TO",

@@ -328,6 +328,8 @@ def split_number(text: str) -> tuple[_Decimal, str]:
     second = rest.lstrip(" -–—…")
     if second[:1].isdigit() and second != rest.lstrip(" "):
         raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
+    if exponent and re.match("[eE][+-]?[0-9]", rest):
+        raise BadUnit("has two powers of ten", "write one, as in (25±5)e-3 J/m2")
     if exponent and len(exponent.lstrip("+-")) > 3:
         raise BadUnit("has an exponent of more than 3 digits")
     return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
