@@ -95,8 +95,7 @@ def test_what_is_no_parquet(run: Run) -> None:
     name = write({"radius [nm]": [100.0]})
     assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
     assert run("batch", name, "-o", "y.csv").err == (
-        "jkroll: -o: the output has the format of the input, parquet; write 'y.parquet', and convert it with "
-        "another program\n"
+        "jkroll: -o: the output has the format of the input; write 'y.parquet', and convert it with another program\n"
     )
     assert run("batch", name, "-o", name).err == f"jkroll: -o: '{name}' is the input; it is not overwritten\n"
     assert not Path("y.parquet").exists()

@@ -169,8 +169,7 @@ def convert_one(path: str, job: Job) -> Tally:
     wanted = output_format(job.target, given.kind, quiet=job.quiet)
     if wanted.kind != given.kind:
         name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.kind}")
-        problem = f"the output has the format of the input, {given.kind}"
-        raise BadTable(f"-o: {problem}; write {name}, and convert it with another program")
+        raise BadTable(f"-o: the output has the format of the input; write {name}, and convert it with another program")
     file = Input(path)
     with file.file:
         file.check_output(job.target)

@@ -522,13 +522,10 @@ class Tally(NamedTuple):
     @classmethod
     def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
         """Return the counts of some rows; `word_of` as `worded` has it."""
-        rows: dict[str, list[int]] = {}
+        gaps: dict[str, Gaps] = {}
         for row, status in sorted(columns.status.items()):
-            rows.setdefault(status, []).append(row)
-        gaps = {
-            status: (len(places), places[0] + 1, worded(columns.reasons[places[0]], word_of))
-            for status, places in rows.items()
-        }
+            rows, first, words = gaps.get(status) or (0, row + 1, worded(columns.reasons[row], word_of))
+            gaps[status] = (rows + 1, first, words)
         return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally") -> "Tally":
