@@ -120,7 +120,7 @@ def test_resume_makes_anew_what_is_older_than_its_table(run: Run, grains: list[s
 
 @pytest.mark.parametrize("option", [["--resume"], ["--dask", "tcp://127.0.0.1:1"]])
 def test_a_single_table_is_not_resumed_and_needs_no_cluster(run: Run, grains: list[str], option: list[str]) -> None:
-    said = f"jkroll: {option[0]} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/\n"
+    said = "jkroll: --resume and --dask are for many files: write 'grains/*.csv' -o DIRECTORY/\n"
     for path in (grains[0], "-"):
         assert run("batch", path, "-o", "out.csv", *option) == (2, "", said)
     assert not Path("out.csv").exists()

@@ -83,8 +83,7 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
     """Return the format of the input. `stated`, `delimiter`: by options, of which a call has one. Raises BadTable."""
     named = format_of_name(stated.lstrip(".") or path)
     if stated and named is None:
-        kinds = ", ".join(dict.fromkeys(KINDS.values()))
-        raise BadTable(f"--format: {quoted(stated)} is none of {kinds}, or, but for the last, these with .gz or .zst")
+        raise BadTable(f"--format: {quoted(stated)} is not csv, tsv or ndjson, with .gz or .zst or without, or parquet")
     if path == "-" and not stated:  # a table in a pipe is not compressed, though its output may be
         named = (format_of_name(target) or FileFormat("csv", separator=","))._replace(compression="")
     if delimiter:

@@ -69,8 +69,7 @@ def run(path: str, job: Job) -> int:
         tally, code = _convert_many(path, job)
     else:
         if job.resume or job.dask:
-            flag = "--resume" if job.resume else "--dask"
-            raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
+            raise BadRequest("--resume and --dask are for many files: write 'grains/*.csv' -o DIRECTORY/")
         tally, code = convert_one(path, job), 0
     job.say(_notes(tally, job.asked.infer))
     if tally.failed:

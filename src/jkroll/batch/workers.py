@@ -66,18 +66,19 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[An
     No interrupt reaches them: they end with the iteration.
     """
     context = get_context("spawn")  # safe beside threads, and the same on every system
-    processes, pipes, asked = list[Any](), list[Any](), deque[Any]()
+    processes, asked = dict[Any, Any](), deque[Any]()  # by their pipes, and the pipes that owe an answer
     try:
         _mask("SIG_BLOCK", SIGNALS)  # a process that starts would say that it was struck
-        for _ in range(count):
-            pipe, end = context.Pipe()
-            process = context.Process(target=_serve, args=(end, answer), daemon=True)
-            process.start()
-            end.close()
-            processes.append(process)
-            pipes.append(pipe)
-        _mask("SIG_UNBLOCK", SIGNALS)
-        for pipe, question in zip(cycle(pipes), questions, strict=False):
+        try:
+            for _ in range(count):
+                pipe, end = context.Pipe()
+                process = context.Process(target=_serve, args=(end, answer), daemon=True)
+                process.start()
+                end.close()
+                processes[pipe] = process
+        finally:
+            _mask("SIG_UNBLOCK", SIGNALS)
+        for pipe, question in zip(cycle([*processes]), questions, strict=False):
             if len(asked) == count:
                 yield _answer(asked.popleft())
             pipe.send(question)
@@ -87,9 +88,9 @@ def answers(count: int, answer: Answer, questions: Iterable[Any]) -> Iterator[An
     except (EOFError, ConnectionError):
         raise LostWorker("a worker process was ended from outside; its table was not written") from None
     finally:
-        for process in processes:
+        for process in processes.values():
             process.terminate()
-        for process in processes:
+        for process in processes.values():
             process.join()  # it removes what it has begun
 
 
