@@ -304,7 +304,7 @@ def _sentences(told: Mapping[str, Iterable[Region]]) -> Iterator[str]:
             yield f"Everywhere {text}."
         else:
             each_place = (", ".join(filter(None, (label, place or "everywhere"))) for label, place in where.items())
-            yield f"{text} ({'; '.join(each_place)})."
+            yield f"{text[0].upper()}{text[1:]} ({'; '.join(each_place)})."
 
 
 def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
