@@ -360,10 +360,11 @@ def _about_law(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Seque
     scale = f"(Tabor parameter {doubt.value:.2g}, z0 = {spacing})"
     for names in (headline, known if not headline or doubt.value >= JUMP else ()):
         texts = {name: advised(scene, name) for name in names}
-        if told := [f"{NOMENCLATURE[name].symbol} {text}" for name, text in texts.items() if text]:
-            at_displacement = " at equal ξ" if rolling(names, BETWEEN) and is_at_displacement(scene) else ""
-            law = f"Maugis' law{at_displacement}, better here than {scene.law.title}"
-            return f"{', '.join(told[:MAX_TOLD])} by {law} {scale}: --model {BETWEEN}"
+        if told := [name for name in names if texts[name]][:MAX_TOLD]:
+            values = ", ".join(f"{NOMENCLATURE[name].symbol} {texts[name]}" for name in told)
+            at_displacement = " at equal ξ" if rolling(told, BETWEEN) and is_at_displacement(scene) else ""
+            better = f"better here than {scene.law.title} {scale}: --model {BETWEEN}"
+            return f"{values} by Maugis' law{at_displacement}, {better}"
     return f"energies and speeds are rough here: neither {scene.law.title} nor Maugis' law is exact {scale}"
 
 
