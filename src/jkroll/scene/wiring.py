@@ -6,7 +6,7 @@ What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (
 was not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from functools import cache, lru_cache
 from types import MappingProxyType
 from typing import Any
@@ -33,12 +33,14 @@ class Plan:
     ) -> None:
         self.name, self.formula = name, formula
         self.arguments = {parameter: plan.name for parameter, plan in plans.items()}
-        self.missing: frozenset[str] = missing.union(*(plan.missing for plan in plans.values()))
-        self.lacking: frozenset[str] = lacking.union(*(plan.lacking for plan in plans.values()))
-        self.is_possible = not (self.missing or self.lacking)  # what is known leads to the quantity
-        # The plans of all values on the way, this one last, in an order in which they can be evaluated.
-        self.steps: dict[str, Plan] = {each: step for plan in plans.values() for each, step in plan.steps.items()}
+        self.missing, self.lacking = missing, lacking
+        self.steps: dict[str, Plan] = {}  # all values on the way, this one last, in an order of evaluation
+        for plan in plans.values():
+            self.missing |= plan.missing
+            self.lacking |= plan.lacking
+            self.steps |= plan.steps
         self.steps[name] = self
+        self.is_possible = not (self.missing or self.lacking)  # what is known leads to the quantity
 
 
 @lru_cache(maxsize=KEPT)
@@ -47,7 +49,7 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
     name = _source(wanted, known, own_material2, routes(model, known))
     if name is not None and name in known:
         return Plan(name)
-    if name is None or _mixes_laws(name, model, known):
+    if name is None or _mixes_laws(name, known, own_material2, model):
         return Plan(wanted, lacking=frozenset({wanted}))
     if name not in NOMENCLATURE or NOMENCLATURE[name].is_word:
         raise UnknownQuantity(name)
@@ -77,15 +79,14 @@ def _source(name: str, known: frozenset[str], own_material2: bool, by_law: Route
     return name if has_own else of_1
 
 
-@lru_cache(maxsize=KEPT)
-def _mixes_laws(name: str, model: str, known: frozenset[str]) -> bool:
+def _mixes_laws(name: str, known: frozenset[str], own_material2: bool, model: str) -> bool:
     """Return whether another law's formula would take what these two have by different ones: a contact of neither."""
     owner = law_of(name)
     if owner is None or owner == model:
         return False
     ours, theirs = routes(model, known), routes(owner, known)
-    taken = _reached(parameters_of(formula_of(name)), lambda each: () if each in known else (theirs.get(each, each),))
-    return any(ours.get(each, each) != theirs.get(each, each) for each in taken - known)
+    taken = taken_by((name,), known, own_material2, owner) - known
+    return any(ours.get(each, each) != theirs.get(each, each) for each in taken)
 
 
 @cache
@@ -117,19 +118,14 @@ def depends_on(names: Iterable[str], models: Collection[str] = (DEFAULT_LAW,)) -
 @cache
 def _dependence(names: tuple[str, ...], models: tuple[str, ...]) -> frozenset[str]:
     routes_to = routes_anywhere(models)
-    return _reached(names, lambda name: (name, *routes_to.get(name, ())))
-
-
-def _reached(names: Iterable[str], formulas: Callable[[str], Iterable[str | None]]) -> frozenset[str]:
-    """Return names, and all that their formulas take, and the formulas of these; `formulas`: those of a name."""
     reached: set[str] = set()
     pending = [*names]
     while pending:
         name = pending.pop()
         if name not in reached:
             reached.add(name)
-            known = (formula for formula in formulas(name) if formula is not None and formula_of(formula) is not None)
-            pending += [argument for formula in known for _, argument in arguments_of(formula)]
+            formulas = [each for each in (name, *routes_to.get(name, ())) if formula_of(each) is not None]
+            pending += [argument for formula in formulas for _, argument in arguments_of(formula)]
     return frozenset(reached)
 
 
