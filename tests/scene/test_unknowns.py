@@ -157,6 +157,15 @@ def test_a_load_that_is_left_open_counts_by_its_distance_from_pull_off() -> None
     assert -0.5 < float(caught.value.text.partition("P_c)^")[2].split()[0]) < 0
 
 
+@pytest.mark.parametrize("names", [("youngs_modulus", "load"), ("load", "youngs_modulus")])
+def test_two_unknowns_that_both_quantities_leave_open_are_named(names: tuple[str, ...]) -> None:
+    """In DMT the moment is 2πwRξ, whatever the load and the modulus are, and its digits come from rounding."""
+    given = {**PLANE, "surface_energy": 0.05, "yield_displacement": 2e-10, "density": 2e3}
+    measured = Scene({**given, "load": 1e-8, "youngs_modulus": 1e9}, model="dmt").numbers("yield_force", "n_grav")
+    with pytest.raises(Unseparated, match=r"they leave (E1 and P|P and E1) open"):
+        found(names, measured, given, "dmt")
+
+
 def test_what_is_barely_separated_is_refused() -> None:
     """P_c over 2πwR goes to 3/4 for soft spheres under Maugis' law, and with that the only difference of two forces."""
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e6, "atomic_spacing": 4e-10}

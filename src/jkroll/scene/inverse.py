@@ -581,13 +581,14 @@ class Pairs:
     def _unseparated(self, matrix: Any) -> Unseparated:
         """Return the error that names the direction in which both quantities stay as they are, by their derivatives."""
         symbols = [NOMENCLATURE[name].symbol for name in self.problem.unknowns]
-        if self.load is not None:
-            symbols[self.load] = "(1 + P/P_c)"  # by whose logarithm a load counts
-        exponents = numpy.linalg.svd(matrix)[2][-1]  # of the direction in which the quantities change least
-        if abs(exponents).min() <= _LEFT_OPEN:
-            remark = f"they leave {symbols[abs(exponents).argmax()]} open"
+        exponents = abs(matrix).max(axis=0).tolist()
+        if left_open := [symbols[place] for place, exponent in enumerate(exponents) if exponent <= _LEFT_OPEN]:
+            remark = f"they leave {listed(left_open)} open"
         else:
-            remark = f"both stay as they are along {symbols[0]} ∝ {symbols[1]}^{exponents[0] / exponents[1]:.3g}"
+            if self.load is not None:
+                symbols[self.load] = "(1 + P/P_c)"  # by whose logarithm a load counts
+            direction = numpy.linalg.svd(matrix)[2][-1]  # in which the quantities change least
+            remark = f"both stay as they are along {symbols[0]} ∝ {symbols[1]}^{direction[0] / direction[1]:.3g}"
         remedy = "measure another quantity, or give one of the two"
         text = f"{listed(self.problem.measured)} cannot give both: {remark} (κ is above 1e8); {remedy}"
         return Unseparated(self.problem, text)
