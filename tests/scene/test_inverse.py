@@ -34,9 +34,7 @@ PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf}
 
 def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
     """Return the solution for one unknown."""
-    problem = Problem((name,), {quantity: measured}, scene)
-    assert problem.solved is not None  # raises why there is no value
-    return problem.solution
+    return Problem((name,), {quantity: measured}, scene).solution
 
 
 @pytest.mark.parametrize(("name", "quantity"), [(name, each) for name, every in PAIRS.items() for each in every])

@@ -45,9 +45,7 @@ COUNT = 6
 
 def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
     """Return the solution for one unknown."""
-    problem = Problem((name,), {quantity: measured}, scene)
-    assert problem.solved is not None  # raises why there is no value
-    return problem.solution
+    return Problem((name,), {quantity: measured}, scene).solution
 
 
 def by_itself(name: str, quantity: str, measured: float, scene: Scene) -> Solution | NoResult:
