@@ -98,7 +98,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
         wanted = sweep.wanted(question.quantities, question.named)
         if call.alternatives:
             wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
-        elif is_shown and len(sweep.models) == 1:
+        elif is_shown and len(sweep.models) == 1 and not call.measured:
             wanted = wanted.with_alternatives(sweep.kinds, question.headline)
     blocks = sweep.columns(wanted, one_by_one=is_shown)
     single = None if call.quiet else single

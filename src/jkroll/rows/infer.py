@@ -22,10 +22,6 @@ from .sweep import Sweep
 class Unknowns(Wanted):
     """Unknowns of rows, each of which is a problem."""
 
-    def with_alternatives(self, *_: Any, **__: Any) -> "Wanted":
-        """Return the same unknowns: each value is one of its own law."""
-        return self
-
     def evaluation(self, scene: Problem) -> Evaluation:
         """Return the values of the unknowns, or why a problem of numbers has none."""
         evaluation = Evaluation(scene, scene.evaluate(self.names))
