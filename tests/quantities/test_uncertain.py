@@ -200,7 +200,7 @@ def test_no_array_is_made_of_an_uncertain_value_by_accident(found: tuple[object,
     [
         ("25±5 mJ/m2", "surface_energy", "25.0 ± 5.0 mJ/m²"),
         ("25 +6/-4 mJ/m2", "surface_energy", "25.0 +6.0/-4.0 mJ/m²"),
-        ("25 +5/-4.9 mJ/m2", "surface_energy", "25.0 ± 5.0 mJ/m²"),
+        ("25 +5/-4.9 mJ/m2", "surface_energy", "25.0 +5.0/-4.9 mJ/m²"),
         ("25 +5/-0 mJ/m2", "surface_energy", "25.0 +5.0/-0.0 mJ/m²"),
         ("20 to 30 mJ/m2", "surface_energy", "20 to 30 mJ/m²"),
         ("19.25 to 19.3 g/cm3", "density", "19250 to 19300 kg/m³"),

@@ -194,15 +194,13 @@ def _shift(size: float) -> int:
 def _plus_minus(value: float, minus: float, plus: float) -> str:
     """Return a value with its standard uncertainty.
 
-    An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both
-    shown.
+    An uncertainty has two digits, and the value ends at the same place. Sides that differ there are both shown.
     """
     shift = _shift(abs(value))
     numbers = [number * 10.0**-shift for number in (value, minus, plus)]
     place = int(f"{min(filter(None, numbers[1:])):.1e}".partition("e")[2]) - 1  # of the second digit
     middle, below, above = (f"{round(number, -place):.{max(-place, 0)}f}" for number in numbers)
-    is_symmetric = abs(minus - plus) <= 0.1 * max(minus, plus)
-    text = f"{middle} ± {max(below, above, key=float)}" if is_symmetric else f"{middle} +{above}/-{below}"
+    text = f"{middle} ± {above}" if above == below else f"{middle} +{above}/-{below}"
     return f"({text})e{shift}" if shift else text
 
 
