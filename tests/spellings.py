@@ -85,15 +85,8 @@ def words_of(name: str) -> Iterator[tuple[str, bool]]:
     option = next((word for word, meant in OPTION_WORDS.items() if meant == name), name)
     first, *others = name.split("_")
     camel = first + "".join(map(str.title, others))
-    for word in dict.fromkeys(
-        (
-            name,
-            name.replace("_", " ").title(),
-            option,
-            *(word.replace("_", " ") for word in SYNONYMS.get(name, ())),
-            camel,
-        )
-    ):
+    synonyms = (word.replace("_", " ") for word in SYNONYMS.get(name, ()))
+    for word in dict.fromkeys((name, name.replace("_", " ").title(), option, *synonyms, camel)):
         yield word, False
         if f"{name}2" in NOMENCLATURE:
             yield f"{word}1", False

@@ -52,7 +52,7 @@ density 1e3: RHO [g/cm3] | Rho (g/cm3) | density_g_cm3 | density_gcm3
 yield_displacement 1e-9: xi [nm]
 load 1e-9: P (nN) | P_nN | Load/nN | load <nN> | load ⟨nN⟩
 load 1e-6: load (µN)
-load 1e-12: load_pN | loadPN | load_p_n | load P (pN)
+load 1e-12: load_pN | loadPN | load P (pN)
 hamaker 1e-18: hamaker_aJ | Hamaker constant A (aJ)
 hamaker 1e-21: A (zJ) | hamaker_zJ | Hamaker constant (zJ)
 gravity 1: g [m/s2]
@@ -98,10 +98,11 @@ REFUSED = {
     "radius [kg]": "what stands behind radius is not its unit",
     "Energy (old)": "what stands behind energy is not its unit",
     "radiuss [nm]": "=radius [nm]'",
-    **dict.fromkeys(("radius [?m]", "LOAD [PN]", "load [-nN]", *LOSSY), "is not its unit. Write"),
+    **dict.fromkeys(("radius [?m]", "LOAD [PN]", "Radius (Mm)", "load [-nN]", *LOSSY), "is not its unit. Write"),
     "radius (sphere 2) [nm]": "or --column 'radius (sphere 2) [nm]=radius2 [UNIT]'",
     "loadpN": "'loadpN=load [UNIT]'",  # no N
-    "maxLoad___N_": "'maxLoad___N_=load [UNIT]'",  # of maxLoad (µN)
+    **dict.fromkeys(("maxLoad___N_", "load_p_n", "Load.P..N."), "=load [UNIT]'"),  # maxLoad (µN) and load P (N)
+    **dict.fromkeys(("Hamaker.A.J.", "hamaker_a_j"), "=hamaker [UNIT]'"),
     "mean\u2009load\n[nN]": "'mean load [nN]=load [nN]'",
     "Young's E (mean $x$) [GPa]": '"Young\'s E (mean \\$x\\$) [GPa]=youngs_modulus [UNIT]"',
     "E (Young's modulus) [GPa]": "it may be youngs_modulus",
@@ -139,12 +140,12 @@ REFUSED = {
     "radius/2 [nm]": _FACTOR,
 }
 PASSING = (
-    "E | E...MPa. | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | R_min | v_c | w | radius_in | load_case | "
+    "E | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | R_min | v_c | w | radius_in | load_case | "
     "material_3 | velocity_x (m/s) | bulk modulus (GPa) | 1/radius [1/nm] | tip radius (nm) | T [K] | "
     "gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
-    "E_loss (GPa) | rho_bulk [kg/m3] | num [-] | E_s_GPa | nu_e [Hz] | "
+    "nu_g0 | E...MPa. | velocity_c_m_s | E_loss (GPa) | rho_bulk [kg/m3] | num [-] | E_s_GPa | nu_e [Hz] | "
     "speed of sound (m/s) | contact angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s]"
 ).split(" | ")
 

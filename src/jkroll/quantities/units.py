@@ -251,7 +251,7 @@ def _term(text: str) -> Term:
     stated = text[len(name) :].removeprefix("^") if name != text else "1"
     power = stated.translate(SUPERSCRIPTS)
     is_name = name != "" and all((letter.isascii() and letter.isalpha()) or letter in "Å°%_" for letter in name)
-    is_power = power.removeprefix("+" if power.startswith("+") else "-").isdigit()
+    is_power = power.removeprefix("+" if power.startswith("+") else "-").isdigit() and int(power) != 0
     has_two_alphabets = not stated.isascii() and not {*stated}.isdisjoint(power)
     if not is_name or not is_power or has_two_alphabets:
         raise BadUnit("is not a number and a unit")

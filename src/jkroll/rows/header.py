@@ -55,7 +55,7 @@ class _Split(NamedTuple):
 
 
 _SPELT = str.maketrans(
-    "’‘“”″∕⁄₀₁₂Ø⌀【〔「⟨«‹】〕」⟩»›", '\'\'"""//012DD[[[[[[]]]]]]', "$\\\u00ad\u200b\u200c\u200d\u200e\u200f\ufeff"
+    "’‘“”″∕⁄₀₁₂Ø⌀【〔「⟨«‹】〕」⟩»›\\", '\'\'"""//012DD[[[[[[]]]]]] ', "$\u00ad\u200b\u200c\u200d\u200e\u200f\ufeff"
 )
 _LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m], with the marks above
 # Where a unit may begin: behind a mark, which is the first group, or behind a gap.
@@ -125,7 +125,8 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     name, unit_text = next((pair for pair in units if pair[1] or not unit), ("", ""))
     if not name or (is_mangled and is_in_table(f"u{unit_text}")):  # µm may have become m
         return None
-    if not is_symbol and f"{word}{unit}".isupper() and unit_text != unit_for(unit, name):  # pN may have become PN
+    is_of_capitals = unit.istitle() or f"{word}{unit}".isupper()  # mm may have become Mm, and pN PN
+    if is_of_capitals and not is_symbol and unit_text != unit_for(unit, name):
         return None
     alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
     is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
@@ -249,7 +250,7 @@ class Header(NamedTuple):
     def _from(self, column: Column) -> str:
         """Return the header of an input with those that it is read from, if they are others."""
         head, text = header_of(column.name, column.unit_text), self.texts[column.place]
-        is_same = column.is_range or text.strip() in (head, column.name)
+        is_same = column.is_range or typed(text) in (head, column.name)
         sources = [f"{_MARKS[part]}{_easy(self.texts[place])}" for part, place in column.sides]
         return " ".join([head, *([] if is_same else [f"from {_easy(text)}"]), *sources])
 

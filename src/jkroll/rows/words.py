@@ -205,6 +205,9 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
     if not (is_explicit and is_known):
         others = by_letters.get(letters, []) + (by_letters.get(small, []) if text.islower() or text.isupper() else [])
         units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is no N/m
+    if parted := re.match(r"([^\W\d_])[\W_]+\w", text):  # m_j is mJ, but c_m is no cm, and the load P in N no pN
+        is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.removesuffix("1").casefold()
+        units = [unit for unit in units if unit == text or not (is_symbol or unit[1:2].islower())]
     return next((unit for unit in units if fits(unit, name)), "")
 
 
