@@ -122,6 +122,8 @@ def quotient(value: FloatOrArray, divisor: FloatOrArray, otherwise: float) -> Fl
     (1.5, 1.0)
     """
     is_known = absolute(divisor) > 0
+    if is_known if isinstance(is_known, bool) else is_known.all():  # as nearly always
+        return value / divisor
     return where(is_known, value / where(is_known, divisor, 1.0), otherwise)
 
 
