@@ -127,7 +127,7 @@ def test_a_cell_with_a_unit_leaves_that_of_the_one_beside_it(run: Run, head: str
 
 
 def test_ends_with_units_and_equal_ends(run: Run) -> None:
-    rows = ["20,0.03 J/m2", "25,25", "0.02 J/m2,30"]
+    rows = ["20,0.03 J/m2", "25,25.0", "0.02 J/m2,30"]
     Path("x.csv").write_text(
         "\n".join(["radius [nm],gamma_min [mJ/m2],gamma_max [mJ/m2]", *("100," + row for row in rows), ""])
     )

@@ -248,7 +248,6 @@ def with_progress(blocks: Iterator[Converted], file: Input) -> Generator[Convert
 # --- Many tables ------------------------------------------------------------------------------------------------------
 
 Pair = tuple[str, str]  # a table, and the file that it becomes
-
 Outcome = tuple[Tally, JkrollError | None]  # the counts of a table, and why it failed as a whole
 Task = Callable[[Pair], Outcome]
 

@@ -66,6 +66,8 @@ class Column(NamedTuple):
             return without
         first, *others = (cell.strip() for cell in cells)
         is_single = first == others[0] if self.is_range else not any(others)
+        if self.is_range and all(map(is_number, cells)):
+            is_single = float(first) == float(others[0])  # 25 and 25.0
         if is_single:
             return first
         is_bare = not self.error_unit and not any(map(_HAS_UNIT.search, (first, *others)))

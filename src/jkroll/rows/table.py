@@ -171,9 +171,7 @@ class Table:
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
             scenes[0].plans(offered[0])
-            raise BadRequest(
-                "--quantities: these are known of identical spheres only, and the table describes sphere 2"
-            )
+            raise BadRequest("--quantities: known of identical spheres only, and the table describes sphere 2")
         # Where some cells are the reason why a quantity has a column, all rows have it.
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
         return names, [*explicit, *of_cells]
