@@ -679,6 +679,12 @@ def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, s
         assert [line for line in lines if "assumed" in line] == ([said] if said else [])
 
 
+def test_an_option_for_one_sphere_stands_beside_a_column_for_the_other(run: Run) -> None:
+    Path("a.csv").write_text("R1 (um),gamma2 (mJ/m2)\n1,30\n", encoding="utf-8")
+    ran = run("batch a.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force")
+    assert (ran.code, "assumed: w = " in ran.err) == (0, True), ran.err
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [

@@ -101,8 +101,9 @@ def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_
     `has_values`: whether a rule gives the same value in all rows of which the scene is one.
     """
     steps = {*scene.formulas_to(*names)}
-    first, second = map(scene.given.get, _ENERGIES)
-    if "surface_energy2" not in inputs or (isinstance(first, float) and first == second):
+    energies = [scene.given.get(name) for name in _ENERGIES]
+    are_equal = all(isinstance(energy, float) for energy in energies) and energies[0] == energies[1]
+    if are_equal or "surface_energy2" not in inputs:
         steps.discard("work_of_adhesion")
     texts = {name: rule for name, rule in _RULES.items() if name in steps}
     for name, value in scene.numbers(*texts).items() if has_values else ():
