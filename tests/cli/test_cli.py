@@ -83,6 +83,7 @@ REFUSED = {
     "contact quartz 100nm --laod 5nN": "no such option '--laod'; did you mean --load?",
     "pull-off 100nm --surface-tension 25mJ/m2": "no such option '--surface-tension'; did you mean --gamma?",
     "pull-off 100nm -gamma 25mJ/m2": "no such option '-gamma'; did you mean --gamma?",
+    "pull-off quartz --R 1nm": "R may be a sphere's radius or the reduced radius: write --radius or --reduced-radius",
     "pull-off --gamma 25mJ/m2 -R 100nm": "no such option '-R'; a radius stands alone: jkroll pull-off quartz 100nm",
     "pull-off quartz 100nm --gamma12 3mJ/m2": (
         "no such option '--gamma12'; the energy of an interface stands in the work of adhesion: "
@@ -242,6 +243,8 @@ def test_explain_names_formula_steps_and_value(run: Run) -> None:
         "valid",
     ):
         assert piece in text
+    on_terminal = run("frequencies quartz 100nm --explain", terminal=True).out
+    assert f" N m/rad\n{' ' * 27}k = M/δ_α = F_aR, which" in on_terminal  # below a value that is too long
 
 
 def test_what_rests_on_no_equation_of_the_paper_cites_none(run: Run) -> None:

@@ -121,9 +121,9 @@ def words(scene: Scene, *names: str) -> str:
 
 def test_words() -> None:
     assert words(of("quartz", ROLLED["radius"]), "yield_force") == (
-        "Q = 850–1200 pN by forces on SiO2 of 1 µm; ξ is assumed (--xi); adhesion alone gives Q = 900 pN at most"
+        "Q = 850–1200 pN by forces on SiO2 of 1 µm; adhesion alone gives Q = 900 pN at most; ξ is assumed (--xi)"
     )
-    assert words(of("quartz", ROLLED["radius"]), "r_min").endswith("adhesion alone gives R_min = 480 µm at least")
+    assert words(of("quartz", ROLLED["radius"]), "r_min").endswith("gives R_min = 480 µm at least; ξ is assumed (--xi)")
     scaled = words(of("quartz", 1e-7), "yield_force")
     assert "Q = 89–270 pN by forces on SiO2 of 1 µm (850–1200 pN), scaled to this size" in scaled
     assert words(of("ice-warm", 1e-6), "r_min") == "ξ is assumed (--xi): no ξ of ice-warm was measured"
@@ -138,9 +138,10 @@ def test_words() -> None:
 
 
 def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
-    lead = "note: Q = 850–1200 pN by forces on SiO2 of 1 µm; ξ is assumed (--xi)"
+    lead = "note: Q = 850–1200 pN by forces on SiO2 of 1 µm; adhesion alone gives Q = 900 pN at most"
     assert lead in run("yield-force quartz 0.95um").err
     assert lead in run("yield-force quartz 0.95um --explain").out
+    assert "; adhesion alone gives n_roll = 0.0057 at least\n" in run("n-roll quartz 100nm").err
     assert run("yield-force quartz,iron 0.95um --csv").err.count("forces on SiO2 of 1 µm mean 1.8–2.6 nm") == 1
     listed = run("yield-force polystyrene 5um,10um --csv").err
     assert "polystyrene has 42 nm at 5 µm" in listed

@@ -125,6 +125,8 @@ PULLED = {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "lo
          "no pair of values gives pull_off_force = 3 N and stiffness = 1 kN/m; they lie between 18.8496 pN and"),
         (("youngs_modulus", "radius"), {"contact_radius_at_load": 1.28e-6, "contact_radius": 3.25e-6}, PULLED,
          NoSolution, "no pair of values gives contact_radius_at_load = 1.28 µm and contact_radius = 3.25 µm"),
+        (("load", "surface_energy"), {"approach_at_load": 1.0, "contact_radius_at_load": 10.0},
+         {"radius": 1e12, "youngs_modulus": 1e9, "poisson_ratio": 0.3}, NoSolution, "no pair of values gives"),
         (("surface_energy", "load"), {"contact_radius_at_load": 1e-8, "stiffness": 1e3},
          {**PLANE, "youngs_modulus": math.inf}, Failure, "both bodies are rigid"),
         (NAMES, MEASURED, {"radius": 2e-6}, MissingInput, "normal stiffness at the load needs Poisson's ratio"),

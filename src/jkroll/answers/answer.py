@@ -394,13 +394,13 @@ def _about_displacement(scene: Scene, values: Mapping[str, Any]) -> str:
     The moment is proportional to what adhesion hysteresis supplies, which has an end.
     """
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(value))}" for name, value in values.items() if value)
-    text = f"{', '.join(told)} by {_forces(scene)}; ξ is assumed (--xi)"
+    text = f"{', '.join(told)} by {_forces(scene)}"
     most = at_most_measured(scene)
-    if not (ratio := most.numbers("hysteresis_ratio").get("hysteresis_ratio", 0.0)) > 1:
-        return text
-    name, end = next(iter(most.replace(**{XI: most[XI] / ratio}).numbers(*values).items()))
-    bound = "at most" if end < most[name] else "at least"
-    return f"{text}; adhesion alone gives {NOMENCLATURE[name].symbol} = {span(name, end, end)} {bound}"
+    if (ratio := most.numbers("hysteresis_ratio").get("hysteresis_ratio", 0.0)) > 1:
+        name, end = next(iter(most.replace(**{XI: most[XI] / ratio}).numbers(*values).items()))
+        bound = "at most" if end < most[name] else "at least"
+        text += f"; adhesion alone gives {NOMENCLATURE[name].symbol} = {span(name, end, end)} {bound}"
+    return f"{text}; ξ is assumed (--xi)"  # the head says this, too: it may be cut from a short note
 
 
 def _about_roughness(scene: Scene) -> str:

@@ -76,8 +76,11 @@ def _explanation(result: Result, answer: Answer, form: Format) -> list[str]:
         *earlier, last = steps
         fields = docstring_fields(last.formula)
         lines += [f"  {fields['formula']}", "  given"]
-        lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]
-        lines += ["  steps", *(_line(step.name, scene, form, _formula_of(step)) for step in earlier)] if earlier else []
+        for name in scene.inputs_of(result.name):
+            lines += _value_lines(name, scene, form, _meaning(name, scene))
+        lines += ["  steps"] if earlier else []
+        for step in earlier:
+            lines += _value_lines(step.name, scene, form, _formula_of(step))
         facts += [
             ("power law", _power_law(result.name, scene)),
             *((key.lower(), fields.get(key, "")) for key in _SECTIONS),
@@ -118,12 +121,13 @@ def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, 
         yield "by law", f"{at_displacement} at equal ξ, {at_hysteresis} at equal hysteresis ({title})"
 
 
-def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
-    """Return a line with the symbol and value of an input or a step, and a remark beside it."""
+def _value_lines(name: str, scene: Scene, form: Format, remark: str) -> list[str]:
+    """Return the symbol and value of an input or a step with a remark beside it, or below a value that is too long."""
     measure = scene.uncertainties.get(name) or scene[name]
-    value = f"{NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
-    beside = f" {remark}" if len(value) < _STEP_INDENT - 4 else f"\n{' ' * _STEP_INDENT}{remark}"
-    return f"    {value:{_STEP_INDENT - 5}}{beside}"
+    value = f"    {NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
+    if len(value) >= _STEP_INDENT:
+        return [value, " " * _STEP_INDENT + remark]
+    return [f"{value:{_STEP_INDENT}}{remark}"]
 
 
 def _power_law(name: str, scene: Scene) -> str:

@@ -414,9 +414,10 @@ def as_input(word: str) -> str:
     >>> as_input("approach"), as_input("radius")
     ('approach_at_load', 'radius')
     """
-    if word in ("R", "r"):
-        raise BadRequest(f"{word} may be a sphere's radius or the reduced radius: write radius or reduced_radius")
     name = word.strip().lstrip("-").replace("-", "_")
+    if name in ("R", "r"):
+        radii = "--radius or --reduced-radius" if word.startswith("-") else "radius or reduced_radius"
+        raise BadRequest(f"{name} may be a sphere's radius or the reduced radius: write {radii}")
     return OPTION_WORDS.get(name, name if name in NOMENCLATURE else word)
 
 

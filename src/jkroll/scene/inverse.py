@@ -491,7 +491,8 @@ class Pairs:
             unloaded = problem.with_values({**values, "load": 0.0}).numbers("pull_off_force")
             force = unloaded.get("pull_off_force", SIZES["load"][0])  # the smallest that is scanned where there is none
             is_unloaded = abs(places[self.load]) <= _NEAR
-            values["load"] = numpy.where(is_unloaded, 0.0, force * numpy.expm1(places[self.load]))
+            load = numpy.clip(force * numpy.expm1(places[self.load]), -MOST, MOST)
+            values["load"] = numpy.where(is_unloaded, 0.0, load)
         quantities, linear = problem.quantities(values), numpy.where(levels == 0, _AT_ZERO, _LINEAR * abs(levels))
         residuals = numpy.arcsinh(quantities / linear) - numpy.arcsinh(levels / linear)
         return numpy.array([*values.values()]), quantities, residuals

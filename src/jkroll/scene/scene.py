@@ -198,10 +198,10 @@ class Scene:
         self.known = frozenset(self.values)
         self.kind = (self.known, material2 is not None, self.law.name)  # on which plans depend
         self.is_rigid = _is_rigid(self.given, own_material2=material2 is not None)
-        # What was computed, by a quantity's name and the identities of its arguments, with these, which are kept alive;
-        # and the identities of arrays of which some elements are no answer.
+        # What was computed, by a quantity's name, which has one formula, and the identities of its arguments. These are
+        # kept beside it, so that no other value can have their identities.
         self._results: dict[tuple[object, ...], tuple[Any, Sequence[Any]]] = {}
-        self._gaps: set[int] = set()
+        self._gaps: set[int] = set()  # of these results, the identities of arrays of which some elements are no answer
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
