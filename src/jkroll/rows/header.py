@@ -182,8 +182,7 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
             is_beside = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
             is_open = not meaning.problem and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
-            shown_unit = unit_text if unit_text and is_beside else "UNIT"
-            meant = [with_unit(each, shown_unit) for each in names if is_open]
+            meant = [with_unit(each, (is_beside and unit_text) or "UNIT") for each in names if is_open]
             return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
     return None
 
@@ -204,8 +203,7 @@ def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
         runs = ("".join(tokens[first:last]) for first, last in combinations(range(len(tokens) + 1), 2))
         if longest := max((run for run in runs if run in known), key=len, default=""):
             return longest, False
-    slips = (words.slips().get(spelt, "") for spelt in words.lacking_a_letter(letters))
-    slip = next(filter(None, slips), "")
+    slip = next(filter(None, map(words.slips().get, words.lacking_a_letter(letters))), "")
     return slip, bool(slip)
 
 
@@ -242,8 +240,7 @@ class Header(NamedTuple):
         if preamble:
             sentence += f"; lines passed over before the header: {preamble}"
         used = {*self.places.values()}
-        others = [text for place, text in enumerate(self.texts) if place not in used and text.strip()]
-        if others:
+        if others := [text for place, text in enumerate(self.texts) if place not in used and text.strip()]:
             sentence += f"; passed through: {first_of([*map(_easy, dict.fromkeys(others))], _MAX_SAID)}"
         return sentence
 
@@ -418,8 +415,8 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
         return BadTable(f"header: the first row has units. Delete it, and write {remedies}")
     cells = [f" (first cell {quoted(head.cell)})" if head.cell else "" for head in heads]
     problems = [f"{quoted(head.text)}{cell}: {head.problem}" for head, cell in zip(heads, cells, strict=True)]
-    [head, *others] = heads
-    if not others:
+    if len(heads) == 1:
+        head = heads[0]
         in_place = f"a column {with_unit(head.name)} in its place" if head.name else ""
         ways = (remedies if head.meant else in_place, f"{_option(head.text, '')} to pass it through")
         remedies = ", or ".join(filter(None, ways))
