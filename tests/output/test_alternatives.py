@@ -157,6 +157,7 @@ def test_explanations_have_the_powers_of_inputs(run: Run) -> None:
     """Of f_z, γ^(1/6) E^(1/3) R^(-7/6) ρ^(-1/2); of δ under a load, at which no power is a simple one."""
     said = run("frequencies quartz 100nm --quantities f_z --explain").out
     assert "  power law R1^-1.17 γ1^0.167 E1^0.333 ν1^0.0198 ρ1^-0.5\n" in said
+    assert " N^-0.5\n" in run("aggregates quartz 100nm --monomers 2 --filling-factor 0.2 --explain").out  # at least 2
     under_load = run("contact quartz 100nm --load -5nN --quantities δ --explain").out
     powers = dict(word.split("^") for word in re.findall(r"power law (.*)", under_load)[0].split())
     ends = [solve("approach_at_load", **QUARTZ, load=load) for load in (-5.001e-9, -4.999e-9)]

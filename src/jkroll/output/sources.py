@@ -20,7 +20,7 @@ from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.doubts import uses_law
-from ..scene.scene import Scene
+from ..scene.scene import Scene, takes
 from ..scene.wiring import Plan
 from ..text import listed, say, say_wrapped
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 _SECTIONS = ("Source", "Valid")
 _NO_POWER = 1e-4  # what is smaller is an error of 0
-_LESS = 1 - 1e-5  # part of an input by which its power is found: what is less is nowhere beyond its range
+_LESS = 1 - 1e-5  # part of an input by which its power is found; its inverse at the lower end of a range
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
 _STEP_INDENT = 27
 
@@ -137,11 +137,13 @@ def _power_law(name: str, scene: Scene) -> str:
     """
     texts = []
     for given in scene.inputs_of(name):
-        if 0 < abs(scene[given]) < INFINITY:
-            less = scene.replace(**{given: scene[given] * _LESS}).numbers(name).get(name, 0.0)
-            if not less * scene[name] > 0:
+        value = scene[given]
+        if 0 < abs(value) < INFINITY:
+            factor = _LESS if takes(given, value * _LESS) else 1 / _LESS
+            moved = scene.replace(**{given: value * factor}).numbers(name).get(name, 0.0)
+            if not moved * scene[name] > 0:
                 return ""
-            power = log(less / scene[name]) / log(_LESS)
+            power = log(moved / scene[name]) / log(factor)
             texts += [f"{symbol_of(given)}^{power:.3g}"] if abs(power) > _NO_POWER else []
     return " ".join(texts)
 
