@@ -284,6 +284,8 @@ def test_the_numbers_are_as_many_as_were_asked(run: Run) -> None:
 def test_several_materials_are_several_curves(run: Run) -> None:
     out = run("map pull-off quartz,iron 100nm,1um --x xi=1angstrom:3angstrom").err
     assert "does not depend on yield_displacement" in out
+    of_middle = run("map pull-off quartz --x radius=1nm:1um:3 --gamma 25±5mJ/m2,30mJ/m2 --data -").out
+    assert '\n"quartz, γ1 = 25 mJ/m²",1e-9,1.178' in of_middle
     rows = list(csv.reader(io.StringIO(run("map pull-off quartz,iron --x radius=1nm:1um:3 --data -").out)))
     assert [row[0] for row in rows[1:]] == ["quartz"] * 3 + ["iron"] * 3
     assert float(rows[5][2]) == solve("pull_off_force", material="iron", radius=float(rows[5][1]))

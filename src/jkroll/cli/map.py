@@ -203,10 +203,10 @@ def map_request(call: Call) -> PlotRequest:
 
 
 def _distinction(scene: Scene, call: Call) -> str:
-    """Return the materials of a scene, and those of its values of which several were given."""
+    """Return the materials of a scene, and those of its values of which several were given, without uncertainties."""
     parts = [material.name for material, _ in scene.materials]
     if len(call.models) > 1 and scene.stated_model is not None:
         parts.append(scene.law.title)
     several = [name for name, text in call.values.items() if "," in text or ":" in text]
-    parts += [f"{symbol(name)} = {amount(name, scene.stated[name])}" for name in several]
+    parts += [f"{symbol(name)} = {amount(name, scene.given[name])}" for name in several]
     return ", ".join(parts)
