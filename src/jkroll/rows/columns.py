@@ -283,11 +283,15 @@ class Columns:
                 again |= is_known & numpy.isnan(width)
         return again
 
-    @property
+    @cached_property
+    def distinct_reasons(self) -> dict[int, Reasons]:
+        """The reasons that differ, by their identities: many rows share theirs."""
+        return {id(reasons): reasons for reasons in self.reasons.values()}
+
+    @cached_property
     def status(self) -> dict[int, str]:
         """The phrases of rows that have empty cells, by their places."""
-        distinct = {id(reasons): reasons for reasons in self.reasons.values()}
-        phrases = {number: status_of(reasons) for number, reasons in distinct.items()}
+        phrases = {number: status_of(reasons) for number, reasons in self.distinct_reasons.items()}
         return {row: phrases[id(reasons)] for row, reasons in self.reasons.items()}
 
     @cached_property
@@ -308,10 +312,11 @@ class Columns:
     @cached_property
     def failed(self) -> list[int]:
         """The rows without a contact, or without any value but alternatives."""
+        lacks = {number: lack(reasons) is not None for number, reasons in self.distinct_reasons.items()}
         return [
             row
             for row, reasons in self.reasons.items()
-            if lack(reasons) is not None or all(isnan(self.column(name)[row]) for name in self.wanted.names)
+            if lacks[id(reasons)] or all(isnan(self.column(name)[row]) for name in self.wanted.names)
         ]
 
 

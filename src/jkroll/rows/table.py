@@ -85,9 +85,8 @@ class Table:
             kind = Unknowns
         wanted = kind(self.names, named=named, sides=sides, doubts=asked.doubt)
         self.wanted = wanted.with_alternatives(scenes, self.names) if asked.alternatives else wanted
-        solids = [solid for lookup in self.lookups.values() for solid in lookup.known if solid is not None]
-        if any(solid.displacement is not None for solid in solids):  # which nothing assumes
-            self.given |= {XI}
+        if any(solid and solid.displacement for lookup in self.lookups.values() for solid in lookup.known):
+            self.given |= {XI}  # it is not assumed
         # A scene of each kind of rows, with the quantities that it shows, or that were measured.
         self.kinds = [(scene.filled, [asked.measured]) if asked.infer else (scene, self.names) for scene in scenes]
         for text in columns.texts:
