@@ -69,10 +69,8 @@ def test_a_scene_with_other_inputs_is_another_scene() -> None:
     assert scene.values["radius"] == 1e-7
     with pytest.raises(MissingInput):
         scene.replace(surface_energy=None)["pull_off_force"]
-    assert (
-        scene.replace(model="dmt", radius=2e-7)["pull_off_force"]
-        == Scene({**QUARTZ, "radius": 2e-7}, model="dmt")["pull_off_force"]
-    )
+    other = Scene({**QUARTZ, "radius": 2e-7}, model="dmt")
+    assert scene.replace(model="dmt", radius=2e-7)["pull_off_force"] == other["pull_off_force"]
 
 
 def test_arrays_of_which_sphere_2_loses_what_it_had_of_its_own_are_evaluated_anew() -> None:

@@ -254,7 +254,7 @@ def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
     if option := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
         return option
     by_name = {option.name: option for option in flags.values() if option.name in NOMENCLATURE}
-    return by_name.get(named(as_input(flag), by_name)) if flag.startswith("--") else None
+    return by_name.get(named(as_input(flag).lstrip("-"), by_name)) if flag.startswith("--") else None
 
 
 # --- Mistakes ---------------------------------------------------------------------------------------------------------
