@@ -304,7 +304,7 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
 
 
 class OfRows:
-    """What is said of rows of some kinds, which are counted while columns are written."""
+    """The notes on rows of some kinds, which are counted while columns are written."""
 
     def __init__(self, kinds: Iterable[Rows], *, judges: bool = True) -> None:
         """`judges`: whether limits are judged."""

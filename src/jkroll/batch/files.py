@@ -219,7 +219,7 @@ def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[byt
     A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
     says what is wrong with them. Raises BadTable for a line that is longer.
     """
-    text = _filled(b"", pieces, CHUNK // 2)
+    text = _filled(b"", pieces, CHUNK // 4)
     usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
     while text := _filled(text, pieces, size):
         end = cut(text[:size])
