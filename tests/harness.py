@@ -4,7 +4,7 @@ import io
 import os
 import tempfile
 from collections.abc import Callable, Sequence
-from contextlib import redirect_stderr, redirect_stdout
+from contextlib import redirect_stderr, redirect_stdout, suppress
 from typing import BinaryIO, NamedTuple
 
 from jkroll.cli.process import main
@@ -44,11 +44,10 @@ def captured(words: Sequence[str], *, terminal: bool = False) -> Ran:
     """Run a command line with its output in a file, as a table goes past the stream, to its descriptor."""
     with tempfile.TemporaryFile() as file:
         err = Stream()
-        with (
-            Stream(os.fdopen(os.dup(file.fileno()), "wb"), terminal=terminal) as out,
-            redirect_stdout(out),
-            redirect_stderr(err),
-        ):
+        out = Stream(os.fdopen(os.dup(file.fileno()), "wb"), terminal=terminal)
+        with redirect_stdout(out), redirect_stderr(err):
             code = main([*words])
+        with suppress(OSError):  # of what a full file could not take
+            out.close()
         file.seek(0)
         return Ran(code, file.read().decode("utf-8", "surrogateescape"), err.text())
