@@ -7,6 +7,7 @@ z0, and how far a contact would hold by Maugis' law.
 
 import math
 import os
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from random import Random
@@ -53,6 +54,7 @@ UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "
 
 Cells = Mapping[str, Any]
 FORMS = FILES  # of the output of rows, beside --csv
+_FORCES = re.compile(r"-?\d\S* \w?N\b")  # with digits of their own where Maugis' law holds a load
 
 
 def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FORMS) -> Iterator[str]:
@@ -413,9 +415,10 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
     try:
         ran, cells = printed(run, ask, "--csv", *options, by_arrays=by_arrays)
     except Refused as refusal:
+        reasons = [_FORCES.sub("#", _reason(error)) for error in rows.reasons[0].values()]
         if "fits none of the results" in str(refusal):
             yield from _in_outputs(run, ask, rows, "", forms, by_arrays=by_arrays)
-        elif len(rows.values) > 1 or not any(_reason(error) in str(refusal) for error in rows.reasons[0].values()):
+        elif len(rows.values) > 1 or not any(reason in _FORCES.sub("#", str(refusal)) for reason in reasons):
             yield f"csv: {refusal}"
         return
     yield from (f"csv: {text}" for text in _in_cells(rows, cells, options))
