@@ -259,7 +259,7 @@ def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
         return
     from ..scene.uncertainty import measures_of, uncertainties
 
-    bars = measures_of(uncertainties(answer.scene, [*forces])).values()
+    bars = measures_of(uncertainties(answer.scene, [*forces], sources=answer.sources)).values()
     spread = hypot(*(bar.minus for bar in bars if isinstance(bar, Measured)))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
     if part >= _LOST:
