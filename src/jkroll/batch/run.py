@@ -150,6 +150,7 @@ class Converter(NamedTuple):
         table = self.table
         records = self.form.read(block, table)
         columns = evaluated(table.wanted, TableBlock(table, records))
+        records = records._replace(cells={})  # as much memory as all else, which writing takes again
         if self.strict and columns.failed:
             first = min(columns.failed)
             raise BadRow(records.starts[first], worded(columns.reasons[first]))

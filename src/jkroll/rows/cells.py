@@ -30,7 +30,7 @@ PLAIN = b"0123456789.eE+-, "
 MAX_KEPT = 10_000  # texts whose meaning is remembered
 _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
 _CELL = re.compile(rb"\s*(" + _NUMBER + rb")( ?[^\s0-9.,][^,]*)?\s*")
-_POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
+_POWER = rb"e([+-]?[0-9]{1,3})"
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
 _HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
 _NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
@@ -210,16 +210,15 @@ def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
     >>> plain_numbers([b"1", b"2.5", b"+1E2", b"5.0e-1", b""], -9)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
     """
-    text = b",".join([b"", *cells, b""]).replace(b"E", b"e")
+    end = b"e%d," % exponent if exponent else b","
+    text = (b"," + end.join(cells) + end).replace(b"E", b"e")
     if text.translate(None, PLAIN):
         return None
     if b"+" in text and b"+-" not in text:
         text = text.replace(b",+", b",")
-    end = b"e%d," % exponent if exponent else b","
-    if exponent:
-        for power in set(_POWER.findall(text)):  # a semicolon marks the end of what has its power already
-            text = text.replace(b"e" + power + b",", b"E%d;" % (int(power) + exponent))
-        text = b"," + text[1:].replace(b",", end).replace(b";", b",")
+    if exponent and text.count(b"e") > len(cells):  # some have powers of their own
+        for power in set(re.findall(_POWER + end, text)):
+            text = text.replace(b"e" + power + end, b"E%d," % (int(power) + exponent))
     values = _members(text)
     if len(values) != len(cells):  # there are empty cells, or others that are no numbers
         empty = b"," + end

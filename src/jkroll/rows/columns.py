@@ -30,13 +30,13 @@ from ..scene.doubts import (
     touched,
 )
 from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, MissingInput, grouped, needs_in_words
-from ..scene.scene import FOLLOWS, Scene, takes
+from ..scene.scene import FOLLOWS, Scene, takes, takes_all
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
     from .cells import Indices, Numbers
 
-BLOCK = 5 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
+BLOCK = 4 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
@@ -438,18 +438,18 @@ def groups(block: Block) -> "Iterator[tuple[Indices, dict[str, Any]]]":
     columns = [*kinds.values(), *block.kinds]
     for rows in alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), columns):
         of_cells = {name: int(of_input[rows[0]]) for name, of_input in kinds.items()}
-        yield (
-            rows,
-            {name: _values(block.numbers[name], rows, kind) for name, kind in of_cells.items() if kind != _EMPTY},
-        )
+        given = {name: _values(block.numbers[name], rows, kind) for name, kind in of_cells.items() if kind != _EMPTY}
+        yield rows, given
 
 
 def _kinds(name: str, column: "Numbers") -> "Indices":
     """Return the kind of each cell of a column."""
     import numpy
 
-    kinds = numpy.where(takes(name, column.values), _PLAIN, BAD)
-    kinds[numpy.isnan(column.values)] = _EMPTY
+    kinds = numpy.full(len(column.values), _PLAIN)
+    if not takes_all(name, column.values):
+        kinds[~takes(name, column.values)] = BAD
+        kinds[numpy.isnan(column.values)] = _EMPTY
     if name in FOLLOWS:
         kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
     kinds[[*column.odd]] = BAD

@@ -52,11 +52,9 @@ def check_range(name: str, value: Any) -> None:
         raise UnknownQuantity(name)
     place: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
-        if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
-            return  # as nearly always: a range takes all between two of its values
-        are_taken = takes(name, value)
-        if are_taken.all():
+        if takes_all(name, value):
             return
+        are_taken = takes(name, value)
         place = tuple(places[0].item() for places in (~are_taken).nonzero())
         value = value[place].item()
     if not takes(name, value):
@@ -73,6 +71,13 @@ def takes(name: str, value: Any) -> Any:
     is_large_enough = (size >= LEAST) | limits.admits(0.0)
     is_small_enough = (size <= MOST) | (value == INFINITY)
     return limits.admits(value) & is_large_enough & is_small_enough
+
+
+def takes_all(name: str, values: Any) -> bool:
+    """Return whether a scene takes each element of an array as the value of a quantity."""
+    if values.size and all(abs(end) <= MOST and takes(name, end) for end in (values.min(), values.max())):
+        return True  # as nearly always: a range takes all between two of its values
+    return bool(takes(name, values).all())
 
 
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
