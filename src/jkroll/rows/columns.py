@@ -36,7 +36,7 @@ from ..text import first_of, listed
 if TYPE_CHECKING:
     from .cells import Indices, Numbers
 
-BLOCK = 4 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
+BLOCK = 5 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
