@@ -7,7 +7,6 @@ z0, and how far a contact would hold by Maugis' law.
 
 import math
 import os
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from random import Random
@@ -34,6 +33,7 @@ from doors import (
 )
 from harness import Run
 from jkroll import answer, known_materials, solve
+from jkroll.answers.answer import with_force_by_maugis
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError, NoResult
@@ -44,7 +44,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, middle, value_of
 from jkroll.rows.columns import DOUBT, STATUS
 from jkroll.scene.doubts import NOT_JUDGED, at_least_measured, at_most_measured, bits_of, codes, doubts
-from jkroll.scene.failures import INFINITE, OF_IDENTICAL_SPHERES, Failure, MissingInput, reason_of
+from jkroll.scene.failures import BEYOND_PULL_OFF, INFINITE, OF_IDENTICAL_SPHERES, Failure, MissingInput, reason_of
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
@@ -54,7 +54,6 @@ UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym4", "m ym3", "
 
 Cells = Mapping[str, Any]
 FORMS = FILES  # of the output of rows, beside --csv
-_FORCES = re.compile(r"-?\d\S* \w?N\b")  # with digits of their own where Maugis' law holds a load
 
 
 def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[str] = FORMS) -> Iterator[str]:
@@ -404,8 +403,10 @@ def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
 # --- What is written --------------------------------------------------------------------------------------------------
 
 
-def _reason(error: JkrollError) -> str:
+def _reason(error: JkrollError, scene: Scene) -> str:
     """Return an error without what it begins with: a prompt has the command, or the option, in place of a name."""
+    if isinstance(error, Failure) and error.kind == BEYOND_PULL_OFF:
+        error = with_force_by_maugis(error, scene)
     return str(getattr(error, "reason", error.__str__)())
 
 
@@ -415,10 +416,10 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
     try:
         ran, cells = printed(run, ask, "--csv", *options, by_arrays=by_arrays)
     except Refused as refusal:
-        reasons = [_FORCES.sub("#", _reason(error)) for error in rows.reasons[0].values()]
+        reasons = [_reason(error, scenes_of(ask)[0]) for error in rows.reasons[0].values()]
         if "fits none of the results" in str(refusal):
             yield from _in_outputs(run, ask, rows, "", forms, by_arrays=by_arrays)
-        elif len(rows.values) > 1 or not any(reason in _FORCES.sub("#", str(refusal)) for reason in reasons):
+        elif len(rows.values) > 1 or not any(reason in str(refusal) for reason in reasons):
             yield f"csv: {refusal}"
         return
     yield from (f"csv: {text}" for text in _in_cells(rows, cells, options))
