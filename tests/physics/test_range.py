@@ -13,7 +13,7 @@ from jkroll import NOMENCLATURE, solve
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.quantities.values import QuantityError
 from jkroll.scene.failures import MissingInput
-from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, is_answer, takes
+from jkroll.scene.scene import LEAST, MOST, SMALLEST, Scene, check_range, is_answer, takes
 from jkroll.scene.wiring import Plan, formula_of
 from maugis_reference import Exact, digits, mpf
 from reference import BOUND, exact, ulp_error
@@ -118,7 +118,8 @@ class ExactScene:
         for name, step in steps.items():
             known = {parameter: self.values[argument] for parameter, argument in step.arguments.items()}
             value = self.values[name] = None if None in known.values() else _exact_or_none(step.formula.__name__, known)
-            if value is not None and ((value == 0 and name in MAY_BE_ZERO) or SMALLEST < abs(value) < LARGEST):
+            is_zero = value == 0 and NOMENCLATURE[name].may_be_zero
+            if value is not None and (is_zero or SMALLEST < abs(value) < LARGEST):
                 self.in_doubles |= {name} if self.in_doubles.issuperset(step.arguments.values()) else set()
 
     def is_right(self, name: str, value: Any, bound: float) -> bool:

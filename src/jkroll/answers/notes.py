@@ -26,7 +26,7 @@ from ..scene.doubts import (
     touched,
 )
 from ..scene.failures import grouped
-from ..scene.scene import DEFAULTS, OF_AREA, Scene
+from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
 
@@ -91,7 +91,7 @@ def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tupl
     every = [*names, *(limit.name for limit in limits)]
     own, used = ({*scene.inputs_of(*scene.possible(each))} for each in (names, every))
     needed = used - (STATE_OR_LOAD - own) | depends_on(scene.missing(every), [scene.law.name])
-    refused = OF_AREA if scene.is_rigid is True else ()
+    refused = ("youngs_modulus", "youngs_modulus2", "contact_modulus") if scene.is_rigid is True else ()
     return own | used & {"atomic_spacing"}, [name for name in scene.stated if name not in {*needed, *refused}]
 
 

@@ -196,7 +196,7 @@ def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene]
     Raises a JkrollError for a scene of arrays of which some elements have no error bars.
     """
     values = dict.fromkeys(names) | alternative(scene).numbers(*names)
-    if not scene.is_uncertain:
+    if not scene.uncertainties:
         return values
     from .uncertainty import Propagated, uncertainties
 
@@ -579,7 +579,7 @@ class Evaluation:
 
         Raises a JkrollError for sources that do not go together.
         """
-        if not self.scene.is_uncertain:
+        if not self.scene.uncertainties:
             return None
         from .uncertainty import sources_of_results
 

@@ -15,7 +15,7 @@ from ..errors import BadRequest, JkrollError, NoResult
 from ..physics.elementary import NUMBER
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
-from ..quantities.values import is_uncertain, middle
+from ..quantities.values import Uncertain, is_uncertain, middle
 from ..text import listed, quoted
 from .failures import MAX_DIGITS, MissingInput
 from .scene import LEAST, MOST, Scene, broadcast, check_exclusive
@@ -207,9 +207,10 @@ class Problem:
     # --- What it rests on ---
 
     @property
-    def is_uncertain(self) -> bool:
-        """True if a measured value, or something in the scene, has an uncertainty."""
-        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
+    def uncertainties(self) -> Mapping[str, Uncertain]:
+        """The uncertainties of measured values, and of inputs of the scene."""
+        measured = {name: given for name, given in self.measured.items() if is_uncertain(given)}
+        return {**self.scene.uncertainties, **measured}
 
     def sources(self) -> Sources:
         """Return the sources of uncertainty that enter the unknowns."""

@@ -17,49 +17,28 @@ from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
 from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law
-from ..quantities.nomenclature import (
-    INFINITY,
-    NOMENCLATURE,
-    PROPERTIES,
-    STATE,
-    UP_TO_INFINITE,
-    XI,
-    UnknownQuantity,
-    of_sphere,
-)
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, of_sphere
 from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain, middle
 from ..text import listed
-from .failures import (
-    INFINITE,
-    RESTS_ON_SPACING,
-    TWO_RIGID_BODIES,
-    Failure,
-    MissingInput,
-    NotInLaw,
-    failure_of,
-)
+from .failures import INFINITE, RESTS_ON_SPACING, TWO_RIGID_BODIES, Failure, MissingInput, NotInLaw, failure_of
 from .wiring import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
 LEAST, MOST = 1e-30, 1e30  # of the size of an input in SI units; one that may be 0 may be smaller
-MAGNITUDE = "must lie between 1e-30 and 1e30 in SI units"
 
 
 def check_range(name: str, value: Any) -> None:
     """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
-    if name not in NOMENCLATURE:
-        raise UnknownQuantity(name)
     place: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
         if takes_all(name, value):
             return
-        are_taken = takes(name, value)
-        place = tuple(places[0].item() for places in (~are_taken).nonzero())
+        place = tuple(places[0].item() for places in (~takes(name, value)).nonzero())
         value = value[place].item()
     if not takes(name, value):
         limits = NOMENCLATURE[name].range
-        words = MAGNITUDE if limits.admits(value) else limits.words
+        words = "must lie between 1e-30 and 1e30 in SI units" if limits.admits(value) else limits.words
         raise QuantityError(name, value, words if isfinite(value) else "must be finite", place=place)
 
 
@@ -83,7 +62,6 @@ def takes_all(name: str, values: Any) -> bool:
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
-MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 # The quantities of sphere 2 that are infinite for a plane, such as its mass.
 _OF_A_PLANE = [
     name for name, quantity in NOMENCLATURE.items()
@@ -94,7 +72,7 @@ _OF_A_PLANE = [
 def is_answer(name: str, value: Any) -> Any:
     """Return whether doubles are results with all digits, or a zero or an infinity that the physics has."""
     size = abs(value)
-    is_zero = (value == 0) & (name in MAY_BE_ZERO)
+    is_zero = (value == 0) & NOMENCLATURE[name].may_be_zero
     return (size >= SMALLEST) & ((size < INFINITY) | (name in _OF_A_PLANE)) | is_zero
 
 
@@ -133,9 +111,6 @@ EXCLUSIVE = (
 
 # What was stated in place of a solid's yield displacement, or makes sphere 2 one of another solid.
 _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
-
-# The inputs that decide whether a body deforms, so that a contact has an area.
-OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
 # Quantities that need a contact area: they have no value where both bodies are rigid. All others of JKR follow from
 # them.
@@ -265,11 +240,6 @@ class Scene:
         """The uncertainties of inputs, whether they were stated or are those of materials."""
         bars = {name: solid.uncertainties.get(of_solid) for name, (solid, of_solid) in self.data.items()}
         return {name: bar for name, bar in {**bars, XI: self.displacement, **self.uncertain}.items() if bar is not None}
-
-    @property
-    def is_uncertain(self) -> bool:
-        """True if an input, or a property of a material, has an uncertainty."""
-        return bool(self.uncertainties)
 
     @property
     def is_identical(self) -> Any:
