@@ -7,9 +7,7 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.materials.library import Material
 from jkroll.quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named, of_sphere, with_symbol
-from jkroll.quantities.values import QuantityError
 from jkroll.text import ascii_text
 from relative import approx
 
@@ -111,9 +109,3 @@ def test_a_quantity_of_a_sphere_is_the_twin_of_its_twin() -> None:
         twin = NOMENCLATURE[quantity.twin]
         assert (twin.twin, twin.sphere + quantity.sphere) == (name, 3)
         assert [of_sphere(sphere, name) for sphere in (quantity.sphere, twin.sphere)] == [name, quantity.twin]
-
-
-def test_a_material_made_by_hand_has_properties_of_a_solid() -> None:
-    material = Material("own", {"surface_energy": 0.1, "load": 1e-9}, (), {}, (), (), "", "")
-    with pytest.raises(QuantityError, match="load: '1e-09' is not a property of a material"):
-        jkroll.solve("yield_force", radius=1e-7, material=material)
