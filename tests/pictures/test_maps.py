@@ -467,7 +467,7 @@ _EXAMPLES = {
 def test_any_quantity_over_any_input_is_drawn_or_refused_in_a_line(run: Run) -> None:
     drawn = 0
     for quantity in NOMENCLATURE:
-        for name in sorted(depends_on([quantity])):
+        for name in sorted(depends_on((quantity,))):
             if name not in NOMENCLATURE or NOMENCLATURE[name].unit not in _EXAMPLES:
                 continue
             radius = "" if name == "radius" else "100nm"

@@ -67,7 +67,7 @@ def test_a_limit_that_holds_has_its_number() -> None:
 
 
 def test_every_limit_touches_what_a_command_shows() -> None:
-    shown = depends_on(name for question in QUESTIONS.values() for name in question.quantities)
+    shown = depends_on(tuple(name for question in QUESTIONS.values() for name in question.quantities))
     for limit in LIMITS:
         assert limit.name in NOMENCLATURE
         assert limit.touches & shown

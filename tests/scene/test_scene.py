@@ -92,7 +92,7 @@ def test_arrays_that_do_not_broadcast_are_no_scene(name: str) -> None:
 def test_every_parameter_is_a_name_that_something_gives() -> None:
     """The formulas of the nomenclature end at names that a user can give."""
     wanted = [name for name in NOMENCLATURE if name in FORMULAS]
-    ends = {name for name in depends_on(wanted) if formula_of(name) is None}
+    ends = {name for name in depends_on(tuple(wanted)) if formula_of(name) is None}
     without_option = {name for name in ends if name not in NOMENCLATURE or not NOMENCLATURE[name].option}
     assert without_option == {"radius", "edge_ratio", "restructuring_energy_ormel"}  # the last two have routes
 

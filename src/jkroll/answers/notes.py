@@ -90,7 +90,7 @@ def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tupl
     limits = touched(scene, scene.possible(names)) if judges else ()
     every = [*names, *(limit.name for limit in limits)]
     own, used = ({*scene.inputs_of(*scene.possible(each))} for each in (names, every))
-    needed = used - (STATE_OR_LOAD - own) | depends_on(scene.missing(every), [scene.law.name])
+    needed = used - (STATE_OR_LOAD - own) | depends_on((*scene.missing(every),), (scene.law.name,))
     refused = ("youngs_modulus", "youngs_modulus2", "contact_modulus") if scene.is_rigid is True else ()
     return own | used & {"atomic_spacing"}, [name for name in scene.stated if name not in {*needed, *refused}]
 

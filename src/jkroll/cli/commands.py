@@ -181,7 +181,7 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option, ...]:
     from ..scene.wiring import depends_on
 
     of_results = quantities or QUESTIONS["report"].quantities
-    depends = depends_on(of_results, LAWS)
+    depends = depends_on(of_results, tuple(LAWS))
     if any(map(varies_by_law, depends_on(of_results))):
         depends |= {"model"}
     names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if not quantities or name in depends)))

@@ -183,7 +183,7 @@ def map_request(call: Call) -> PlotRequest:
     x = axis_of(call.x, "--x")
     y = axis_of(call.y, "--y") if call.y is not None else None
     axes = [x, y] if y is not None else [x]
-    within = depends_on([quantity], [model or DEFAULT_LAW for model in call.models])
+    within = depends_on((quantity,), tuple(model or DEFAULT_LAW for model in call.models))
     for axis in axes:
         if axis.name in call.values:
             raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")

@@ -34,7 +34,7 @@ def by_law_at_spacing(scene: Scene, names: Iterable[str]) -> Scene:
 
 def rolling(names: Iterable[str], law: str) -> list[str]:
     """Return those of some quantities that follow from the yield displacement under a law."""
-    return [name for name in names if name != XI and XI in depends_on([name], [law])]
+    return [name for name in names if name != XI and XI in depends_on((name,), (law,))]
 
 
 def is_at_displacement(scene: Scene) -> bool:

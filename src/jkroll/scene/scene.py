@@ -304,7 +304,7 @@ class Scene:
     def inputs_used(self, names: Sequence[str]) -> Collection[str]:
         """Return the inputs on which quantities depend, as far as the scene has them."""
         possible = self.possible(names)
-        return self.inputs_of(*possible) if possible else depends_on(names) & self.given.keys()
+        return self.inputs_of(*possible) if possible else depends_on(tuple(names)) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
         """Return the inputs that are used, as they were understood: the materials, the law and SI values by name."""

@@ -6,7 +6,7 @@ What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (
 was not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
 """
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Mapping
 from functools import cache, lru_cache
 from types import MappingProxyType
 from typing import Any
@@ -110,13 +110,9 @@ def in_order(names: Collection[str]) -> tuple[str, ...]:
     return tuple(name for name in NOMENCLATURE if name in names)
 
 
-def depends_on(names: Iterable[str], models: Collection[str] = (DEFAULT_LAW,)) -> frozenset[str]:
-    """Return every name on which quantities can depend under some laws, whatever is given."""
-    return _dependence(tuple(names), tuple(models))
-
-
 @cache
-def _dependence(names: tuple[str, ...], models: tuple[str, ...]) -> frozenset[str]:
+def depends_on(names: tuple[str, ...], models: tuple[str, ...] = (DEFAULT_LAW,)) -> frozenset[str]:
+    """Return every name on which quantities can depend under some laws, whatever is given."""
     routes_to = routes_anywhere(models)
     reached: set[str] = set()
     pending = [*names]
