@@ -118,7 +118,7 @@ def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch
     A name that is also shipped is refused when it is used.
     """
     shipped = Materials()
-    words = sorted({*shipped.names, *shipped.aliases, "ice"})
+    words = sorted({*shipped.materials, *shipped.aliases, "ice"})
     before = {word: run("report", word, "1um", "--csv", "--quiet") for word in (*words, "all")}
     entries = ["[materials.Quartz]\naliases = ['mine']", "[materials.opal]\naliases = ['FE', 'silica']"]
     path = write(tmp_path / "own.toml", "".join(f"{entry}\nsurface_energy = '1 J/m2'\n" for entry in entries))
@@ -206,7 +206,7 @@ BROKEN = {
     "[materials.a]\ndensity = '3.4(9) g/cm3'": (
         "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant"
     ),
-    "[materials.a]\nnotes = { x = 'y' }": "'a' has a note on 'x', which it does not give",
+    "[materials.a]\nnotes = { x = 'y' }": "'a.notes' has an unknown key 'x'",
     "title = 3": "title is not a text in quotes",
     b"\xff\xfe": "is not text in UTF-8: save it with this encoding",
     "x = '" + "y" * 200_001 + "'": "is larger than 64 kB",
@@ -599,7 +599,7 @@ def test_the_list_is_a_screen_of_sets_with_the_methods(run: Run) -> None:
 def test_materials_are_found_by_words(run: Run, words: str, names: set[str]) -> None:
     assert {found["name"] for found in json.loads(run(f"materials {words} --json").out)} == names
     table = run(f"materials {words}", terminal=True).out
-    assert {name for name in Materials().names if f"  {name} " in table} == names
+    assert {name for name in Materials().materials if f"  {name} " in table} == names
 
 
 def test_a_name_goes_before_words(run: Run) -> None:

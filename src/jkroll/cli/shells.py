@@ -124,7 +124,7 @@ def _materials(begun: str) -> list[str]:
         materials = materials_of_user(None)
     except JkrollError:  # which the call itself will report
         materials = known_materials()
-    names = [name for name in (*materials.names, "all") if name.startswith(begun)]
+    names = [name for name in (*materials.materials, "all") if name.startswith(begun)]
     return names or [name for name in materials.aliases if name.startswith(begun)]
 
 

@@ -77,13 +77,13 @@ class Material(NamedTuple):
     """A material: its properties in SI units, and their sources."""
 
     name: str
-    properties: Mapping[str, float]
-    aliases: tuple[str, ...]
-    notes: Mapping[str, str]  # by property
-    remarks: tuple[str, ...]  # on the names that it takes from materials of other files
-    references: tuple[Mapping[str, str], ...]
     title: str  # of the set: "Table 1"
     path: str
+    properties: Mapping[str, float] = read_only({})
+    aliases: tuple[str, ...] = ()
+    notes: Mapping[str, str] = read_only({})  # by property
+    remarks: tuple[str, ...] = ()  # on the names that it takes from materials of other files
+    references: tuple[Mapping[str, str], ...] = ()
     state: str = ""  # "below 175 K"
     uncertainties: Mapping[str, Uncertain] = read_only({})  # of properties that have one
     origins: Mapping[str, Mapping[str, str]] = read_only({})  # of properties: what is stated of `ORIGIN`
@@ -202,12 +202,13 @@ _ABOUT: Mapping[str, type] = {"aliases": list, "notes": dict, "references": list
 
 def _read(name: str, table: Any, title: str, path: str, references: Mapping[str, Any]) -> Material:
     """Return a material with what its table says, or with what is wrong with it. `title`: of the set, by default."""
-    material, values, origins = Material(name, read_only({}), (), read_only({}), (), (), title, path), {}, {}
+    material, values, origins = Material(name, title, path), {}, {}
     try:
         checked(table, dict, f"materials.{name}")
         about = {key: texts(table.get(key, form()), form, f"{name}.{key}") for key, form in _ABOUT.items()}
         material = material._replace(aliases=about["aliases"], title=about["source"] or title, state=about["state"])
         _refuse_unknown_keys(name, table, (*PROPERTIES, XI, *_ABOUT))
+        _refuse_unknown_keys(f"{name}.notes", about["notes"], (*PROPERTIES, XI))
         for key in (key for key in (*PROPERTIES, XI) if key in table):
             where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
             given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
@@ -223,8 +224,6 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
             if not isinstance(radius, float):
                 raise BadRequest(f"{shown(name)}.{XI}: the radius of the spheres is a single one")
             displacement = Displacement(Interval(middle(measured), *ends_of(measured)), radius)
-        if idle := [key for key in about["notes"] if key not in (*PROPERTIES, *table)]:
-            raise BadRequest(f"{quoted(name)} has a note on {quoted(idle[0])}, which it does not give")
         keys = [*about["references"], *(origin["reference"] for origin in origins.values() if "reference" in origin)]
         if lacking := [key for key in keys if key not in references]:
             raise BadRequest(f"{quoted(name)} cites {quoted(lacking[0])}, which [references] does not have")
@@ -329,7 +328,7 @@ class Materials:
             return material
         if len(several := meanings or states) > 1:
             raise _unclear(word, several)
-        if guess := states[0].name if states else closest(key, [*self.names, *self.aliases]):
+        if guess := states[0].name if states else closest(key, [*self.materials, *self.aliases]):
             remedy = f"; did you mean {guess}? jkroll materials lists all"
         else:
             remedy = (
@@ -347,11 +346,6 @@ class Materials:
     def mistakes(self) -> list[MaterialsFileError]:
         """The errors of the materials with which something is wrong."""
         return [MaterialsFileError(each.path, each.problem) for each in self._materials.values() if each.problem]
-
-    @property
-    def names(self) -> list[str]:
-        """The names of all materials."""
-        return [material.name for material in self._materials.values()]
 
     @property
     def aliases(self) -> list[str]:

@@ -138,8 +138,7 @@ def _write_material(material: Material, out: TextIO) -> None:
             text += f", spheres of {amount('radius', material.displacement.radius)}"
         facts += [(name, text), *((f"  {field}", text) for field, text in material.origins.get(name, {}).items())]
     for name, note in material.notes.items():
-        about = NOMENCLATURE[name].sentence if name in NOMENCLATURE else name
-        facts.append(("note", f"{about}: {note}"))
+        facts.append(("note", f"{NOMENCLATURE[name].sentence}: {note}"))
     for entry in material.references:
         label = f"{entry['key']}: " if material.origins else ""
         words = ", ".join(entry[field] for field in _REFERENCE if entry.get(field))

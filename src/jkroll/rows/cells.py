@@ -242,7 +242,7 @@ def _members(text: bytes) -> list[Any]:
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-LABEL = Material("", {}, (), {}, (), (), "", "")  # placeholder for a name that is not a material: it has no properties
+LABEL = Material("", "", "")  # placeholder for a name that is not a material: it has no properties
 
 Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
