@@ -13,7 +13,6 @@ from ..scene.failures import MissingInput
 from ..scene.inverse import Problem, inputs_named
 from ..scene.scene import Scene, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
-from ..scene.uncertainty import uncertainties
 from ..scene.wiring import in_order
 from .columns import Columns, Wanted, sides_in
 from .sweep import Sweep
@@ -155,6 +154,5 @@ def infer(
     if has_bars := any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
     solution = problem.solution
-    bars = uncertainties(problem, names) if has_bars else {}  # as in `solve`, materials alone give none
-    values = with_uncertainties(solution.values, bars)
+    values = with_uncertainties(problem, solution.values) if has_bars else solution.values  # as in `solve`
     return InferredValues(values, solution.condition) if is_list else values[names[0]]

@@ -2,18 +2,15 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
-from typing import TYPE_CHECKING, Any, overload
+from typing import Any, overload
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..physics.elementary import NUMBER
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, as_input, named
-from ..quantities.values import Measured, QuantityError, Uncertain, checked, is_uncertain, value_of
+from ..quantities.values import Measured, QuantityError, checked, is_uncertain, value_of
 from .scene import Scene
-
-if TYPE_CHECKING:
-    from .uncertainty import Propagated
 
 ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
 _PLAIN = float, int, str  # types of values that hold no others
@@ -84,10 +81,8 @@ def solve(
     scene = Scene(described, *materials_of(material, material2, materials), model=model)
     results = values_of(scene, names)
     if scene.uncertain:
-        from .uncertainty import uncertainties
-
         refuse_arrays(described)
-        results = with_uncertainties(results, uncertainties(scene, names))
+        results = with_uncertainties(scene, results)
     elif registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results if is_list else results[names[0]]
@@ -139,16 +134,15 @@ def refuse_arrays(described: Mapping[str, Any]) -> None:
             raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays without uncertainty")
 
 
-def with_uncertainties(
-    values: Mapping[str, float], bars: "Mapping[str, Propagated | JkrollError]"
-) -> dict[str, float | Uncertain]:
-    """Return values with their error bars, if they have some; raise a Failure with the reason why one has none."""
-    measures: dict[str, float | Uncertain] = dict(values)
-    for name, bar in bars.items():
-        if isinstance(bar, JkrollError):
-            raise bar
-        measures[name] = bar.uncertainty
-    return measures
+def with_uncertainties(scene: Any, values: Mapping[str, float]) -> dict[str, Any]:
+    """Return values of a scene or a problem with their error bars; raise a Failure with the reason why one has none."""
+    from .uncertainty import measures_of, uncertainties
+
+    measures = measures_of(uncertainties(scene, [*values]))
+    for measure in measures.values():
+        if isinstance(measure, JkrollError):
+            raise measure
+    return {**values, **measures}
 
 
 def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> tuple[dict[str, Any], Any]:
