@@ -394,6 +394,4 @@ def materials_of_user(option: str | None) -> Materials:
     path = os.path.join(configuration, "jkroll", "materials.toml")
     added = [path] if os.path.lexists(path) else []
     added += filter(None, [os.environ.get("JKROLL_MATERIALS")])
-    if option is not None:
-        return Materials(option, added=added)
-    return Materials(added=added) if added else known_materials()
+    return Materials([] if option is None else option, added=added)

@@ -30,7 +30,7 @@ from ..scene.doubts import (
     touched,
 )
 from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, MissingInput, grouped, needs_in_words
-from ..scene.scene import FOLLOWS, Scene, takes, takes_all
+from ..scene.scene import FOLLOWS, Scene, takes
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
@@ -447,9 +447,8 @@ def _kinds(name: str, column: "Numbers") -> "Indices":
     import numpy
 
     kinds = numpy.full(len(column.values), _PLAIN)
-    if not takes_all(name, column.values):
-        kinds[~takes(name, column.values)] = BAD
-        kinds[numpy.isnan(column.values)] = _EMPTY
+    kinds[~takes(name, column.values)] = BAD
+    kinds[numpy.isnan(column.values)] = _EMPTY
     if name in FOLLOWS:
         kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
     kinds[[*column.odd]] = BAD

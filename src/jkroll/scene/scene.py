@@ -32,9 +32,12 @@ def check_range(name: str, value: Any) -> None:
     """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
     place: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
-        if takes_all(name, value):
+        if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
+            return  # as nearly always: a range takes all between two of its values
+        are_refused = ~takes(name, value)
+        if not are_refused.any():
             return
-        place = tuple(places[0].item() for places in (~takes(name, value)).nonzero())
+        place = tuple(places[0].item() for places in are_refused.nonzero())
         value = value[place].item()
     if not takes(name, value):
         limits = NOMENCLATURE[name].range
@@ -50,13 +53,6 @@ def takes(name: str, value: Any) -> Any:
     is_large_enough = (size >= LEAST) | limits.admits(0.0)
     is_small_enough = (size <= MOST) | (value == INFINITY)
     return limits.admits(value) & is_large_enough & is_small_enough
-
-
-def takes_all(name: str, values: Any) -> bool:
-    """Return whether a scene takes each element of an array as the value of a quantity."""
-    if values.size and all(abs(end) <= MOST and takes(name, end) for end in (values.min(), values.max())):
-        return True  # as nearly always: a range takes all between two of its values
-    return bool(takes(name, values).all())
 
 
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
@@ -177,7 +173,6 @@ class Scene:
             self.values = {**values, **self.values}
         self.known = frozenset(self.values)
         self.kind = (self.known, material2 is not None, self.law.name)  # on which plans depend
-        self.is_rigid = _is_rigid(self.given, own_material2=material2 is not None)
         # What was computed, by a quantity's name, which has one formula, and the identities of its arguments. These are
         # kept beside it, so that no other value can have their identities.
         self._results: dict[tuple[object, ...], tuple[Any, Sequence[Any]]] = {}
@@ -240,6 +235,14 @@ class Scene:
         """The uncertainties of inputs, whether they were stated or are those of materials."""
         bars = {name: solid.uncertainties.get(of_solid) for name, (solid, of_solid) in self.data.items()}
         return {name: bar for name, bar in {**bars, XI: self.displacement, **self.uncertain}.items() if bar is not None}
+
+    @cached_property
+    def is_rigid(self) -> Any:
+        """True if both bodies are rigid; an array if some elements of arrays are."""
+        modulus = self.given.get("youngs_modulus")
+        modulus2 = self.given.get("youngs_modulus2", modulus if self.material2 is None else None)
+        is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in self.given)
+        return is_rigid if isinstance(is_rigid, bool) or is_rigid.any() else False
 
     @property
     def is_identical(self) -> Any:
@@ -450,14 +453,6 @@ def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
     except ValueError:
         shapes = ", ".join(f"{name} {value.shape}" for name, value in arrays.items())
         raise BadRequest(f"these arrays do not broadcast: {shapes}") from None
-
-
-def _is_rigid(given: Mapping[str, Any], *, own_material2: bool) -> Any:
-    """Return whether both bodies are rigid; an array if some elements of arrays are."""
-    modulus = given.get("youngs_modulus")
-    modulus2 = given.get("youngs_modulus2", None if own_material2 else modulus)
-    is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in given)
-    return is_rigid if isinstance(is_rigid, bool) or is_rigid.any() else False
 
 
 def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) -> dict[str, Mapping[str, float]]:
