@@ -63,7 +63,7 @@ class Inferred(Answer):
         for law in LAWS:
             other = self.problem.replace(model=law)
             with suppress(MissingInput):
-                if other.filled.formulas_to(*self.problem.measured) != formulas and (values := other.numbers()):
+                if other.filled.formulas_to(*other.measured) != formulas and (values := other.numbers(*other.unknowns)):
                     bars = measures_of(Evaluation(other, values).bars)
                     by_law[law] = {**values, **{name: bar for name, bar in bars.items() if is_uncertain(bar)}}
         return by_law

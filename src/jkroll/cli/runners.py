@@ -311,16 +311,12 @@ def run_infer(call: Call) -> int:
 
 def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
     """Read the measured quantities and their values: as many as inputs are sought."""
-    from ..scene.inverse import already_given
-
     measured: dict[str, list[Spread]] = {}
     for text in call.measured:
         word, has_value, value = text.partition("=")
         if not has_value:
             raise BadRequest("--measured: write a quantity and its value, such as pull_off_force=300nN")
         quantity = quantity_named(word)
-        if quantity in call.spreads:
-            raise already_given(quantity)
         measured[quantity] = spreads_of(value, quantity)
     if not len(call.measured) == len(measured) == len(names):
         example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)

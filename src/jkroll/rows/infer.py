@@ -10,7 +10,7 @@ from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
 from ..scene.doubts import Evaluation, bits_of, doubts
 from ..scene.failures import MissingInput
-from ..scene.inverse import Problem, inputs_named
+from ..scene.inverse import Problem, already_given, inputs_named
 from ..scene.scene import Scene, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
 from ..scene.wiring import in_order
@@ -54,6 +54,8 @@ class Problems(Sweep):
 
     def __init__(self, names: Sequence[str], measured: Mapping[str, Sequence[Spread]], given: Sweep) -> None:
         """`names`: of the unknowns; `measured`: the lists and ranges of the values of each quantity."""
+        for name in measured.keys() & given.spreads.keys():
+            raise already_given(name)
         super().__init__(given.pairs, {**given.spreads, **measured}, given.models)
         self.names, self.quantities = names, [*measured]
 

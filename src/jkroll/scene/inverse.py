@@ -4,8 +4,9 @@ One unknown is found by a scan and by halving, two by a grid and Newton's method
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from functools import cached_property, partial
-from math import inf, nan, prod
+from functools import cached_property
+from itertools import chain
+from math import inf, isnan, nan, prod
 from typing import Any, NamedTuple
 
 import numpy
@@ -183,10 +184,11 @@ class Problem:
 
     def __init__(self, unknowns: Sequence[str], measured: Values, scene: Scene, near: "Problem | None" = None) -> None:
         """`near`: a problem from whose solution Newton's method leads to two unknowns in arrays."""
-        self.unknowns, self.measured, self.scene, self._near = tuple(unknowns), measured, scene, near
+        self.unknowns, self.measured, self.scene, self.near = tuple(unknowns), measured, scene, near
         self.levels = {name: middle(value) for name, value in measured.items()}
         levels = {name: level for name, level in self.levels.items() if not isinstance(level, NUMBER)}
-        self.shape = broadcast({**scene.arrays, **levels})
+        self.arrays = {**scene.arrays, **levels}
+        self.shape = broadcast(self.arrays)
 
     def replace(self, **values: Any) -> "Problem":
         """Return the problem with other values of some inputs and measured quantities."""
@@ -197,12 +199,10 @@ class Problem:
         """Return the problem of some elements of the arrays; one of numbers is the same in all rows."""
         if not self.shape:
             return self
-        values = {
-            name: value if isinstance(value, NUMBER) else numpy.broadcast_to(value, self.shape).ravel()[rows]
-            for name, value in {**self.scene.arrays, **self.levels}.items()
-        }
-        levels = {name: values.pop(name) for name in self.levels}
-        return Problem(self.unknowns, levels, self.scene.replace(**values) if values else self.scene)
+        arrays = {name: numpy.broadcast_to(array, self.shape).ravel() for name, array in self.arrays.items()}
+        problem = self.replace(**{name: array[rows] for name, array in arrays.items()})
+        problem.near = None  # whose solution is that of all rows
+        return problem
 
     # --- What it rests on ---
 
@@ -217,12 +217,12 @@ class Problem:
         measured = [Source((name,), given) for name, given in self.measured.items() if is_uncertain(given)]
         return sources_of(self.scene, [*self.measured, *self.inputs_used(())], measured)
 
-    def missing(self, _: Sequence[str]) -> list[str]:
-        """Return the measured quantities to which the inputs do not lead."""
-        return self.filled.missing([*self.measured])
+    def missing(self, names: Sequence[str]) -> list[str]:
+        """Return those of the unknowns that need more inputs: all or none."""
+        return [*names] if self.filled.missing(self.measured) else []
 
     def inputs_used(self, _: Sequence[str]) -> list[str]:
-        """Return the other inputs on which the measured quantities depend."""
+        """Return the other inputs on which the measured quantities depend, and with them each unknown."""
         return [name for name in self.filled.inputs_used([*self.measured]) if name not in self._sought]
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
@@ -265,14 +265,8 @@ class Problem:
 
     def quantities(self, values: Values) -> Any:
         """Return the measured quantities, a row for each, at arrays of the unknowns; nan where there is no result."""
-        quantities = numpy.full((len(self.measured), len(next(iter(values.values())))), nan)
-        outcomes = self.with_values(values).evaluate([*self.measured])
-        for quantity, outcome in zip(quantities, outcomes.values(), strict=True):
-            if not isinstance(outcome, JkrollError):
-                quantity[:] = outcome
-            elif not isinstance(outcome, NoResult):
-                raise outcome
-        return quantities
+        size, known = len(next(iter(values.values()))), self.with_values(values).numbers(*self.measured)
+        return numpy.array([numpy.broadcast_to(known.get(name, nan), size) for name in self.measured])
 
     # --- Its solution ---
 
@@ -301,15 +295,8 @@ class Problem:
     def solution(self) -> Solution:
         """The solution of each row. Of numbers, raises the failure, and always that of a problem that has none."""
         self.check()
-        count, size, failures = len(self.unknowns), prod(self.shape), Failures()
-        find, together = (_roots, _TOGETHER) if count == 1 else (_pair, 1)
-        if count == 2 and self.shape and self._near is not None:
-            find, together = partial(_pairs_near, start=self._near.solution.places), size
-        table = numpy.full((3 * count + 1, size), nan)  # the values, their growths, the condition, and the places
-        for start in range(0, size, together):
-            rows = numpy.arange(start, min(start + together, size))
-            table[:, rows], errors = find(self.rows(rows))
-            failures |= {start + row: error for row, error in errors.items()}
+        count = len(self.unknowns)
+        table, failures = _roots(self) if count == 1 else _pairs(self)
         for error in () if self.shape else failures.values():
             raise error
         measures, places = table[: 2 * count + 1], table[2 * count + 1 :]
@@ -318,12 +305,12 @@ class Problem:
         values, growths = (dict(zip(self.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
         return Solution(values, growths, condition, failures, places)
 
-    def evaluate(self, _: Sequence[str]) -> Values:
-        """Return the unknowns; of numbers, the error that says why there are none. Raises an error of the request."""
+    def evaluate(self, names: Sequence[str]) -> Values:
+        """Return unknowns; of numbers, the error that says why there are none. Raises an error of the request."""
         try:
-            return self.solution.values
+            return {name: self.solution.values[name] for name in names}
         except (MissingInput, NoResult) as error:
-            return dict.fromkeys(self.unknowns, error)
+            return dict.fromkeys(names, error)
 
     def numbers(self, *names: str) -> Values:
         """Return the unknowns if they have values."""
@@ -347,52 +334,79 @@ def slopes(y: Any) -> Any:
 
 
 def _roots(problem: Problem) -> tuple[Any, Failures]:
-    """Return a table of the value of one unknown in each row, and the failures.
+    """Return a table of the value of one unknown in each row, its growth and the condition; and the failures.
 
     Where there is no value among the usual sizes, all that a scene takes are scanned.
     """
     (unknown,) = problem.unknowns
-    usual = Scan(problem, SIZES[unknown])
-    roots, failures = usual.root, usual.failures
-    if lacking := [row for row, error in failures.items() if isinstance(error, NoSolution)]:
-        widest = Scan(problem.rows(lacking), _WIDEST)
-        roots[lacking] = widest.root
-        failures |= {lacking[row]: error for row, error in widest.failures.items() if not isinstance(error, NoSolution)}
-    solved = numpy.flatnonzero(~numpy.isnan(roots))
-    x = numpy.exp(_STEP * numpy.array([[-1], [0], [1]])) * roots[solved]
-    y = problem.rows(numpy.tile(solved, 3)).quantities({unknown: x.ravel()}).reshape(3, -1)
-    condition = numpy.full(len(roots), nan)
+    outcomes = _scanned(problem, SIZES[unknown])
+    if lacking := [row for row, outcome in enumerate(outcomes) if isinstance(outcome, NoSolution)]:
+        for row, outcome in zip(lacking, _scanned(problem.rows(lacking), _WIDEST), strict=True):
+            outcomes[row] = outcomes[row] if isinstance(outcome, NoSolution) else outcome
+    failures = {row: outcome for row, outcome in enumerate(outcomes) if isinstance(outcome, JkrollError)}
+    roots = numpy.array([nan if row in failures else outcome for row, outcome in enumerate(outcomes)])
+    x = numpy.exp(_STEP * numpy.array([[-1], [0], [1]])) * numpy.nan_to_num(roots, nan=SIZES[unknown][1])
+    y = problem.rows(numpy.tile(numpy.arange(len(roots)), 3)).quantities({unknown: x.ravel()}).reshape(3, -1)
     with numpy.errstate(divide="ignore", invalid="ignore"):
-        condition[solved] = abs(y[1] / slopes(y))
-    unsolved = {row: error for row, error in failures.items() if numpy.isnan(roots[row])}
-    return numpy.array([roots, condition, condition, roots]), unsolved
+        condition = numpy.where(numpy.isnan(roots), nan, abs(y[1] / slopes(y)))
+    return numpy.array([roots, condition, condition]), failures
+
+
+def _scanned(problem: Problem, sizes: tuple[float, float]) -> list[Any]:
+    """Return the one value of the unknown between two sizes in each row, or why there is none."""
+    rows = numpy.arange(prod(problem.shape))
+    blocks = [rows[start : start + _TOGETHER] for start in range(0, len(rows), _TOGETHER)]
+    return [*chain.from_iterable(Scan(problem.rows(block)).outcomes(sizes) for block in blocks)]
 
 
 class Scan:
-    """A search for the values of one unknown between two sizes, in each row of a problem.
+    """A search for the values of one unknown in each row of a problem.
 
     It begins with a grid, and halves each interval at whose ends the measured quantity differs: it has a value at one
     alone, is on other sides of its level, rises at one and falls at the other, or stays at its level at one alone. So
     the ends of gaps and the extremes are found on the way, and what lies between these and the grid.
 
-    `rows` and `roots` are arrays of what was found, in order. Of each row, `root` is the value if it is the only one,
-    `varies` says whether the quantity does on the grid, `span` has its least and largest value, and `stretch` the first
-    and the last value of the unknown at which it stays at its level, nan if there is none. `failures` say why there is
-    no one root.
+    Of all that was computed, `span` has the least and largest value of the quantity in each row, and `stretch` the
+    first and the last value of the unknown at which it stays at its level, nan if there is none.
     """
 
-    def __init__(self, problem: Problem, sizes: tuple[float, float]) -> None:
+    def __init__(self, problem: Problem) -> None:
         (self.unknown,), (level,) = problem.unknowns, problem.levels.values()
         size = prod(problem.shape)
         self.problem, self.levels = problem, numpy.full(size, level, dtype=float)
         self.span, self.stretch = numpy.full((2, 2, size), nan)
-        x = grid(self.unknown, sizes)
+
+    def outcomes(self, sizes: tuple[float, float]) -> list[Any]:
+        """Return the one value of the unknown between two sizes in each row, or why there is none."""
+        rows, roots = self.roots(sizes)
+        return [self._outcome(row, roots[rows == row].tolist()) for row in range(len(self.levels))]
+
+    def _outcome(self, row: int, roots: list[float]) -> float | JkrollError:
+        """Return the root of a row, or why it has no one root."""
+        span, stretch = self.span[:, row].tolist(), self.stretch[:, row].tolist()
+        varies = span[1] - span[0] > _ROUNDING * max(map(abs, span))
+        stays = stretch[0] > 0 and stretch[1] >= 10 * stretch[0]
+        if len(roots) == 1 and varies and not stays:
+            return roots[0]
+        problem = self.problem.rows(row)
+        if isnan(span[0]):
+            return problem.failure()
+        if not varies:
+            return NoDependence(problem, f"{next(iter(problem.measured))} does not depend on it here")
+        if stays:
+            first, last = (amount(self.unknown, end) for end in stretch)
+            return Undetermined(problem, f"every value from {first} to {last} gives {equal(problem.levels)}", stretch)
+        values = [{self.unknown: root} for root in roots]
+        return SeveralSolutions(problem, values) if values else NoSolution(problem, [span])
+
+    def roots(self, sizes: tuple[float, float]) -> tuple[Any, Any]:
+        """Return the rows and values of all places between two sizes at which the quantity has its level, in order."""
+        size, x = len(self.levels), grid(self.unknown, sizes)
         rows = numpy.repeat(numpy.arange(size), len(x))
         points = self._points(rows, numpy.tile(x, size))
         is_exact = points[1] == self.levels[rows]  # as without load
         points[2, is_exact] = 0
         exact = numpy.array([rows, points[0]])[:, is_exact]
-        self.varies = self.span[1] - self.span[0] > _ROUNDING * abs(self.span).max(axis=0)
         rows, points = rows.reshape(size, -1)[:, :-1], points.reshape(len(points), size, -1)
         left, right = points[..., :-1], points[..., 1:]
         for _ in range(_ROUNDS):
@@ -412,14 +426,8 @@ class Scan:
         is_near = off.min(axis=0) <= _AS_SHOWN * numpy.where(level == 0, off.max(axis=0), abs(level))
         crossings = numpy.array([rows, numpy.where(off[0] < off[1], left[0], right[0])])
         every = [exact, crossings[:, (left[2] * right[2] < 0) & is_near]]
-        numbers, self.roots = numpy.unique(numpy.concatenate(every, axis=1), axis=1)
-        self.rows = numbers.astype(int)
-        self.is_still = (self.stretch[0] > 0) & (self.stretch[1] >= 10 * self.stretch[0])
-        is_one = (numpy.bincount(self.rows, minlength=size) == 1) & self.varies & ~self.is_still
-        self.root = numpy.full(size, nan)
-        self.root[self.rows] = self.roots
-        self.root[~is_one] = nan
-        self.failures = {row: self._failure(row) for row in numpy.flatnonzero(~is_one).tolist()}
+        rows, roots = numpy.unique(numpy.concatenate(every, axis=1), axis=1)
+        return rows.astype(int), roots
 
     def _points(self, rows: Any, x: Any) -> Any:
         """Return points: x, y, its side of the level, whether it stays there, and its slope."""
@@ -433,38 +441,29 @@ class Scan:
             numpy.fmax.at(extent[1], rows, values)
         return numpy.array([x, y, numpy.where(y < level, -1.0, 1.0), stays, slope])
 
-    def _failure(self, row: int) -> JkrollError:
-        """Return why a row has no one root."""
-        problem, span, stretch = self.problem.rows(row), self.span[:, row].tolist(), self.stretch[:, row].tolist()
-        if numpy.isnan(span[0]):
-            return problem.failure()
-        if not self.varies[row]:
-            return NoDependence(problem, f"{next(iter(problem.measured))} does not depend on it here")
-        if self.is_still[row]:
-            first, last = (amount(self.unknown, end) for end in stretch)
-            return Undetermined(problem, f"every value from {first} to {last} gives {equal(problem.levels)}", stretch)
-        roots = [{self.unknown: root} for root in self.roots[self.rows == row].tolist()]
-        return SeveralSolutions(problem, roots) if roots else NoSolution(problem, [span])
-
 
 # --- Two unknowns -----------------------------------------------------------------------------------------------------
 
 
-def _pair(problem: Problem) -> tuple[Any, Failures]:
-    """Return a table of two unknowns in one row, or the failure."""
-    try:
-        return Pairs(problem.rows(0)).pair(), {}
-    except NoResult as error:
-        return nan, {0: error}
+def _pairs(problem: Problem) -> tuple[Any, Failures]:
+    """Return a table of two unknowns in each row, their growths, the condition and the places; and the failures.
 
-
-def _pairs_near(problem: Problem, start: Any) -> tuple[Any, Failures]:
-    """Return a table of two unknowns to which Newton's method leads in each row from a place, nan if to none."""
-    pairs = Pairs(problem)
-    places, distance = pairs.improved(numpy.nan_to_num(start) + numpy.zeros_like(pairs.levels))
-    table = pairs.table(places)
-    table[:, (distance == inf) | (table[4] > MAX_CONDITION)] = nan
-    return table, {}
+    From the solution of a problem that is near, Newton's method leads to those of arrays, nan where it leads to none.
+    """
+    if problem.shape and problem.near is not None:
+        pairs = Pairs(problem)
+        start = numpy.nan_to_num(problem.near.solution.places)
+        places, distance = pairs.improved(start + numpy.zeros_like(pairs.levels))
+        table = pairs.table(places)
+        table[:, (distance == inf) | (table[4] > MAX_CONDITION)] = nan
+        return table, {}
+    table, failures = numpy.full((7, prod(problem.shape)), nan), Failures()
+    for row in range(table.shape[1]):
+        try:
+            table[:, [row]] = Pairs(problem.rows(row)).pair()
+        except NoResult as error:
+            failures[row] = error
+    return table, failures
 
 
 class Pairs:
