@@ -5,7 +5,6 @@ One unknown is found by a scan and by halving, two by a grid and Newton's method
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property
-from itertools import chain
 from math import inf, isnan, nan, prod
 from typing import Any, NamedTuple
 
@@ -297,8 +296,8 @@ class Problem:
         self.check()
         count = len(self.unknowns)
         table, failures = _roots(self) if count == 1 else _pairs(self)
-        for error in () if self.shape else failures.values():
-            raise error
+        if failures and not self.shape:
+            raise failures[0]
         measures, places = table[: 2 * count + 1], table[2 * count + 1 :]
         measures[count:] = [[float(f"{number:.6g}") for number in row] for row in measures[count:]]  # no rounding error
         *columns, condition = measures.reshape(2 * count + 1, *self.shape) if self.shape else measures[:, 0].tolist()
@@ -339,24 +338,22 @@ def _roots(problem: Problem) -> tuple[Any, Failures]:
     Where there is no value among the usual sizes, all that a scene takes are scanned.
     """
     (unknown,) = problem.unknowns
-    outcomes = _scanned(problem, SIZES[unknown])
-    if lacking := [row for row, outcome in enumerate(outcomes) if isinstance(outcome, NoSolution)]:
-        for row, outcome in zip(lacking, _scanned(problem.rows(lacking), _WIDEST), strict=True):
-            outcomes[row] = outcomes[row] if isinstance(outcome, NoSolution) else outcome
-    failures = {row: outcome for row, outcome in enumerate(outcomes) if isinstance(outcome, JkrollError)}
-    roots = numpy.array([nan if row in failures else outcome for row, outcome in enumerate(outcomes)])
+    outcomes: dict[int, Any] = {}
+    rows = [*range(prod(problem.shape))]
+    for sizes in (SIZES[unknown], _WIDEST):
+        for start in range(0, len(rows), _TOGETHER):
+            block = rows[start : start + _TOGETHER]
+            for row, outcome in zip(block, Scan(problem.rows(block)).outcomes(sizes), strict=True):
+                if not (row in outcomes and isinstance(outcome, NoSolution)):  # which tells of the usual sizes
+                    outcomes[row] = outcome
+        rows = [row for row, outcome in outcomes.items() if isinstance(outcome, NoSolution)]
+    failures = {row: outcome for row, outcome in outcomes.items() if isinstance(outcome, JkrollError)}
+    roots = numpy.array([nan if row in failures else root for row, root in outcomes.items()])
     x = numpy.exp(_STEP * numpy.array([[-1], [0], [1]])) * numpy.nan_to_num(roots, nan=SIZES[unknown][1])
     y = problem.rows(numpy.tile(numpy.arange(len(roots)), 3)).quantities({unknown: x.ravel()}).reshape(3, -1)
     with numpy.errstate(divide="ignore", invalid="ignore"):
         condition = numpy.where(numpy.isnan(roots), nan, abs(y[1] / slopes(y)))
     return numpy.array([roots, condition, condition]), failures
-
-
-def _scanned(problem: Problem, sizes: tuple[float, float]) -> list[Any]:
-    """Return the one value of the unknown between two sizes in each row, or why there is none."""
-    rows = numpy.arange(prod(problem.shape))
-    blocks = [rows[start : start + _TOGETHER] for start in range(0, len(rows), _TOGETHER)]
-    return [*chain.from_iterable(Scan(problem.rows(block)).outcomes(sizes) for block in blocks)]
 
 
 class Scan:

@@ -170,9 +170,6 @@ def _as_arrays(outcomes: Callable[[Any], Any], places: Sequence[Any]) -> dict[st
 
     columns: dict[str, list[Any]] = {}
     for name, outcome in outcomes({name: numpy.array([place[name] for place in places]) for name in places[0]}).items():
-        if isinstance(outcome, JkrollError):
-            columns[name] = [outcome]
-            continue
         columns[name] = numpy.broadcast_to(outcome, len(places)).tolist()
         for number in numpy.flatnonzero(numpy.isnan(outcome)).tolist():
             columns[name][number] = outcomes(places[number])[name]
