@@ -147,14 +147,6 @@ def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ..
     assert float(results("out.csv")[0]["youngs_modulus [Pa]"]) == approx(expected, rel=1e-12)
 
 
-def test_infer_says_how_a_table_is_read(run: Run) -> None:
-    Path("forces.csv").touch()
-    ran = run("infer gamma forces.csv --measured pull_off_force=1nN")
-    assert (ran.code, ran.err.replace("\n  ", " ")) == (
-        2, "jkroll: infer reads no tables; jkroll batch forces.csv --infer INPUT --measured QUANTITY does\n"
-    )  # fmt: skip
-
-
 @pytest.mark.parametrize("names", [["A", "B"], ["ice", "B"], ["quartz", "B"]])
 def test_names_of_samples_are_labels_where_nothing_is_needed_of_them(run: Run, names: list[str]) -> None:
     """Whether some of them are materials or not; γ of a plane does not depend on the rest."""

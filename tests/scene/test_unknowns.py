@@ -209,6 +209,16 @@ def test_pairs_are_found_next_to_pull_off(margin: float) -> None:
         assert pair.values == approx(unknowns, rel=1e-6)
 
 
+def test_a_pair_in_a_cell_without_contact_at_one_corner_hides_no_other() -> None:
+    values, given = {"surface_energy": 6e-3, "youngs_modulus": 3e11}, {**PLANE, "shear_strength": 1e7}
+    given["load"] = -0.97 * Scene({**given, **values})["pull_off_force"]
+    measured = Scene({**given, **values}).numbers("sliding_force", "well_energy")
+    with pytest.raises(SeveralSolutions) as caught:
+        found(NAMES, measured, given)
+    for pair in caught.value.values:
+        assert Scene({**given, **pair}).numbers(*measured) == approx(measured, rel=1e-9)
+
+
 def test_the_order_of_what_was_measured_hides_no_pair() -> None:
     """Below some radius v_stick of Maugis' law does not change with it, so that two spheres have both values."""
     measured = {"yield_force": 2.71151e-9, "sticking_speed": 4.24886}
