@@ -223,14 +223,15 @@ WHICH = (
             "dust-simulation quartz 100nm --poisson 0",
             "export: dust-simulation divides by Poisson's ratio, which is 0 here",
         ),
-        (
-            "lammps quartz,iron 100nm",
-            "export takes one pair of spheres, not 2; for unlike ones: --radius2",
-        ),
+        ("lammps quartz,iron 100nm", "export takes one pair of spheres, not 2; for unlike ones: --radius2"),
         ("lammps quartz 100nm --model maugis", "--model: LAMMPS has jkr and dmt, not 'maugis'"),
         (
             "lammps 100nm --gamma 25mJ/m2 --young 54GPa --poisson 0.17",
             "time step for a simulation needs mass density; name a material, such as quartz, or give --density 1g/cm3",
+        ),
+        (
+            "dust-collider 100nm --gamma 25mJ/m2 --young 54GPa --poisson 0.17",
+            "needs mass density; name a material, such as quartz, or give --density 1g/cm3",
         ),
     ],
 )

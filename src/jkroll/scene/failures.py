@@ -29,7 +29,8 @@ class MissingInput(JkrollError):
         self.phrase = needs_in_words(self.missing)
 
     def __str__(self) -> str:
-        return f"{NOMENCLATURE[self.wanted].sentence} {self.reason()}"
+        lacks_itself = self.wanted in self.missing
+        return self.reason() if lacks_itself else f"{NOMENCLATURE[self.wanted].sentence} {self.reason()}"
 
     def reason(self, verb: str = "needs") -> str:
         """Return the missing inputs, the materials that do not have them, and how they are given; "need" for several.
