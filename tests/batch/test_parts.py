@@ -92,6 +92,16 @@ def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) ->
     assert whole("forces") == whole("whole")
 
 
+def test_a_row_is_named_with_its_table(run: Run) -> None:
+    Path("in").mkdir()
+    for name, cells in (("a", "1 2"), ("b", "1 x"), ("c", "y 2")):
+        Path(f"in/{name}.csv").write_text("\n".join(["radius [nm]", *cells.split()]), encoding="utf-8")
+    ran = run("batch in/*.csv -o out/ --gamma 25mJ/m2 --quantities pull_off_force")
+    (note,) = (line for line in ran.err.splitlines() if "length such as" in line)
+    assert note.startswith("note: 'in/b.csv': radius: 'x' ")
+    assert note.endswith(": row 2, likewise 1 more")
+
+
 def test_a_name_without_a_file_stops_no_other_table(run: Run, grains: list[str]) -> None:
     """As a link has whose file is away, or a file that goes while others are converted."""
     Path("grains/away.csv").symlink_to("nowhere.csv")

@@ -12,7 +12,7 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import closing
-from functools import partial, reduce
+from functools import partial
 from itertools import chain, islice
 from time import monotonic
 from typing import Any, BinaryIO, NamedTuple
@@ -259,7 +259,9 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
     left = [pair for pair in pairs if not (job.resume and _is_newer(pair))]
     task = partial(_outcome, job._replace(jobs=1, quiet=True))
     outcomes = [*(_on_cluster(job.dask, task, left) if job.dask else _by_processes(job.processes, task, left))]
-    tally = reduce(Tally.plus, (of_table for of_table, _ in outcomes), Tally())
+    tally = Tally()
+    for (table, _), (of_table, _) in zip(left, outcomes, strict=True):
+        tally = tally.plus(of_table, f"{quoted(table)}: ")
     if not job.quiet:
         if kept := len(pairs) - len(left):
             say(f"note: {kept} of {len(pairs)} files are newer than their tables and were kept", sys.stderr)

@@ -532,11 +532,11 @@ class Tally(NamedTuple):
             gaps[status] = (rows + 1, first, words)
         return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
 
-    def plus(self, other: "Tally") -> "Tally":
-        """Return the counts with those of some more rows."""
+    def plus(self, other: "Tally", table: str = "") -> "Tally":
+        """Return the counts with those of some more rows, or of a table, which has a row 1 of its own."""
         gaps = dict(self.gaps)
         for status, (more, place, text) in other.gaps.items():
-            rows, first, words = gaps.get(status, (0, self.rows + place, text))
+            rows, first, words = gaps.get(status, (0, place + (0 if table else self.rows), f"{table}{text}"))
             gaps[status] = (rows + more, first, words)
         return Tally(
             self.rows + other.rows,
