@@ -306,7 +306,7 @@ def run_infer(call: Call) -> int:
         raise BadRequest(f"infer reads no tables; jkroll batch {word} --infer INPUT --measured QUANTITY does")
     check_format(call)
     problems = Problems(names, _measured(call, names), call.sweep)
-    return write(call, problems, Question(tuple(names), tuple(names)), call.form(names), Inferred)
+    return write(call, problems, Question(tuple(names), tuple(names), tuple(names)), call.form(names), Inferred)
 
 
 def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:

@@ -65,18 +65,18 @@ class Problems(Sweep):
         others = {name: value for name, value in given.items() if name not in measured}
         return Problem(tuple(self.names), measured, Scene(others, *spheres, model=model))
 
-    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:  # noqa: ARG002
+    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:
         """Return the columns of the unknowns. Raises the error of the inputs."""
         for problem in self.kinds:
             with suppress(MissingInput, NoResult):  # each row says why it has no value
                 problem.check()
-        sides = sides_in((problem, self.names) for problem in self.kinds)
-        inputs = {name for problem in self.kinds for name in problem.echo(problem.inputs_used(self.names))}
-        return Unknowns(self.names, named=self.names, inputs=in_order(inputs), sides=sides)
+        sides = sides_in((problem, quantities) for problem in self.kinds)
+        inputs = {name for problem in self.kinds for name in problem.echo(problem.inputs_used(quantities))}
+        return Unknowns(quantities, named=named, inputs=in_order(inputs), sides=sides)
 
-    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:  # noqa: ARG002
+    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:
         """Return the columns of the unknowns alone."""
-        return Unknowns(self.names, named=self.names, doubts=doubts)
+        return Unknowns(quantities, named=named, doubts=doubts)
 
     def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
         """Return a scene of each kind of rows, with the measured quantities."""
