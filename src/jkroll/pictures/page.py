@@ -4,7 +4,7 @@ Only this module imports matplotlib, which lays out the page. The same picture g
 the content, and nothing from the user's own matplotlib settings.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from io import BytesIO
 from math import ceil
@@ -12,7 +12,7 @@ from typing import Any
 
 import matplotlib as mpl  # type: ignore[import-not-found,unused-ignore]
 import numpy
-from matplotlib import ticker  # type: ignore[import-not-found,unused-ignore]
+from matplotlib import font_manager, ticker  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
@@ -20,8 +20,10 @@ from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-igno
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox, ScaledTranslation  # type: ignore[import-not-found,unused-ignore]
 
+from ..errors import BadRequest
 from ..quantities.formatting import WITH_PREFIXES, pretty
 from ..quantities.markup import lines, typeset
+from ..text import quoted
 from .picture import (
     STYLES,
     Axis,
@@ -40,6 +42,7 @@ from .picture import (
 )
 
 LETTER_SIZE = 8.6  # in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
+_FONT = "STIXGeneral"
 _TICK_DIGITS = 6  # at most
 LETTER_WIDTH = 0.42  # width of a letter over its size, on average
 MARKERS = "os^Dv*"
@@ -56,6 +59,9 @@ _GAP = 0.04  # around the parts of a page, in inches
 
 def draw(drawn: Picture, kind: str, inches: float | None, style: str, *, has_caption: bool = True) -> bytes:
     """Return a picture as the content of an SVG, PDF or PNG file of a width in inches, or of the default width."""
+    names = [curve.text for panel in drawn.panels for curve in panel.curves]
+    names += [mark.text for panel in drawn.panels for mark in panel.marks]
+    _check_letters([*names, *drawn.caption, *drawn.doubts] if has_caption else names)
     with settings(STYLES[style]):
         figure = figure_of(drawn, inches, STYLES[style], has_caption=has_caption)
         buffer = BytesIO()
@@ -63,6 +69,14 @@ def draw(drawn: Picture, kind: str, inches: float | None, style: str, *, has_cap
         page = Bbox.from_extents(0, box.y0, figure.get_figwidth(), box.y1)
         figure.savefig(buffer, format=kind, dpi=300, metadata=_UNDATED[kind], bbox_inches=page)
     return buffer.getvalue()
+
+
+def _check_letters(texts: Iterable[str]) -> None:
+    """Raise BadRequest for a letter that the font lacks, as the name of a user's material may have."""
+    font = font_manager.get_font(font_manager.findfont(_FONT))
+    for letter in dict.fromkeys("".join(texts)):
+        if letter.isalpha() and not font.get_char_index(ord(letter)):
+            raise BadRequest(f"-o: the font of pictures has no {quoted(letter)}; name the material by other letters")
 
 
 def figure_of(drawn: Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:
@@ -124,7 +138,7 @@ def _lay_out(figure: Figure, every: Sequence[Any], keys: Sequence[Sequence[Any]]
 def settings(style: Style) -> Iterator[None]:
     """Use matplotlib's own settings, not the user's, with ours on top."""
     ours: dict[Any, Any] = {
-        "font.size": LETTER_SIZE, "font.family": "STIXGeneral", "mathtext.fontset": "stix",
+        "font.size": LETTER_SIZE, "font.family": _FONT, "mathtext.fontset": "stix",
         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "hatch.linewidth": 0.35,
         "xtick.direction": "in", "ytick.direction": "in", "hatch.color": style.hatch,
         "xtick.major.pad": 5.0,  # clear of the lowest label of the other axis
