@@ -174,8 +174,8 @@ def test_a_material_that_lacks_a_property_names_its_file(run: Run, tmp_path: Pat
 RULE = "a name begins with a letter, has no comma and 60 characters at most, and is not all or plane"
 BROKEN = {
     "a = ": "is not TOML: Invalid value (at end of document)",
-    "[materials.a]\ndensity = 5": "a.density is not a text in quotes",
-    "[materials.a]\ndensity = '5'": "a: density: '5' has no unit; expected a mass density such as 1g/cm3",
+    "[materials.a]\ndensity = true": "a.density is not a text in quotes",
+    "[materials.a]\ndensity = 5": "a: density: '5' has no unit; expected a mass density such as 1g/cm3",
     "[materials.a]\ndensity = '-5 g/cm3'": (
         "a: density: '-5 g/cm3' must be positive; expected a mass density such as 1g/cm3"
     ),
@@ -183,11 +183,13 @@ BROKEN = {
     "[materials.a]\npoisson_ratio = 0x"
     + "f"
     * 300: f"a: poisson_ratio: '{str(16**300 - 1)[:80]}' is longer than 80 characters; expected a number such as 0.3",
-    "[materials.a]\ndensity = nan": "a.density is not a text in quotes",
-    "[materials.a]\ndensty = '1 g/cm3'": "'a' has an unknown key 'densty'; did you mean density?",
-    "[materials.a]\ngamma = '25 mJ/m2'": "'a' has an unknown key 'gamma'; did you mean surface_energy?",
+    "[materials.a]\ndensity = nan": (
+        "a: density: 'nan' does not begin with a number; expected a mass density such as 1g/cm3"
+    ),
+    "[materials.a]\ndensty = '1 g/cm3'": "'a.densty' is an unknown key; did you mean density?",
+    "[materials.a]\ngamma = '25 mJ/m2'": "'a.gamma' is an unknown key; did you mean surface_energy?",
     "[materials]\na = 3": "materials.a is not a table",
-    "[material.a]": "has an unknown key 'material'; expected [materials.NAME] tables",
+    "[material.a]": "'material' is an unknown key; did you mean materials?",
     "[materials.'100nm']": f"'100nm' cannot name a material; {RULE}",
     "[materials.a]\naliases = ['x,y']": f"'x,y' cannot name a material; {RULE}",
     "[materials.a]\naliases = 'x'": "a.aliases is not a list",
@@ -197,7 +199,7 @@ BROKEN = {
     "[materials.ice]\n[materials.Ice]": "'Ice' names both 'ice' and 'Ice'; case makes no difference",
     "[materials.'a ']": f"'a ' cannot name a material; {RULE}",
     "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": (
-        "'a.density' has an unknown key 'methd'; did you mean method?"
+        "'a.density.methd' is an unknown key; did you mean method?"
     ),
     "[materials.a]\ndensity = { method = 'x' }": "a.density has no value",
     "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": (
@@ -206,7 +208,7 @@ BROKEN = {
     "[materials.a]\ndensity = '3.4(9) g/cm3'": (
         "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant"
     ),
-    "[materials.a]\nnotes = { x = 'y' }": "'a.notes' has an unknown key 'x'",
+    "[materials.a]\nnotes = { x = 'y' }": "'a.notes.x' is an unknown key",
     "title = 3": "title is not a text in quotes",
     b"\xff\xfe": "is not text in UTF-8: save it with this encoding",
     "x = '" + "y" * 200_001 + "'": "is larger than 64 kB",
@@ -485,7 +487,7 @@ def test_a_material_s_displacement_is_shown(run: Run, own: str) -> None:
         ('{ value = "2 nm", radius = "1 to 2 um" }', "the radius of the spheres is a single one"),
         ('{ value = "2 nm", radius = "-1 um" }', "must be positive"),
         ('{ radius = "1 um" }', "own.yield_displacement has no value"),
-        ('{ value = "2 nm", radius = "1 um", size = "x" }', "has an unknown key 'size'"),
+        ('{ value = "2 nm", radius = "1 um", size = "x" }', "yield_displacement.size' is an unknown key"),
         ('{ value = "2 N", radius = "1 um" }', "own: yield_displacement: '2 N' is a force"),
     ],
 )

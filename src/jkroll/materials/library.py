@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ..errors import BadRequest
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, named
+from ..quantities.nomenclature import PROPERTIES, XI, named
 from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
 from ..text import closest, quoted, shown
 
@@ -179,8 +179,7 @@ def materials_in(path: str) -> list[Material]:
     """Return the materials of a file, those with a mistake too; raise MaterialsFileError if it is no materials file."""
     try:
         data = data_of(path)
-        if unknown := data.keys() - {"title", "materials", "references"}:
-            raise BadRequest(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
+        _refuse_unknown_keys("", data, ("title", "materials", "references"))
         title = texts(data.get("title", shown(path)), str, "title")
         tables, references = (checked(data.get(key, {}), dict, key) for key in ("materials", "references"))
         materials = [_read(name, table, title, path, references) for name, table in tables.items()]
@@ -207,12 +206,12 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
         checked(table, dict, f"materials.{name}")
         about = {key: texts(table.get(key, form()), form, f"{name}.{key}") for key, form in _ABOUT.items()}
         material = material._replace(aliases=about["aliases"], title=about["source"] or title, state=about["state"])
-        _refuse_unknown_keys(name, table, (*PROPERTIES, XI, *_ABOUT))
-        _refuse_unknown_keys(f"{name}.notes", about["notes"], (*PROPERTIES, XI))
+        _refuse_unknown_keys(f"{name}.", table, (*PROPERTIES, XI, *_ABOUT))
+        _refuse_unknown_keys(f"{name}.notes.", about["notes"], (*PROPERTIES, XI))
         for key in (key for key in (*PROPERTIES, XI) if key in table):
             where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
             given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
-            _refuse_unknown_keys(where, given, (*needed, *ORIGIN))
+            _refuse_unknown_keys(f"{where}.", given, (*needed, *ORIGIN))
             if lacking := [each for each in needed if each not in given]:
                 raise BadRequest(f"{shown(where)} has no {lacking[0]}")
             values[key] = _value(key, given["value"], name, where)
@@ -245,15 +244,14 @@ def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[s
     if unknown := [key for key in table if key not in known]:
         guess = closest(named(unknown[0]), known)
         hint = f"; did you mean {guess}?" if guess else ""
-        raise BadRequest(f"{quoted(where)} has an unknown key {quoted(unknown[0])}{hint}")
+        raise BadRequest(f"{quoted(where + unknown[0])} is an unknown key{hint}")
 
 
 def _value(key: str, value: object, name: str, where: str) -> float | Uncertain:
-    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number."""
+    """Return the SI value of a property: a text, or a number if it has no unit."""
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     try:
-        text = repr(value) if is_number and NOMENCLATURE[key].unit == "1" else value
-        return value_of(texts(text, str, where), key)
+        return value_of(repr(value) if is_number else texts(value, str, where), key)
     except QuantityError as error:
         raise BadRequest(f"{shown(name)}: {error}") from None
     except ValueError:  # thousands of hexadecimal digits, which Python does not convert

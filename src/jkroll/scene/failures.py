@@ -100,10 +100,7 @@ BEYOND_FOLD = Kind(
     "approach_at_load",
 )
 TWO_RIGID_BODIES = Kind("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
-RESTS_ON_SPACING = Kind(
-    "needs atomic_spacing",
-    "rests on {0.symbol}; give {0.option} {0.example}".format(NOMENCLATURE["atomic_spacing"]),
-)
+RESTS_ON_SPACING = Kind("needs atomic_spacing", "rests on z0; give --z0 4angstrom")
 OF_IDENTICAL_SPHERES = Kind(
     "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
 )
