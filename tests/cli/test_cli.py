@@ -49,7 +49,7 @@ REFUSED = {
         f"{OR_OF_THE_PAIR}"
     ),
     "contact quartz 100nm --curve --load=:50nN": (
-        "--curve goes through many loads; give --load as FROM:TO, such as -5nN:20nN"
+        "--load: ':50nN' has no lower end; write both, as in -5nN:20nN (an example); pull-off is at -11.781 nN"
     ),
     "pull-off quartz 100nm --humidity 50%": (
         "no such option '--humidity'; spheres are smooth, dry and elastic here: jkroll guide measurements says what "

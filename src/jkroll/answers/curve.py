@@ -58,8 +58,8 @@ def loads_of(text: str) -> Loads:
     >>> loads_of("-5nN:20nN")
     Loads(low=-5e-09, high=2e-08)
     """
-    first, _, last = text.partition(":")
-    if not (first and last) or ":" in last:
+    first, colon, last = text.partition(":")
+    if not colon or ":" in last:
         raise BadRequest("--curve goes through many loads; give --load as FROM:TO, such as -5nN:20nN")
     loads = Loads(parse_quantity(first, "load"), parse_quantity(last, "load"))
     if not loads.low < loads.high:

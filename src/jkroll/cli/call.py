@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from ..answers.questions import QUESTIONS, quantity_named
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, materials_of_user
-from ..quantities.formatting import Format
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
@@ -132,6 +132,11 @@ class Call:
         if "approach_at_load" in self.values:
             raise BadRequest("--curve goes through all approaches; it takes none")
         text = self.values.get("load")
+        if text is not None and (text.startswith(":") or text.endswith(":")):
+            lacking = "lower" if text.startswith(":") else "upper"
+            pull_off = amount("load", -self.sweep.kinds[0]["pull_off_force"])
+            remedy = f"write both, as in -5nN:20nN (an example); pull-off is at {pull_off}"
+            raise QuantityError("load", text, f"has no {lacking} end", remedy)
         return None if text is None else loads_of(text)
 
     @cached_property
