@@ -280,7 +280,9 @@ COMMAND = f"{WORDS} --measured pull_off_force=300nN --measured stiffness=1kN/m"
 
 
 def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
-    measured = {"pull_off_force": [[3e-7], [4e-7]], "stiffness": [1e3, 1e12]}
+    measured = {"pull_off_force": numpy.array([[3e-7], [4e-7]]), "stiffness": numpy.array([1e3, 1e12])}
+    failures = Problem(NAMES, measured, Scene(PLANE)).solution.failures
+    assert {failures[row].__traceback__ for row in (1, 3)} == {None}  # it would hold all that was computed
     both = infer(["gamma", "young"], measured=measured, **PLANE)
     alone = infer(["gamma", "young"], measured={"pull_off_force": 4e-7, "stiffness": 1e3}, **PLANE)
     for name in NAMES:

@@ -459,7 +459,7 @@ def _pairs(problem: Problem) -> tuple[Any, Failures]:
         try:
             table[:, [row]] = Pairs(problem.rows(row)).pair()
         except NoResult as error:
-            failures[row] = error
+            failures[row] = error.with_traceback(None)  # which holds all that was computed
     return table, failures
 
 
