@@ -612,6 +612,8 @@ def test_where_a_comma_may_be_of_thousands_the_table_is_refused(run: Run, words:
     Path("x.tsv").write_text(f"R1 (nm)\t{other}\n800\t1,200\n900\t12,500\n", encoding="utf-8")
     message = "jkroll: '1,200' may be 1.200 or 1200: write 1,2000 or 1200\n"
     assert run(f"batch x.tsv -o out.tsv {words}") == (2, "", message)
+    Path("x.csv").write_text(f'R1 (nm),{other}\n"1.234","25,5"\n"2.500",20\n', encoding="utf-8")
+    assert "decimal commas between commas" in run(f"batch x.csv -o out.csv {words}").err
 
 
 @pytest.mark.parametrize("quote", ["", '"'])

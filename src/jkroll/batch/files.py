@@ -256,7 +256,6 @@ class Delimited:
         """`excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula."""
         self.separator, self.excel_safe = separator, excel_safe
         self.blanks = " \t\r\n".replace(separator, "")  # a line of these is no record
-        self.has_decimal_commas = False
 
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
@@ -310,10 +309,11 @@ class Delimited:
         self.lines = self.preamble + stop
         whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
         self.sample = [[*map(_text, row)] for row in whole]
-        if self.separator != ",":
-            read = compress(zip(*self.sample, strict=True), map(is_read, self.names))
-            self.has_decimal_commas = has_decimal_commas(read, is_of_semicolons=self.separator == ";")
+        read = compress(zip(*self.sample, strict=True), map(is_read, self.names))
+        self.has_decimal_commas = has_decimal_commas(read, is_of_semicolons=self.separator == ";")
         if self.has_decimal_commas:
+            if self.separator == ",":
+                raise BadTable("decimal commas between commas: write decimal points, or semicolons between columns")
             self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
         end = "\r\n" if line.endswith("\r\n") else "\n"
         self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
