@@ -15,25 +15,23 @@ from ..scene.doubts import (
     DATA,
     FORCES,
     JUMP,
+    LAW,
     LAW_MATTERS,
     LIMITS,
     ROLLED,
     SIO2,
     Doubt,
     Evaluation,
-    assumes_displacement,
+    alternatives_of,
     at_half_spacing,
-    at_least_measured,
     at_most_measured,
     at_other_reading,
     by_law_at_spacing,
-    displacements_where_measured,
-    factor_of_data,
-    factor_of_law,
+    doubts,
     farthest,
-    in_place_of,
     is_at_displacement,
     moved_by_law,
+    names_with_alternatives,
     rolled_solid,
     rolling,
     uses_law,
@@ -167,7 +165,6 @@ def readings_of(law: str) -> tuple[str, str]:
 class Answer(Evaluation):
     """The results of a command for one scene, with all that is to be said of them."""
 
-    limits = (*LIMITS, ASSUMED_DISPLACEMENT)
     condition: float | None = None  # of two inferred inputs together
 
     def __init__(self, question: Question, scene: Scene) -> None:
@@ -232,12 +229,12 @@ class Answer(Evaluation):
             return {}
         values = self.others.get(other_law(law), {})
         ours = {name: self.values[name] for name in values if self.values.get(name)}
-        numbers = {name: None if values[name] is None else middle(values[name]) for name in ours}
+        numbers = {name: middle(values[name]) for name in ours}
         columns = {f"over_{law}": numbers}
         if law != BETWEEN:
             at_half = at_half_spacing(scene.by_law).numbers(*ours)
-            columns[f"over_{law}_at_half_spacing"] = {name: at_half.get(name) for name in ours}
-        rolled = rolling(ours, BETWEEN)
+            columns[f"over_{law}_at_half_spacing"] = dict.fromkeys(ours) | at_half
+        rolled = rolling(ours)
         if rolled and (reading := at_other_reading(scene, scene.by_law)) is not None:
             readings = reading.numbers(*rolled)
             both = [{name: numbers[name] for name in readings}, readings]
@@ -257,36 +254,27 @@ class Answer(Evaluation):
         return {name: number for name, number in numbers.items() if number < INFINITY}
 
     @cached_property
-    def displacement(self) -> Mapping[str, Any] | None:
-        """The measured displacement there and here, and the results with it, also over those of the assumed one.
-
-        None where it is not assumed, or enters no result.
-        """
-        scene, values = self.scene, self.values
-        rolled = rolling(values, scene.law.name)
-        if not rolled or not assumes_displacement(scene):
-            return None
-        worth: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
-        if rolled_solid(scene):
-            ends = at_least_measured(scene), at_most_measured(scene)
-            low, high = (end.numbers(*rolled) for end in ends)
-            both = [name for name in rolled if values[name] and name in low and name in high]
-            worth["here"] = [end[XI] for end in ends]
-            worth["over_assumed"] = {name: [low[name] / values[name], high[name] / values[name]] for name in both}
-            worth["values"] = {name: [*ends_of(self.others[DATA][name])] for name in both}
-        return worth
-
-    @cached_property
     def others(self) -> Mapping[str, Mapping[str, Any]]:
-        """Values that may stand in place of the results, by kind: the name of the other law, or DATA."""
-        return in_place_of(self.scene, [*self.outcomes]) if self.values else {}
+        """Values that may stand in place of the results, by kind: the name of the other law, or DATA.
+
+        None stands for a result that the other law lacks.
+        """
+        if not self.values:
+            return {}
+        names_of = names_with_alternatives([self.scene], [*self.outcomes])
+        names_of[other_law(self.scene.law.name)] += self.scene.by_law.missing(self.outcomes)
+        return alternatives_of(self.scene, names_of)
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
         """Those of these values that matter: by the other law where it moves a result, and by measured forces."""
-        law_matters = any(doubt.is_exceeded for doubt in self.validity if doubt.limit.factor is factor_of_law)
-        is_shown = law_matters or self.scene.law.name == BETWEEN
+        is_shown = self.scene.law.name == BETWEEN or any(doubt.limit is LAW for doubt in self.exceeded)
         return {kind: values for kind, values in self.others.items() if is_shown or kind not in LAWS}
+
+    @cached_property
+    def validity(self) -> Sequence[Doubt]:
+        """The limits of the model, judged for the values, with that of an assumed displacement."""
+        return doubts(self.scene, [*self.values], (*LIMITS, ASSUMED_DISPLACEMENT))
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
@@ -301,10 +289,10 @@ class Answer(Evaluation):
         """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
         scene, known = self.scene, [*self.values]
         headline = [name for name in known if name in self.question.headline]
-        if doubt.limit.factor is factor_of_law and doubt.is_exceeded:
+        if doubt.limit is LAW and doubt.is_exceeded:
             return _about_law(doubt, scene, headline, known)
-        if doubt.limit.factor is factor_of_data and doubt.is_exceeded:
-            rolled = rolling(headline, scene.law.name) or rolling(known, scene.law.name)
+        if doubt.limit is ASSUMED_DISPLACEMENT and doubt.is_exceeded:
+            rolled = rolling(headline) or rolling(known)
             return _about_displacement(scene, {name: self.others[DATA][name] for name in rolled[:MAX_TOLD]})
         return _about_roughness(scene) if doubt.code == "rough-matters" else doubt.text
 
@@ -362,7 +350,7 @@ def _about_law(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Seque
         texts = {name: advised(scene, name) for name in names}
         if told := [name for name in names if texts[name]][:MAX_TOLD]:
             values = ", ".join(f"{NOMENCLATURE[name].symbol} {texts[name]}" for name in told)
-            at_displacement = " at equal ξ" if rolling(told, BETWEEN) and is_at_displacement(scene) else ""
+            at_displacement = " at equal ξ" if rolling(told) and is_at_displacement(scene) else ""
             better = f"better here than {scene.law.title} {scale}: --model {BETWEEN}"
             return f"{values} by Maugis' law{at_displacement}, {better}"
     return f"energies and speeds are rough here: neither {scene.law.title} nor Maugis' law is exact {scale}"
@@ -377,7 +365,7 @@ def advised(scene: Scene, name: str) -> str:
     """
     other, ours = by_law_at_spacing(scene, [name]), scene.numbers(name).get(name)
     has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
-    is_no_correction = has_energy and not rolling([name], BETWEEN) and scene["tabor_parameter"] < JUMP
+    is_no_correction = has_energy and not rolling([name]) and scene["tabor_parameter"] < JUMP
     if ours is None or is_no_correction or not moved_by_law(scene, [name]):
         return ""
     fit = ["pull_off_force_lennard_jones"] if name == "pull_off_force" else []

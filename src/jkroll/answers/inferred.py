@@ -11,7 +11,7 @@ from ..quantities.formatting import amount, in_words, span, symbol_among, symbol
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain, middle
-from ..scene.doubts import Doubt, Evaluation, factor_of_law
+from ..scene.doubts import LAW, Doubt, Evaluation
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import SIZES, Problem, equal, sizes_in_words
 from ..scene.uncertainty import measures_of
@@ -71,7 +71,7 @@ class Inferred(Answer):
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit; where the law is not exact, the values by Maugis' law."""
         symbols = {name: symbol_among(name, {*self.inputs, *self.assumed}) for name in self.problem.unknowns}
-        if doubt.is_exceeded and doubt.limit.factor is factor_of_law and BETWEEN in self.alternatives:
+        if doubt.is_exceeded and doubt.limit is LAW and BETWEEN in self.alternatives:
             values = {name: middle(value) for name, value in self.alternatives[BETWEEN].items()}
             told = listed(f"{symbols[name]} = {span(name, value, value)}" for name, value in values.items())
             better = f"by Maugis' law, better here than {self.scene.law.title}"

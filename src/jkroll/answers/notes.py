@@ -20,9 +20,9 @@ from ..scene.doubts import (
     assumes_displacement,
     displacements_where_measured,
     doubts,
+    is_like_rolled,
     rolled_solid,
     rolling,
-    solid_of_kind,
     touched,
 )
 from ..scene.failures import grouped
@@ -186,9 +186,9 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         yield _first_to_yield(scene)
     if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
         yield Note("remark", "a: the spheres are bound without touching")
-    if rolling(names, scene.law.name):
+    if rolling(names):
         values = scene.numbers(XI, "hysteresis_ratio", "displacement_ratio")
-        if assumes_displacement(scene) and not rolled_solid(scene):
+        if assumes_displacement(scene) and not is_like_rolled(scene):
             is_possible = values.get("displacement_ratio", 0.0) < 1  # else a warning says more
             yield Note("caveat" if is_possible else "remark", about_displacement(scene, ""))
         if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
@@ -204,7 +204,7 @@ def about_displacement(scene: Scene, solid: str) -> str:
     """
     if scene.material is not None and not solid:
         spheres = scene.material.name if scene.material2 is None else "this pair"
-        like_these = " at this size and γ" if solid_of_kind(scene) else ""
+        like_these = " at this size and γ" if rolled_solid(scene) else ""
         return f"ξ is assumed (--xi): no ξ of {spheres} was measured{like_these}"
     ends = span(XI, *displacements_where_measured(scene))
     of_silica = f"forces on {SIO2} of 1 µm mean {ends} under {scene.law.title}"
@@ -278,8 +278,8 @@ def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
         sources = Evaluation(scene, dict.fromkeys(possible)).sources
         yield from about_left_out(sources.left_out) if sources is not None else ()
     yield from about_given(scene, possible, entering(scene, names)[0])
-    if rolling(possible, scene.law.name) and assumes_displacement(scene):
-        yield Note("caveat", about_displacement(scene, solid_of_kind(scene)))
+    if rolling(possible) and assumes_displacement(scene):
+        yield Note("caveat", about_displacement(scene, rolled_solid(scene)))
     yield from about_limits(doubts(scene, possible))
 
 

@@ -1,6 +1,6 @@
 """An answer as text and as objects: plain lines in a pipe, JSON, and what `jkroll.answer` returns."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -9,8 +9,16 @@ from ..answers.questions import QUESTIONS, question_about
 from ..materials.library import Material, Materials
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import other_law
-from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
-from ..quantities.values import Uncertain, is_uncertain, middle
+from ..quantities.nomenclature import NOMENCLATURE, XI, UnknownQuantity, named
+from ..quantities.values import Uncertain, ends_of, is_uncertain, middle
+from ..scene.doubts import (
+    DATA,
+    assumes_displacement,
+    at_least_measured,
+    at_most_measured,
+    displacements_where_measured,
+    rolling,
+)
 from ..scene.scene import Scene
 from ..text import json_text, say, spelled
 
@@ -74,8 +82,8 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
                 name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()
             }
         }
-    if answer.displacement is not None:
-        entry["displacement"] = _displacement_object(answer.displacement, form)
+    if rolled := rolling(answer.values) if assumes_displacement(answer.scene) else ():
+        entry["displacement"] = _displacement_object(answer, rolled, form)
     entry["validity"] = [_doubt_object(doubt, answer.about(doubt)) for doubt in answer.validity if doubt.error is None]
     entry["notes"] = [note.text for note in answer.notes]
     entry["version"] = __version__
@@ -122,10 +130,19 @@ def _law_object(name: str, numbers: Mapping[str, Any], form: Format) -> dict[str
     return {**numbers, **shown, **({"uncertainty": bar_object(name, bar, form)} if bar else {})}
 
 
-def _displacement_object(worth: Mapping[str, Any], form: Format) -> dict[str, Any]:
-    """Return what the assumed displacement is worth, its values in their units."""
-    values = {name: [form.number(name, end) for end in ends] for name, ends in worth.get("values", {}).items()}
-    return {**worth, "values": values} if values else {**worth}
+def _displacement_object(answer: Answer, rolled: Sequence[str], form: Format) -> dict[str, Any]:
+    """Return the measured displacement there and here, and results with it, also over those with the assumed one."""
+    scene, values = answer.scene, answer.values
+    entry: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
+    if DATA in answer.others:
+        ends = at_least_measured(scene), at_most_measured(scene)
+        low, high = (end.numbers(*rolled) for end in ends)
+        both = [name for name in rolled if values[name] and name in low and name in high]
+        ranges = {name: ends_of(answer.others[DATA][name]) for name in both}
+        entry["here"] = [end[XI] for end in ends]
+        entry["over_assumed"] = {name: [low[name] / values[name], high[name] / values[name]] for name in both}
+        entry["values"] = {name: [form.number(name, end) for end in range_] for name, range_ in ranges.items()}
+    return entry
 
 
 def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, middle, of_sides
 from ..rows.columns import DOUBT
-from ..scene.doubts import DATA, OF_LAW, SIO2, codes_of, rolled_solid
+from ..scene.doubts import DATA, LAW, SIO2, codes, rolled_solid
 from ..text import say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:
@@ -135,7 +135,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for name in columns.wanted.names:
         if name not in inputs:
             results += columns_of(name, _values(columns, name), form)
-    doubts = [_in_short(codes_of(bits & columns.told)) for bits in columns.doubts]
+    doubts = [_in_short(codes(bits & columns.told)) for bits in columns.doubts]
     is_told = len({*doubts}) > 1 if "state" in inputs else any(doubts)  # notes have those of all states of a pair
     results += [Column(DOUBT, doubts, is_right=False)] if is_told else []
     across = _of_rows([(column.head, *column.cells) for column in (*leading, *results)], words=1)
@@ -144,15 +144,16 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     write_table(leading, results, out)
 
 
-def _in_short(codes: Sequence[str]) -> str:
+def _in_short(text: str) -> str:
     """Return the codes of doubts, of many the first and the number of others."""
-    text = " ".join(codes)
-    return text if len(codes) < 2 or len(text) <= _CODES else f"{codes[0]} ({len(codes) - 1} more)"
+    first, *others = text.split(" ")
+    return text if not others or len(text) <= _CODES else f"{first} ({len(others)} more)"
 
 
 def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
     """Return the values of a result, and those by data and by the other law, if that moves a result of the pairs."""
-    law_matters = any(bits & OF_LAW for bits in columns.doubts)
+    of_law = LAW.bits
+    law_matters = any(bits & of_law for bits in columns.doubts)
     symbol = symbol_among(name, columns.inputs)
     values = {symbol: _measures(columns, name)}
     for kind, key in columns.wanted.alternatives_of(name).items():

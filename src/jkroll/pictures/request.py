@@ -15,7 +15,7 @@ from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_o
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
-from ..scene.doubts import LIMITS, OF_LAW, Limit, judged, touched
+from ..scene.doubts import LAW, LIMITS, Limit, doubts
 from ..scene.failures import RESTS_ON_SPACING, Failure, Kind, MissingInput, reason_of
 from ..scene.scene import Scene
 from ..text import quoted
@@ -83,9 +83,9 @@ def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ..
     of_materials, left_out = _material_marks(request.materials, x, y) if scene.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
     told = {"": [region for region in regions if region not in drawn]}
-    caption, doubts = (*_opening(quantity, [layer]), *left_out), (*_sentences(told),)
+    caption, beyond = (*_opening(quantity, [layer]), *left_out), (*_sentences(told),)
     remarks = (f"{'; '.join(_about_marks(request, panel))}.",) if panel.marks else ()
-    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, doubts, remarks), layer.notes
+    return Picture(described(quantity, field.in_words([])[1]), (panel,), caption, beyond, remarks), layer.notes
 
 
 def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
@@ -105,10 +105,10 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     marks = tuple(mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
     told = {layer.text: [*layer.regions()] for layer in layers}
-    caption, doubts = (*_opening(quantity, layers),), (*_sentences(told), *farthest)
+    caption, beyond = (*_opening(quantity, layers),), (*_sentences(told), *farthest)
     notes = [f"no curve: {text}: {error}" for text, error in errors.items()]
     notes += dict.fromkeys(note for layer in layers for note in layer.notes)
-    return Picture("", (Panel(x, y, curves, marks),), caption, doubts), tuple(notes)
+    return Picture("", (Panel(x, y, curves, marks),), caption, beyond), tuple(notes)
 
 
 # --- Marks ------------------------------------------------------------------------------------------------------------
@@ -175,8 +175,7 @@ class Layer:
         self.text, self.given, self.quantity, self.axes = text, scene, quantity, axes
         drawn = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
         self.scene = scene.replace(**drawn)  # at an end: what a quantity needs is the same all along an axis
-        limits = touched(self.scene, [quantity], request.limits)
-        every = judged(limits, over(scene, *axes), [quantity])  # at each point
+        every = doubts(over(scene, *axes), [quantity], request.limits)  # at each point
         self.doubts = [doubt for doubt in every if doubt.error is None]
         missing = [doubt.error for doubt in every if doubt.error is not None]
         names = [quantity, *(doubt.limit.name for doubt in self.doubts if doubt.limit in DRAWN_LIMITS)]
@@ -217,7 +216,7 @@ class Layer:
 
     def _beyond(self, limit: Limit, threshold: float) -> str:
         """Return what holds beyond a threshold, with the number that a limit names unless another is judged."""
-        if limit.bits & OF_LAW:
+        if limit is LAW:
             size = f"{100 * (threshold - 1):.0f} %" if threshold < 2 else f"a factor of {threshold:g}"
             return f"{self.given.law.title} is off by more than {size}"
         meaning = limit.consequence.partition(";")[0]
@@ -241,7 +240,7 @@ class Layer:
 
 def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
     """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
-    (doubt,) = judged([limit], here, [quantity])
+    (doubt,) = doubts(here, [quantity], [limit])
     return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
 
 
@@ -309,7 +308,7 @@ def _sentences(told: Mapping[str, Iterable[Region]]) -> Iterator[str]:
 
 def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
     """Iterate over the sentence on the place at which the law of a curve is farthest off, with the value by Maugis'."""
-    for doubt in (doubt for doubt in layer.doubts if doubt.limit.bits & OF_LAW):
+    for doubt in (doubt for doubt in layer.doubts if doubt.limit is LAW):
         excess = numpy.where(layer.known, doubt.excess, -numpy.inf)
         value = float(x.values()[excess.argmax()])
         quantity, here = layer.quantity, layer.given.replace(**x.inputs(value))

@@ -21,8 +21,8 @@ from ..scene.doubts import (
     BITS,
     DATA,
     EVERY_DOUBT,
+    LAW,
     NOT_JUDGED,
-    OF_LAW,
     Evaluation,
     alternatives_of,
     bits_of,
@@ -236,7 +236,7 @@ class Columns:
     @property
     def told(self) -> int:
         """The doubts that are told of rows: not those of a law where columns of the other one say how far it is off."""
-        return EVERY_DOUBT ^ NOT_JUDGED ^ (OF_LAW if self.wanted.alternatives else 0)
+        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.wanted.alternatives else 0)
 
     def column(self, key: str) -> Any:
         """Return the numbers of a column."""

@@ -21,6 +21,55 @@ if TYPE_CHECKING:
     from .uncertainty import Propagated, Sources
 
 
+class Evaluation:
+    """The outcomes of a scene with their inputs, error bars and doubts, each computed when something shows it.
+
+    Rows and answers are ways to show it. Of a scene of arrays all are arrays, with nan where an element has no value.
+    """
+
+    def __init__(self, scene: Any, outcomes: Mapping[str, Any]) -> None:
+        """`outcomes`: values, or the errors that say why there are none, by quantity."""
+        self.scene, self.outcomes = scene, outcomes
+        self.values = {name: value for name, value in outcomes.items() if not isinstance(value, JkrollError)}
+        self.errors = {name: error for name, error in outcomes.items() if name not in self.values}
+
+    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
+        """Return the inputs on which quantities depend, as they were understood, with their error bars."""
+        inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names))
+        if self.sources is not None:
+            inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
+        return inputs
+
+    @cached_property
+    def sources(self) -> "Sources | None":
+        """The sources of uncertainty that enter; None if there are none.
+
+        Raises a JkrollError for sources that do not go together.
+        """
+        if not self.scene.uncertainties:
+            return None
+        from .uncertainty import sources_of_results
+
+        return sources_of_results(self.scene, [*self.outcomes])
+
+    @cached_property
+    def bars(self) -> "Mapping[str, Propagated | JkrollError]":
+        """The error bars of values that have some, or the errors that say why they have none."""
+        if self.sources is None or not self.values:
+            return {}
+        from .uncertainty import uncertainties
+
+        return uncertainties(self.scene, [*self.values], sources=self.sources)
+
+    @cached_property
+    def validity(self) -> "Sequence[Doubt]":
+        """The limits of the model, judged for the values, or with the reason why not."""
+        return doubts(self.scene, [*self.values])
+
+
+# --- By the other law -------------------------------------------------------------------------------------------------
+
+
 def at_half_spacing(scene: Scene) -> Scene:
     """Return a scene whose atomic spacing is half as large."""
     return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
@@ -32,9 +81,9 @@ def by_law_at_spacing(scene: Scene, names: Iterable[str]) -> Scene:
     return scene.by_law.replace(atomic_spacing=scene.by_law["atomic_spacing"]) if rests else scene.by_law
 
 
-def rolling(names: Iterable[str], law: str) -> list[str]:
-    """Return those of some quantities that follow from the yield displacement under a law."""
-    return [name for name in names if name != XI and XI in depends_on((name,), (law,))]
+def rolling(names: Iterable[str]) -> list[str]:
+    """Return those of some quantities that follow from the yield displacement, under every law the same."""
+    return [name for name in names if name != XI and XI in depends_on((name,))]
 
 
 def is_at_displacement(scene: Scene) -> bool:
@@ -55,7 +104,7 @@ def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
     return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
 
-def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
+def moved_by_law(scene: Scene, names: Iterable[str]) -> list[str]:
     """Return those of some quantities that the other law has by formulas of its own, or alone."""
     other, moved = scene.by_law, []
     apart = routed_apart(scene.law.name, other.law.name, scene.known)
@@ -67,7 +116,44 @@ def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
     return moved
 
 
-# --- Measured forces --------------------------------------------------------------------------------------------------
+def uses_law(scene: Scene, name: str) -> bool:
+    """Return whether a quantity of a scene rests on a formula that JKR does not have."""
+    return not routed_apart(scene.law.name, DEFAULT_LAW, scene.known).isdisjoint(scene.plan(name).steps)
+
+
+def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
+    """Return how far the answers to these names are from those under the law that holds, as the factor of the farthest.
+
+    A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
+    law, too. The factor is infinite where only the law in use has an answer, or answers differ in sign.
+    """
+    if scene.law.name == BETWEEN:
+        return 1.0
+    ours = scene.numbers(*moved_by_law(scene, names))
+    other = by_law_at_spacing(scene, ours)
+    compared = [*other.evaluate([*ours]).items()]
+    rolled = rolling(ours)
+    if rolled and (reading := at_other_reading(scene, other)) is not None:
+        compared += reading.evaluate(rolled).items()
+    if "pull_off_force" in ours:
+        fit = scene.evaluate(["pull_off_force_lennard_jones"])
+        compared += (("pull_off_force", value) for value in fit.values())
+    return farthest((theirs, ours[name]) for name, theirs in compared)
+
+
+def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
+    """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
+
+    It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
+    """
+    ratios: list[Any] = [1.0]
+    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, ours, 1.0) for theirs, ours in answers)
+    least, most = reduce(at_most, ratios), reduce(at_least, ratios)
+    is_positive = least > 0
+    return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
+
+
+# --- By measured forces -----------------------------------------------------------------------------------------------
 
 SIO2, POLYSTYRENE = "SiO2", "polystyrene"
 # Rolling forces on pairs of SiO2 spheres, and these pairs: Heim et al. 1999, Blum & Wurm 2000, Gundlach et al. 2011.
@@ -93,21 +179,18 @@ def assumes_displacement(scene: Scene) -> bool:
     return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE) and not scene.plan("yield_force").lacking
 
 
-def solid_of_kind(scene: Scene) -> str:
+def rolled_solid(scene: Scene) -> str:
     """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
     solid = scene.material
     rolled = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
     return rolled if rolled and scene.material2 in (None, solid) and assumes_displacement(scene) else ""
 
 
-def rolled_solid(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it, near in size, with ξ assumed."""
-    solid = solid_of_kind(scene)
-    return solid if solid and _is_near(scene, solid) else ""
-
-
-def _is_near(scene: Scene, solid: str) -> Any:
-    """Return whether spheres of a solid have the size and γ of those that were rolled, by element for arrays."""
+def is_like_rolled(scene: Scene) -> Any:
+    """Return whether spheres have the solid, size and γ of those that were rolled, by element for arrays."""
+    solid = rolled_solid(scene)
+    if not solid:
+        return False
     known = scene.numbers("work_of_adhesion", "reduced_radius")
     (least, most), (low, high) = _NEAR[solid]
     radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
@@ -116,7 +199,7 @@ def _is_near(scene: Scene, solid: str) -> Any:
 
 def displacements_where_measured(scene: Scene) -> tuple[float, float]:
     """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
-    ours = scene.numbers("work_of_adhesion", "contact_modulus") if solid_of_kind(scene) == SIO2 else {}
+    ours = scene.numbers("work_of_adhesion", "contact_modulus") if rolled_solid(scene) == SIO2 else {}
     given = {"radius": ROLLED["radius"], **ours} if len(ours) == 2 else ROLLED
     spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
     pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
@@ -127,7 +210,7 @@ def displacements_where_measured(scene: Scene) -> tuple[float, float]:
 def measured_displacement(scene: Scene) -> Interval:
     """Return the displacement that forces on the solid of a scene mean, scaled to its radii."""
     displacement = _OF_POLYSTYRENE
-    if solid_of_kind(scene) == SIO2:
+    if rolled_solid(scene) == SIO2:
         low, high = displacements_where_measured(scene)
         displacement = Displacement(Interval.of((low + high) / 2, low=low, high=high), ROLLED["radius"])
     return displacement.scaled(2 * scene["reduced_radius"])
@@ -145,10 +228,12 @@ def at_most_measured(scene: Scene) -> Scene:
 
 def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
     """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
-    measured, solid = measured_displacement(scene), solid_of_kind(scene)
+    measured = measured_displacement(scene)
     factor = farthest((end, scene[XI]) for end in (measured.low, measured.high))
-    return where(_is_near(scene, solid), factor, 1.0)
+    return where(is_like_rolled(scene), factor, 1.0)
 
+
+# --- What may stand in place of results -------------------------------------------------------------------------------
 
 DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
 
@@ -161,17 +246,8 @@ def names_with_alternatives(scenes: Sequence[Scene], names: Sequence[str]) -> di
     others = {other_law(scene.law.name) for scene in scenes}
     law = others.pop() if len(others) == 1 else BETWEEN
     moved = {name for scene in scenes for name in moved_by_law(scene, names)}
-    rolled = {name for scene in scenes if assumes_displacement(scene) for name in rolling(names, scene.law.name)}
+    rolled = {name for scene in scenes if assumes_displacement(scene) for name in rolling(names)}
     return {law: [name for name in names if name in moved], DATA: [name for name in names if name in rolled]}
-
-
-def in_place_of(scene: Scene, names: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """Return what may stand in place of results, by kind, with None for those that the other law lacks.
-
-    A result that is not among them is the same.
-    """
-    names_of, law = names_with_alternatives([scene], names), other_law(scene.law.name)
-    return alternatives_of(scene, {**names_of, law: [*names_of[law], *scene.by_law.missing(names)]})
 
 
 def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
@@ -183,8 +259,8 @@ def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict
     law, values = other_law(scene.law.name), {}
     if moved := names_of.get(law):
         values[law] = _with_bars(scene, moved, attrgetter("by_law"))
-    rolled, solid = names_of.get(DATA), solid_of_kind(scene)
-    if rolled and solid and (is_near := _is_near(scene, solid)) is not False:
+    rolled = names_of.get(DATA)
+    if rolled and (is_near := is_like_rolled(scene)) is not False:
         lows, highs = (_with_bars(scene, rolled, end) for end in (at_least_measured, at_most_measured))
         values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
     return values
@@ -220,43 +296,6 @@ def _between(first: Any, second: Any, is_near: Any) -> Any:
     low, high = reduce(at_most, ends), reduce(at_least, ends)
     value = where(is_near, (middle(first) + middle(second)) / 2, nan)
     return value if isinstance(low, NUMBER) and low == high else Interval.of(value, low=low, high=high)
-
-
-def uses_law(scene: Scene, name: str) -> bool:
-    """Return whether a quantity of a scene rests on a formula that JKR does not have."""
-    return not scene.plan(name).steps.keys().isdisjoint(routed_apart(scene.law.name, DEFAULT_LAW, scene.known))
-
-
-def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
-    """Return how far the answers to these names are from those under the law that holds, as the factor of the farthest.
-
-    A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
-    law, too. The factor is infinite where only the law in use has an answer, or answers differ in sign.
-    """
-    if scene.law.name == BETWEEN:
-        return 1.0
-    ours = scene.numbers(*moved_by_law(scene, [*names]))
-    other = by_law_at_spacing(scene, ours)
-    compared = [*other.evaluate([*ours]).items()]
-    rolled = rolling(ours, BETWEEN)
-    if rolled and (reading := at_other_reading(scene, other)) is not None:
-        compared += reading.evaluate(rolled).items()
-    if "pull_off_force" in ours:
-        fit = scene.evaluate(["pull_off_force_lennard_jones"])
-        compared += (("pull_off_force", value) for value in fit.values())
-    return farthest((theirs, ours[name]) for name, theirs in compared)
-
-
-def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
-    """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
-
-    It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
-    """
-    ratios: list[Any] = [1.0]
-    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, ours, 1.0) for theirs, ours in answers)
-    least, most = reduce(at_most, ratios), reduce(at_least, ratios)
-    is_positive = least > 0
-    return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
 
 
 # --- Limits -----------------------------------------------------------------------------------------------------------
@@ -358,8 +397,6 @@ class Doubt:
 # Q/P_c without load.
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
-_MOMENT = frozenset({"yield_moment", "yield_force"})
-_STICKING = frozenset({"sticking_energy", "sticking_speed"})
 JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 IMPACT = frozenset({"energy", "energy_ratio", "speed"})
@@ -382,14 +419,15 @@ def _energy_over_sticking(scene: Scene, _: Collection[str]) -> Any:
     return 2 * known["energy"] / known["reduced_mass"] / speed / speed
 
 
+LAW = Limit(
+    "tabor_parameter", _ELASTICITY, ">",
+    {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
+    "another law differs",
+    factor=factor_of_law,
+)  # fmt: skip
 # The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
 LIMITS = (
-    Limit(
-        "tabor_parameter", _ELASTICITY, ">",
-        {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-        "another law differs",
-        factor=factor_of_law,
-    ),
+    LAW,
     Limit(
         "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
         "only fixed grips hold this state",
@@ -451,11 +489,11 @@ LIMITS = (
         factor=_energy_over_sticking,
     ),
     Limit(
-        "hysteresis_ratio", _MOMENT, ">", {1.0: "moment-unexplained"},
+        "hysteresis_ratio", frozenset({"yield_moment", "yield_force"}), ">", {1.0: "moment-unexplained"},
         "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
     ),
     Limit(
-        "tabor_parameter", _STICKING, "<", {JUMP: "sticking-unsure"},
+        "tabor_parameter", frozenset({"sticking_energy", "sticking_speed"}), "<", {JUMP: "sticking-unsure"},
         "the contact forms and opens smoothly; adhesion alone loses almost no energy, other losses decide what sticks",
         conclusion="has_jump",
     ),
@@ -488,7 +526,7 @@ LIMITS = (
 ASSUMED_DISPLACEMENT = Limit(
     XI, _DISPLACEMENT, ">", {1.0: ""},
     "ξ is assumed, and forces measured on the same solid mean another",
-    lambda scene, _: bool(solid_of_kind(scene)) and not scene.missing(["reduced_radius"]),
+    lambda scene, _: bool(rolled_solid(scene)) and not scene.missing(["reduced_radius"]),
     factor=factor_of_data,
 )  # fmt: skip
 
@@ -504,19 +542,17 @@ MEANINGS = {
 }
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
 EVERY_DOUBT = sum(BITS.values())
-OF_LAW = LIMITS[0].bits  # the codes of a law that is not exact
 
 
 def doubts(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
-    """Return the limits of the answers to these names, judged as far as possible, or with the reason why not."""
-    return judged(touched(scene, names, limits), scene, names)
+    """Return the limits of the answers to these names, judged or with the reason why not.
 
-
-def judged(limits: Collection[Limit], scene: Scene, names: Collection[str]) -> list[Doubt]:
-    """Return limits of the answers to these names as doubts, but for numbers that law or contact do not have."""
-    values = scene.evaluate([limit.name for limit in limits])
+    Those whose numbers law or contact do not have are left out.
+    """
+    concerned = touched(scene, names, limits)
+    values = scene.evaluate([limit.name for limit in concerned])
     every = []
-    for limit in limits:
+    for limit in concerned:
         value = values[limit.name]
         if isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
             every.append(Doubt(limit, nan, nan, value))
@@ -538,63 +574,7 @@ def bits_of(several: Iterable[Doubt]) -> Any:
     return reduce(or_, (doubt.bits for doubt in several), 0)
 
 
-def codes_of(bits: int) -> tuple[str, ...]:
-    """Return the codes that bits stand for, the last of which is UNCHECKED."""
-    return tuple(code for code, bit in BITS.items() if bits & bit)
-
-
 @cache  # many rows have the same doubts
 def codes(bits: int) -> str:
-    """Return the codes that bits stand for as a text."""
-    return " ".join(codes_of(bits))
-
-
-# --- A scene evaluated ------------------------------------------------------------------------------------------------
-
-
-class Evaluation:
-    """The outcomes of a scene with their inputs, error bars and doubts, each computed when something shows it.
-
-    Rows and answers are ways to show it. Of a scene of arrays all are arrays, with nan where an element has no value.
-    """
-
-    limits: Sequence[Limit] = LIMITS  # that are judged
-
-    def __init__(self, scene: Any, outcomes: Mapping[str, Any]) -> None:
-        """`outcomes`: values, or the errors that say why there are none, by quantity."""
-        self.scene, self.outcomes = scene, outcomes
-        self.values = {name: value for name, value in outcomes.items() if not isinstance(value, JkrollError)}
-        self.errors = {name: error for name, error in outcomes.items() if name not in self.values}
-
-    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the inputs on which quantities depend, as they were understood, with their error bars."""
-        inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names))
-        if self.sources is not None:
-            inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
-        return inputs
-
-    @cached_property
-    def sources(self) -> "Sources | None":
-        """The sources of uncertainty that enter; None if there are none.
-
-        Raises a JkrollError for sources that do not go together.
-        """
-        if not self.scene.uncertainties:
-            return None
-        from .uncertainty import sources_of_results
-
-        return sources_of_results(self.scene, [*self.outcomes])
-
-    @cached_property
-    def bars(self) -> "Mapping[str, Propagated | JkrollError]":
-        """The error bars of values that have some, or the errors that say why they have none."""
-        if self.sources is None or not self.values:
-            return {}
-        from .uncertainty import uncertainties
-
-        return uncertainties(self.scene, [*self.values], sources=self.sources)
-
-    @cached_property
-    def validity(self) -> Sequence[Doubt]:
-        """The limits of the model, judged for the values, or with the reason why not."""
-        return doubts(self.scene, [*self.values], self.limits)
+    """Return the codes that bits stand for, the last of which is UNCHECKED, as a text."""
+    return " ".join(code for code, bit in BITS.items() if bits & bit)
