@@ -29,12 +29,12 @@ from ..scene.doubts import (
     by_law_at_spacing,
     doubts,
     farthest,
+    has_other_formulas,
     is_at_displacement,
     moved_by_law,
     names_with_alternatives,
     rolled_solid,
     rolling,
-    uses_law,
 )
 from ..scene.failures import (
     BEYOND_PULL_OFF,
@@ -209,7 +209,7 @@ class Answer(Evaluation):
         law = "" if self.scene.law.is_default else self.scene.law.name
         if name in self.errors:
             return Result(name, None, reason_of(name, self.errors[name]), law=law)
-        of_law = equation_of(self.scene, name) if law and uses_law(self.scene, name) else ""
+        of_law = equation_of(self.scene, name) if law and has_other_formulas(self.scene, name) else ""
         error, bar = model_error(name, self.scene), self.propagated(name)
         return Result(name, self.values[name], error=error, propagated=bar, law=law if of_law else "", of_law=of_law)
 

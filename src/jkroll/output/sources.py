@@ -19,7 +19,7 @@ from ..quantities.formatting import Format, amount, symbol_of
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.doubts import uses_law
+from ..scene.doubts import has_other_formulas
 from ..scene.scene import Scene, takes
 from ..scene.wiring import Plan
 from ..text import listed, say, say_wrapped
@@ -181,7 +181,7 @@ class Cited:
         formulas = answer.scene.formulas_to(*self.names)
         self.equations = {equation for name in formulas if (equation := NOMENCLATURE[name].equation)}
         by_maugis = answer.scene.replace(model=BETWEEN)
-        rests_on_law = any(uses_law(by_maugis, name) for name in by_maugis.possible(self.names))
+        rests_on_law = any(has_other_formulas(by_maugis, name) for name in by_maugis.possible(self.names))
         known = references()
         self.law = [known[answer.scene.law.name]] if rests_on_law else []
         texts = [NOMENCLATURE[name].reference for name in self.names]

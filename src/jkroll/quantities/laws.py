@@ -203,13 +203,6 @@ def routes(model: str, known: frozenset[str]) -> Routes:
 
 
 @cache
-def routed_apart(model: str, other: str, known: frozenset[str]) -> frozenset[str]:
-    """Return the quantities that two laws have by different formulas, with these formulas, for what is known."""
-    apart = routes(model, known).items() ^ routes(other, known).items()
-    return frozenset(name for route in apart for name in route if name is not None)
-
-
-@cache
 def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[str]]:
     """Return by the name of a quantity every formula by which laws have it, whatever is given."""
     formulas: dict[str, list[str]] = {}

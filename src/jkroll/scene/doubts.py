@@ -10,12 +10,12 @@ from ..errors import JkrollError
 from ..materials.library import Displacement, Material
 from ..physics.elementary import NUMBER, at_least, at_most, ln, quotient, where
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law, routed_apart
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Interval, ends_of, middle
 from .failures import MissingInput, NotInLaw
 from .scene import DEFAULTS, IN_ITS_PLACE, Scene, takes
-from .wiring import depends_on, taken_by
+from .wiring import depends_on, plan_for, taken_by
 
 if TYPE_CHECKING:
     from .uncertainty import Propagated, Sources
@@ -104,21 +104,15 @@ def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
     return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
 
+def has_other_formulas(scene: Scene, name: str, law: str = DEFAULT_LAW) -> bool:
+    """Return whether a law has a quantity by other formulas than a scene, or does not have it."""
+    return scene.plan(name).steps.keys() != plan_for(name, *scene.kind[:2], law).steps.keys()
+
+
 def moved_by_law(scene: Scene, names: Iterable[str]) -> list[str]:
     """Return those of some quantities that the other law has by formulas of its own, or alone."""
-    other, moved = scene.by_law, []
-    apart = routed_apart(scene.law.name, other.law.name, scene.known)
-    for name in names:
-        ours, theirs = scene.plan(name), other.plan(name)
-        is_same = ours.is_possible and apart.isdisjoint(ours.steps) and apart.isdisjoint(theirs.steps)
-        if theirs.is_possible and not is_same:
-            moved.append(name)
-    return moved
-
-
-def uses_law(scene: Scene, name: str) -> bool:
-    """Return whether a quantity of a scene rests on a formula that JKR does not have."""
-    return not routed_apart(scene.law.name, DEFAULT_LAW, scene.known).isdisjoint(scene.plan(name).steps)
+    other = scene.by_law
+    return [name for name in other.possible(names) if has_other_formulas(scene, name, other.law.name)]
 
 
 def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
