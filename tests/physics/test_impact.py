@@ -135,9 +135,6 @@ def test_a_measured_restitution_bounds_the_surface_energy(run: Run) -> None:
 
 
 def test_what_an_impact_says(run: Run) -> None:
-    said = "e = 0: they stick"
-    assert said in run("impact quartz 1um --speed 1cm/s --explain").out
-    assert said not in run("impact quartz 1um --speed 10cm/s --explain").out
     ran = run("impact quartz 1um --speed 1m/s --viscous-time 12.5ps --explain").out
     assert "the viscous time was fitted at one size" in " ".join(ran.split())
     assert "elastic theory's" not in ran
@@ -165,10 +162,7 @@ def test_rough_pull_off_by_the_pairwise_sum(asperity: float) -> None:
     assert exact < form < 1.035 * exact
 
 
-def test_unlike_solids_have_the_harmonic_mean_beside(run: Run) -> None:
+def test_between_which_means_w_of_unlike_solids_is(run: Run) -> None:
     said = run("pull-off 1um --gamma 20mJ/m2 --gamma2 400mJ/m2").err
-    assert (
-        "by the harmonic mean w = 76.19 mJ/m²; the geometric one is an upper estimate for solids so unlike"
-        in said.replace("\n ", "")
-    )
-    assert "harmonic" not in run("pull-off 1um --gamma 20mJ/m2 --gamma2 50mJ/m2").err
+    assert "w = 2√(γ1γ2) is an upper estimate for solids so unlike, 4/(1/γ1 + 1/γ2) a lower one" in said
+    assert "lower one" not in run("pull-off 1um --gamma 20mJ/m2 --gamma2 50mJ/m2").err

@@ -48,9 +48,9 @@ from ..scene.scene import Scene
 from .notes import (
     Note,
     about_assumed,
-    about_bars,
     about_given,
     about_idle,
+    about_left_out,
     about_limits,
     about_lost_contacts,
     about_missing,
@@ -303,7 +303,7 @@ class Answer(Evaluation):
     @cached_property
     def assumed(self) -> Mapping[str, str]:
         """The assumptions, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
-        return assumed(self.scene, self._entering[0], self._possible)
+        return assumed(self.scene, self._entering[0], self._possible, has_values=True)
 
     @property
     def _possible(self) -> list[str]:
@@ -313,10 +313,11 @@ class Answer(Evaluation):
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
         inputs, idle = self._entering
+        open_bars = {name: bar for name, bar in self.bars.items() if isinstance(bar, JkrollError)}
         every = (
             *about_assumed(self.assumed),
-            *about_missing(self.errors),
-            *about_bars(self),
+            *about_missing({**self.errors, **open_bars}),
+            *about_left_out(self.sources),
             *about_given(self.scene, self._possible, inputs),
             *about_idle(idle),
             *about_values(self.scene, [*self.values]),

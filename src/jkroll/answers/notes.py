@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
-from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
 from ..scene.doubts import (
@@ -19,7 +18,6 @@ from ..scene.doubts import (
     Evaluation,
     assumes_displacement,
     displacements_where_measured,
-    doubts,
     is_like_rolled,
     rolled_solid,
     rolling,
@@ -33,7 +31,7 @@ from ..text import first_of, listed
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns, Tally
-    from ..scene.uncertainty import Source
+    from ..scene.uncertainty import Sources
     from .answer import Answer
 
 # A warning is of a number without a meaning; a caveat may change what a reader does; a remark is less; what was assumed
@@ -54,23 +52,12 @@ class Note(NamedTuple):
         return f"{'warning' if self.kind == 'warning' else 'note'}: {self.text}"
 
 
-Rows = tuple[Scene, Sequence[str]]  # of a kind: a scene that stands for them, and the quantities that it shows
-
-_SHORT = Format(digits=4)
-_ENERGIES = ("surface_energy", "surface_energy2")
 _RULES = {  # by which quantities follow that could have been given
     "contacts": "as many contacts as grains in each, n_c = N",
     "shear_strength": "τ = G/4π²",
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
-_CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
-_UNLIKE = 3.0  # ratio of two surface energies from which on a note has their harmonic mean
-_STICKING = (
-    "speeds are low: SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s, where γ of quartz gives 0.31 m/s, "
-    "of silica-dry 1.7 m/s"
-)
-_OF_TURNING = {"yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment"}
-
+_UNLIKE = 3.0  # ratio of two surface energies from which on their geometric mean is too much
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
 _MAX_NOTES = 2  # below results, with the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
@@ -81,33 +68,31 @@ _MAX_CODES = 4  # of doubts, which are named
 
 
 def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], list[str]]:
-    """Return the inputs of quantities, and those that were given though nothing depends on them.
+    """Return the inputs of quantities, and those that were given though neither these nor a limit depends on them.
 
-    `judges`: whether limits are judged, which depend on inputs, too. The atomic spacing is among the former if it
-    enters a limit, as it enters few answers. A load that enters limits alone is among the latter: it was meant for
-    more. What makes an area rigid is refused, and so changes something.
+    The atomic spacing is among the former if it enters a limit, as it enters few answers. A load that enters limits
+    alone is among the latter: it was meant for more. `judges`: whether limits are judged.
     """
     limits = touched(scene, scene.possible(names)) if judges else ()
     every = [*names, *(limit.name for limit in limits)]
     own, used = ({*scene.inputs_of(*scene.possible(each))} for each in (names, every))
     needed = used - (STATE_OR_LOAD - own) | depends_on((*scene.missing(every),), (scene.law.name,))
-    refused = ("youngs_modulus", "youngs_modulus2", "contact_modulus") if scene.is_rigid is True else ()
-    return own | used & {"atomic_spacing"}, [name for name in scene.stated if name not in {*needed, *refused}]
+    return own | used & {"atomic_spacing"}, [name for name in scene.stated if name not in needed]
 
 
-def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_values: bool = True) -> dict[str, str]:
+def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_values: bool) -> dict[str, str]:
     """Return what was assumed for some quantities, by a rule or by a value, each with the option that sets it, by name.
 
-    `has_values`: whether a rule gives the same value in all rows of which the scene is one.
+    `has_values`: whether a rule gives one value, and not others in other rows, or points, of which the scene is one.
     """
-    steps = {*scene.formulas_to(*names)}
-    energies = [scene.given.get(name) for name in _ENERGIES]
-    are_equal = all(isinstance(energy, float) for energy in energies) and energies[0] == energies[1]
-    if are_equal or "surface_energy2" not in inputs:
-        steps.discard("work_of_adhesion")
+    steps = scene.formulas_to(*names)
     texts = {name: rule for name, rule in _RULES.items() if name in steps}
+    if "hamaker" in inputs:
+        texts["work_of_adhesion"] = "w = A/12πD0²"
+    elif "surface_energy2" not in inputs:
+        texts.pop("work_of_adhesion", None)
     for name, value in scene.numbers(*texts).items() if has_values else ():
-        texts[name] += f" = {amount(name, value, _SHORT)}"
+        texts[name] += f" = {amount(name, value, Format(digits=4))}"
     for name, value in DEFAULTS.items():
         if name in inputs and name not in scene.given:
             texts[name] = f"{symbol_of(name)} = {amount(name, value)}" if value else "no load"
@@ -122,23 +107,13 @@ def about_assumed(texts: Mapping[str, str]) -> list[Note]:
 def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> Iterator[Note]:
     """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
     if "shear_strength" in scene.formulas_to(*names):
-        text = "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)"
-        yield Note("remark", text)
-    energies = [scene[name] for name in _ENERGIES if name in inputs]
-    if len(energies) == len(_ENERGIES) and max(energies) > _UNLIKE * min(energies):
-        work = amount("work_of_adhesion", 4 / sum(1 / energy for energy in energies), _SHORT)
-        text = f"by the harmonic mean w = {work}; the geometric one is an upper estimate for solids so unlike"
-        yield Note("caveat", f"{text}: --work-of-adhesion")
-    spinning = [symbol_of(name) for name in ("n_roll", "n_roll_energy_balance") if name in names]
-    if spinning and "speed" in scene.stated:
-        text = "a sphere that arrives at a speed does not spin yet and turns n_imp times; one that rolls from the start"
-        yield Note("caveat", f"{text}, {listed(spinning)}")
+        yield Note("remark", "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)")
+    energies = [scene[name] for name in ("surface_energy", "surface_energy2") if name in inputs]
+    if len(energies) == 2 and max(energies) > _UNLIKE * min(energies):
+        bounds = "w = 2√(γ1γ2) is an upper estimate for solids so unlike, 4/(1/γ1 + 1/γ2) a lower one"
+        yield Note("caveat", f"{bounds}: --work-of-adhesion")
     for material, name in scene.data_used(inputs):
         yield from (Note("more", f"{material.name}: {text}") for text in material.remarks)
-        if name == XI and material.displacement is not None:
-            radius = amount("radius", material.displacement.radius)
-            text = f"ξ was measured with spheres of {radius}; elsewhere it is a range, scaled by R^(2/3) and by R"
-            yield Note("more", f"{material.name}: {text}")
         if name in material.notes:  # of a property with an origin they say what is against it
             kind: Kind = "caveat" if name in material.origins else "more"
             yield Note(kind, f"{symbol_among(name, ())} of {material.name}: {material.notes[name]}")
@@ -161,17 +136,9 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 
 def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values: what happens in a collision, what gives way first in a contact, the assumed ξ."""
-    if "hamaker" in scene.inputs_of(*names):
-        shown = ["work_of_adhesion", "atomic_spacing", "cutoff"]
-        elsewhere = scene.replace(cutoff=next(cutoff for cutoff in _CUTOFFS if cutoff != scene["cutoff"]))
-        (w, z0, _), (w_there, _, cutoff) = (
-            [amount(name, each[name], _SHORT) for name in shown] for each in (scene, elsewhere)
-        )
-        yield Note("remark", f"w = {w}, z0 = {z0}; at D0 = {cutoff} (--cutoff) w = {w_there}")
     if "sticking_speed" in names and "viscous_time" not in scene.stated:
-        yield Note("remark", _STICKING)
-    if scene.numbers(*{"restitution"}.intersection(names)).get("restitution") == 0:
-        yield Note("remark", "e = 0: they stick, as v is not above v_stick")
+        measured = "SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s"
+        yield Note("remark", f"speeds are low: {measured}, where γ of quartz gives 0.31 m/s, of silica-dry 1.7 m/s")
     if "n_roll" in names and (IMPACT | {"viscous_time"}).isdisjoint(scene.stated):
         for ratio in scene.numbers("energy_over_sticking").values():  # none in a law without U_stick
             energy = "the impact energy of the turns, P_cδ0 of JKR,"
@@ -182,19 +149,20 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         chain = Scene(scene.stated_of_1, scene.material, model=scene.stated_model).numbers("n_grav").values()
         other = "".join(f"; the next, between spheres 1, yields at {carried + 1:.4g}" for carried in chain)
         yield Note("caveat", f"N_grav is what the first contact, on body 2, carries{other}")
-    if _OF_TURNING.issubset(names):
-        yield _first_to_yield(scene)
-    if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
-        yield Note("remark", "a: the spheres are bound without touching")
+    if {"yield_force", "sliding_or_peeling_force"}.issubset(names):
+        force = scene["sliding_or_peeling_force"]
+        rolls = "it rolls first; where it cannot, " if scene["yield_force"] < force else ""
+        first, last = ("peels off", "slides") if scene["peeling_over_sliding"] < 1 else ("slides", "peels off")
+        pushed = f"pushed, {rolls}it {first} at {span('sliding_or_peeling_force', force, force)}, before it {last}"
+        yield Note("caveat", f"{pushed}: the contact shrinks under the push")
     if rolling(names):
         values = scene.numbers(XI, "hysteresis_ratio", "displacement_ratio")
         if assumes_displacement(scene) and not is_like_rolled(scene):
             is_possible = values.get("displacement_ratio", 0.0) < 1  # else a warning says more
             yield Note("caveat" if is_possible else "remark", about_displacement(scene, ""))
-        if values.get("hysteresis_ratio", 1.0) < 1 and XI in values:
-            lost = f"{significant(100 * values['hysteresis_ratio'], 2)} % of w"
-            text = f"to roll at ξ = {amount(XI, values[XI])}, {lost} must be lost where the contact opens and closes"
-            yield Note("more", text)
+        if (ratio := values.get("hysteresis_ratio", 1.0)) < 1 and XI in values:
+            lost = f"{significant(100 * ratio, 2)} % of w must be lost where the contact opens and closes"
+            yield Note("more", f"to roll at ξ = {amount(XI, values[XI])}, {lost}")
 
 
 def about_displacement(scene: Scene, solid: str) -> str:
@@ -212,17 +180,6 @@ def about_displacement(scene: Scene, solid: str) -> str:
     return f"ξ is assumed (--xi): {measured}, and it grows with the sphere"
 
 
-def _first_to_yield(scene: Scene) -> Note:
-    """Return what yields first where a pair is pushed or turned. A brittle contact shrinks when pushed."""
-    names = ("yield_force", "sliding_or_peeling_force", "yield_moment", "twisting_moment", "peeling_over_sliding")
-    roll, first, bend, twist, ratio = scene.evaluate(names).values()
-    force = span("sliding_or_peeling_force", first, first)
-    gives_way = f"peels off at {force}, before it slides" if ratio < 1 else f"slides at {force}, before it peels off"
-    rolls = "it rolls first; where it cannot, " if roll < first else ""
-    pushed = f"pushed, {rolls}it {gives_way}: the contact shrinks under the push"
-    return Note("caveat", f"{pushed}; turned, it {'rolls' if bend < twist else 'twists'} first")
-
-
 # --- What is missing --------------------------------------------------------------------------------------------------
 
 
@@ -237,16 +194,10 @@ def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
     return [Note("caveat", f"{first_symbols(names)}: {reason}") for names, reason in grouped(errors)]
 
 
-def about_bars(evaluation: Evaluation) -> list[Note]:
-    """Return notes on error bars that do not exist, and on sources that enter none."""
-    failures = {name: bar for name, bar in evaluation.bars.items() if isinstance(bar, JkrollError)}
-    sources = evaluation.sources
-    return [*about_missing(failures), *(about_left_out(sources.left_out) if sources is not None else ())]
-
-
-def about_left_out(sources: "Iterable[Source]") -> list[Note]:
+def about_left_out(*every: "Sources | None") -> list[Note]:
     """Return the note on sources that enter no error bar, as others are of another kind, if there are some."""
-    symbols = dict.fromkeys(symbol_of(source.names[0]) for source in sources)
+    left_out = (source for sources in every if sources is not None for source in sources.left_out)
+    symbols = dict.fromkeys(symbol_of(source.names[0]) for source in left_out)
     text = f"error bars leave out {', '.join(symbols)}: ± and ranges do not go together"
     return [Note("caveat", text)] if symbols else []
 
@@ -268,19 +219,6 @@ def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
-
-
-def about_kind(scene: Scene, names: Sequence[str]) -> Iterator[Note]:
-    """Iterate over the notes that follow from what is given, not from numbers: the same for all rows of a kind."""
-    if not (possible := scene.possible(names)):
-        return
-    with suppress(JkrollError):  # each row says which kinds do not go together
-        sources = Evaluation(scene, dict.fromkeys(possible)).sources
-        yield from about_left_out(sources.left_out) if sources is not None else ()
-    yield from about_given(scene, possible, entering(scene, names)[0])
-    if rolling(possible) and assumes_displacement(scene):
-        yield Note("caveat", about_displacement(scene, rolled_solid(scene)))
-    yield from about_limits(doubts(scene, possible))
 
 
 def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
@@ -306,8 +244,8 @@ def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
 class OfRows:
     """The notes on rows of some kinds, which are counted while columns are written."""
 
-    def __init__(self, kinds: Iterable[Rows], *, judges: bool = True) -> None:
-        """`judges`: whether limits are judged."""
+    def __init__(self, kinds: "Iterable[tuple[Scene, Sequence[str]]]", *, judges: bool = True) -> None:
+        """`kinds`: a scene for the rows of each, and the quantities that it shows; `judges`: as `entering` has it."""
         from ..rows.columns import Tally
 
         self._kinds, self.tally, self._told = [*kinds], Tally(), 0
@@ -327,10 +265,17 @@ class OfRows:
 
     @property
     def sentences(self) -> list[Note]:
-        """The notes of all rows that were counted."""
-        of_kinds = dict.fromkeys(note for kind in self._kinds for note in about_kind(*kind))
-        counted = about_rows(self.tally, self._told, "jkroll guide doubts")
-        return [*counted, *of_kinds, *about_idle(self.idle), *about_assumed(self.assumed)]
+        """The notes on all rows that were counted, and those that follow from what is given to a kind."""
+        every = [*about_rows(self.tally, self._told, "jkroll guide doubts")]
+        for scene, names in self._kinds:
+            evaluation = Evaluation(scene, dict.fromkeys(scene.possible(names)))
+            with suppress(JkrollError):  # each row says which sources do not go together
+                every += about_left_out(evaluation.sources)
+            every += about_given(scene, [*evaluation.values], entering(scene, names)[0])
+            if rolling(evaluation.values) and assumes_displacement(scene):
+                every.append(Note("caveat", about_displacement(scene, rolled_solid(scene))))
+            every += about_limits(evaluation.validity)
+        return [*dict.fromkeys(every), *about_idle(self.idle), *about_assumed(self.assumed)]
 
 
 # --- Lines ------------------------------------------------------------------------------------------------------------
@@ -342,9 +287,8 @@ def lines_of(said_of: "Answer | OfRows", *, has_head: bool = False, quiet: bool 
     They are what was assumed unless a head has it, warnings, and the first of the other notes; warnings alone if
     `quiet`.
     """
-    texts: dict[Kind, list[str]] = {kind: [] for kind in _KINDS}
-    for kind, text in said_of.sentences:
-        texts[kind].append(text)
+    sentences = said_of.sentences
+    texts = {kind: [note.text for note in sentences if note.kind == kind] for kind in _KINDS}
     lines = [f"warning: {'; '.join(texts['warning'])}"] if texts["warning"] else []
     if quiet:
         return lines

@@ -122,7 +122,7 @@ def _about(table: Table) -> Iterator[str]:
     notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
     # What is infinite may make a body rigid in some rows.
     idle = [name for name in of_rows.idle if table.fixed.get(name, INFINITY) != INFINITY]
-    notes += [note.text for note in (*about_idle(idle), *about_left_out(table.left_out))]
+    notes += [note.text for note in (*about_idle(idle), *about_left_out(*table.sources))]
     yield from (f"note: {text}" for text in notes)
 
 

@@ -1,7 +1,7 @@
 """Tables on a terminal, in the width there is: of one scene, of a list of pairs, and of texts."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import accumulate, compress
+from itertools import accumulate, chain, compress
 from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
@@ -9,14 +9,13 @@ from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, s
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
-from ..quantities.values import Interval, middle, of_sides
+from ..quantities.values import Interval, Uncertain, middle, of_sides
 from ..rows.columns import DOUBT
 from ..scene.doubts import DATA, LAW, SIO2, codes, rolled_solid
-from ..text import say, say_wrapped, terminal_width, width_of
+from ..text import first_of, say, say_wrapped, terminal_width, width_of
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
-    from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
@@ -28,14 +27,10 @@ def head_of(law: str) -> str:
 
 
 _DIGITS = 4  # of a result on a terminal
-_OF_A_RANGE = 2  # of its ends
 _LEAST = 0.25  # number that stands in the unit of the rows above it
-_NARROW = 0.03  # part of a value below which its range has ends that these do not tell apart
-_WITH_SPACING = f"with {NOMENCLATURE['atomic_spacing'].option}"  # in place of a number that needs it
 _SILENT = {"", "–", *(f"as {law}" for law in map(head_of, LAWS))}  # cells that say no more than others
 _GAP = 2  # blanks between columns
 _LEAST_TEXT = 24  # of a text in several lines
-_CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
 _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
@@ -49,34 +44,55 @@ class Column(NamedTuple):
     is_right: bool = True
 
 
-# --- Values -----------------------------------------------------------------------------------------------------------
-
-
-def _numbers(values: "Iterable[Value]") -> "list[float | Uncertain]":
-    return [value for value in values if value is not None and not isinstance(value, str)]
+# --- Values and inputs ------------------------------------------------------------------------------------------------
 
 
 def _cell(value: "Value", unit: tuple[str, Unit], form: Format) -> str:
-    """Return a value in a unit: with four digits and their zeros, a range with two if these tell its ends apart."""
+    """Return a value in a unit, one without an error bar with four digits and their zeros."""
     if value is None or isinstance(value, str):
         return value or "–"
     if isinstance(value, Interval):
-        is_narrow = value.high - value.low < _NARROW * abs(value.value)
-        digits = form.digits or (_DIGITS if is_narrow else _OF_A_RANGE)
-        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), digits)
+        return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or 2)
     if isinstance(value, float):
         return significant(convert(value, unit[1]), form.digits or _DIGITS, zeros=form.digits is None and value != 0)
     return form.in_unit(value, unit)
 
 
 def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format) -> list[Column]:
-    """Return the columns of values of a quantity, by their heads, in the unit that suits the first ones."""
-    unit = form.common_unit(name, next(filter(None, map(_numbers, values.values())), []))
+    """Return the columns of values of a quantity, by their heads, in the unit that suits them all."""
+    unit = form.common_unit(name, [*chain.from_iterable(values.values())])
     in_unit, is_right = f" [{unit[0]}]" if unit[0] else "", not NOMENCLATURE[name].is_word
     return [
         Column(f"{head}{in_unit}", [_cell(value, unit, form) for value in each], is_right)
         for head, each in values.items()
     ]
+
+
+def _write_inputs(
+    lead: str, inputs: "Mapping[str, float | str | Uncertain]", assumed: Mapping[str, str], out: TextIO, form: Format
+) -> None:
+    """Write a line with the inputs that were given, behind a lead, and one with what was assumed.
+
+    Materials have the values that are theirs in brackets.
+    """
+    follows = {*assumed, "energy"}.difference(form.typed)  # from another input
+    inputs = {name: value for name, value in inputs.items() if name not in follows}
+    texts = {name: f"{symbol_among(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
+    if "surface_energy" in texts and "surface_energy2" not in texts:
+        texts["surface_energy"] += " per surface"
+    if {"radius", "radius2"} <= texts.keys() and inputs["radius2"] in (inputs["radius"], "plane"):
+        radius = amount("radius", inputs["radius"], form)
+        texts["radius"] = f"R1 = {radius} on a plane" if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
+        del texts["radius2"]
+    for material, properties in _OF_MATERIALS.items():
+        if material in texts:
+            data = [texts.pop(name) for name in properties if name in texts and name not in form.typed]
+            solid = inputs[material] if "material" in inputs else f"sphere 2: {inputs[material]}"
+            texts[material] = f"{solid} ({', '.join(data)})" if data else str(solid)
+    if line := ", ".join(filter(None, [lead, *texts.values()])):
+        say_wrapped(line, out)
+    if assumed:
+        say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
 
 
 # --- One scene --------------------------------------------------------------------------------------------------------
@@ -100,15 +116,16 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         same = None if result.value is None else f"as {law}"
         values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
         if same and answer.scene.by_law.may_rest_on_spacing(name):
-            values = [_WITH_SPACING if value is None else value for value in values]
-        numbers, unit = _numbers(values)[:1], units.get(quantity.unit)
-        if not unit or not any(_LEAST <= abs(convert(middle(number), unit[1])) < 1 for number in numbers):
-            unit = form.common_unit(name, numbers)
-        units |= {quantity.unit: unit} if numbers else {}
-        texts = [quantity.sentence, symbol_among(name, answer.inputs), unit[0] if numbers else ""]
+            values = ["with --z0" if value is None else value for value in values]
+        first = next((value for value in values if isinstance(value, float | Uncertain)), 0.0)
+        unit = units.get(quantity.unit)
+        if not unit or not _LEAST <= abs(convert(middle(first), unit[1])) < 1:
+            unit = form.common_unit(name, [first])
+        units |= {quantity.unit: unit} if first else {}
+        texts = [quantity.sentence, symbol_among(name, answer.inputs), unit[0]]
         rows.append([*texts, *(_cell(value, unit, form) for value in values)])
     words, symbols, in_units, *columns = _of_rows(rows, words=3)
-    write_table([words, symbols], columns, out, trailing=[in_units], repeated=columns[:1])
+    write_table([words, symbols], columns, out, trailing=[in_units])
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -135,19 +152,13 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for name in columns.wanted.names:
         if name not in inputs:
             results += columns_of(name, _values(columns, name), form)
-    doubts = [_in_short(codes(bits & columns.told)) for bits in columns.doubts]
-    is_told = len({*doubts}) > 1 if "state" in inputs else any(doubts)  # notes have those of all states of a pair
-    results += [Column(DOUBT, doubts, is_right=False)] if is_told else []
+    doubts = [first_of(codes(bits & columns.told).split(), 1) for bits in columns.doubts]
+    if any(doubts) and "state" not in inputs:  # all states of a pair have the same, which notes tell
+        results.append(Column(DOUBT, doubts, is_right=False))
     across = _of_rows([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if _size(across) <= terminal_width() + _GAP < _size([*leading, *results]):
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
-
-
-def _in_short(text: str) -> str:
-    """Return the codes of doubts, of many the first and the number of others."""
-    first, *others = text.split(" ")
-    return text if not others or len(text) <= _CODES else f"{first} ({len(others)} more)"
 
 
 def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
@@ -175,53 +186,15 @@ def _measures(columns: "Columns", key: str) -> list[Any]:
     ]
 
 
-# --- Inputs -----------------------------------------------------------------------------------------------------------
-
-
-def _write_inputs(
-    lead: str, inputs: "Mapping[str, float | str | Uncertain]", assumed: Mapping[str, str], out: TextIO, form: Format
-) -> None:
-    """Write a line with the inputs that were given, behind a lead, and one with what was assumed."""
-    follows = {*assumed, "energy"}.difference(form.typed)  # from another input
-    texts = _described({name: value for name, value in inputs.items() if name not in follows}, form)
-    if line := ", ".join(filter(None, [lead, *texts])):
-        say_wrapped(line, out)
-    if assumed:
-        say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
-
-
-def _described(inputs: "Mapping[str, float | str | Uncertain]", form: Format) -> Iterable[str]:
-    """Return inputs in words: materials with the values that are theirs in brackets, and what was typed."""
-    texts = {name: f"{symbol_among(name, inputs)} = {amount(name, value, form)}" for name, value in inputs.items()}
-    if "surface_energy" in texts and "surface_energy2" not in texts:
-        texts["surface_energy"] += " per surface"
-    if {"radius", "radius2"} <= texts.keys() and inputs["radius2"] in (inputs["radius"], "plane"):
-        radius = amount("radius", inputs["radius"], form)
-        texts["radius"] = f"R1 = {radius} on a plane" if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
-        del texts["radius2"]
-    for material, properties in _OF_MATERIALS.items():
-        if material in texts:
-            data = [texts.pop(name) for name in properties if name in texts and name not in form.typed]
-            solid = inputs[material] if "material" in inputs else f"sphere 2: {inputs[material]}"
-            texts[material] = f"{solid} ({', '.join(data)})" if data else str(solid)
-    return texts.values()
-
-
 # --- Texts ------------------------------------------------------------------------------------------------------------
 
 
 def write_table(
-    leading: Sequence[Column],
-    columns: Sequence[Column],
-    out: TextIO,
-    *,
-    trailing: Sequence[Column] = (),
-    repeated: Sequence[Column] = (),
+    leading: Sequence[Column], columns: Sequence[Column], out: TextIO, *, trailing: Sequence[Column] = ()
 ) -> None:
     """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
 
-    Those below the first leave out rows in which they say nothing. `repeated`: columns to stand in them again, if they
-    have room.
+    Those below the first leave out rows in which they say nothing.
     """
     while columns:
         room = terminal_width() + _GAP - _size([*leading, *trailing])
@@ -229,14 +202,12 @@ def write_table(
         say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
         columns = columns[count:]
         is_said = [not _SILENT.issuperset(cells) for cells in zip(*(column.cells for column in columns), strict=True)]
-        leading, columns, trailing, repeated = (
+        leading, columns, trailing = (
             [column._replace(cells=[*compress(column.cells, is_said)]) for column in each]
-            for each in (leading, columns, trailing, repeated)
+            for each in (leading, columns, trailing)
         )
         if columns:
             say("", out)
-            is_wide = _size([*leading, *repeated, columns[0], *trailing]) > terminal_width() + _GAP
-            columns = columns if is_wide else [*repeated, *columns]
 
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:

@@ -262,7 +262,8 @@ def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequenc
     `given`: the scene as a user gave it, of which `scene` is one point.
     """
     uncertain = {name: measured for name, measured in given.uncertainties.items() if name in inputs}
-    notes = *about_middles(uncertain), *about_assumed(assumed(scene, inputs, names)), *about_given(scene, names, inputs)
+    of_point = assumed(scene, inputs, names, has_values=False)
+    notes = *about_middles(uncertain), *about_assumed(of_point), *about_given(scene, names, inputs)
     return [note.text for note in dict.fromkeys(notes)]
 
 

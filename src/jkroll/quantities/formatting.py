@@ -6,7 +6,7 @@ from math import floor, isinf, log10
 from ..text import first_of
 from .nomenclature import INFINITY, NOMENCLATURE, header
 from .units import Unit, convert, power_of_ten
-from .values import Measured, Uncertain, ends_of
+from .values import Measured, Uncertain, ends_of, middle
 
 DIGITS = 6  # significant, of a rounded value
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
@@ -55,8 +55,8 @@ class Format:
         unit = self.common_unit(name, [value])
         return self.in_unit(value, unit), unit[0]
 
-    def common_unit(self, name: str, values: Sequence[float | Uncertain]) -> tuple[str, Unit]:
-        """Return the unit that suits the middle one of values."""
+    def common_unit(self, name: str, values: Sequence[float | str | Uncertain | None]) -> tuple[str, Unit]:
+        """Return the unit that suits the middle one of values, among which words and gaps may be."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
@@ -75,9 +75,9 @@ class Format:
         return " to ".join(dict.fromkeys(ends))
 
 
-def _sizes(values: Sequence[float | Uncertain]) -> list[float]:
+def _sizes(values: Sequence[float | str | Uncertain | None]) -> list[float]:
     """Return the sizes of values in order, without those of 0 and infinity."""
-    middles = (value.value if isinstance(value, Uncertain) else value for value in values)
+    middles = (middle(value) for value in values if value is not None and not isinstance(value, str))
     return sorted(abs(value) for value in middles if value and not isinf(value))
 
 
@@ -159,7 +159,7 @@ def amount(name: str, value: float | str | Uncertain, form: Format = AS_USUAL) -
 
 
 def span(name: str, low: float, high: float, digits: int = 2) -> str:
-    """Return the ends of a range for a sentence, with one digit more where that tells them apart; else one number.
+    """Return the ends of a range for a sentence, as `from_to` has them.
 
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
     ('14–15 nN', '397–400 nN')
@@ -167,19 +167,20 @@ def span(name: str, low: float, high: float, digits: int = 2) -> str:
     ('(1–3)e-18 J', '400 pm')
     """
     unit, scale = AS_USUAL.common_unit(name, [low, high])
-    ends = convert(low, scale), convert(high, scale)
-    is_one = significant(ends[0], digits) == significant(ends[1], digits)
-    return with_unit(from_to(*ends, digits + 1 if is_one and low != high else digits), unit)
+    return with_unit(from_to(convert(low, scale), convert(high, scale), digits), unit)
 
 
 def from_to(low: float, high: float, digits: int = 2) -> str:
-    """Return the ends of a range; one number where both are the same in these digits.
+    """Return the ends of a range, with one digit more where that tells them apart; else one number.
 
-    >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6)
-    ('14–15', '-1 to 2', '3', '(1–1.3)e6')
+    >>> from_to(14.37, 15.0), from_to(-1.0, 2.0), from_to(3.0, 3.0), from_to(1.02e6, 1.31e6), from_to(397.0, 399.5)
+    ('14–15', '-1 to 2', '3', '(1–1.3)e6', '397–400')
     """
     shift = _shift(max(abs(low), abs(high)))
-    texts = dict.fromkeys(significant(end * 10.0**-shift, digits) for end in (low, high))
+    ends = [end * 10.0**-shift for end in (low, high)]
+    texts = dict.fromkeys(significant(end, digits) for end in ends)
+    if low != high and len(texts) == 1:
+        texts = dict.fromkeys(significant(end, digits + 1) for end in ends)
     text = (" to " if low < 0 else "–").join(texts)
     if not shift:
         return text

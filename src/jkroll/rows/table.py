@@ -74,9 +74,8 @@ class Table:
         sample = TableBlock(self, Records(rows, cells))  # which looks up materials
         scenes = self._kinds(cells)
         self.names, named = self._names(scenes)
-        sources = self._sources(sample)
-        self.left_out = [source for each in sources for source in each.left_out]
-        sides = {*SIDES} if asked.uncertainty else {side for each in sources for side in each.sides}
+        self.sources = self._sources(sample)
+        sides = {*SIDES} if asked.uncertainty else {side for each in self.sources for side in each.sides}
         sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
         kind = Wanted
         if asked.infer:
