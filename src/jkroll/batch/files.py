@@ -189,7 +189,7 @@ class Input:
                 raise BadRequest(f"-o: {quoted(target)} is the input; it is not overwritten")
 
 
-def lines_of(
+def table_of_lines(
     given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool
 ) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
     """Return a table whose records are lines, with its header read, and its blocks of rows. Raises BadTable.

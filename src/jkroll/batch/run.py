@@ -26,7 +26,7 @@ from ..rows.header import check_inputs, understood
 from ..rows.table import Asked, Table, TableBlock
 from ..scene.doubts import EVERY_DOUBT
 from ..text import quoted, say, say_wrapped
-from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, lines_of, output_format
+from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, output_format, table_of_lines
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 ALONE = 4  # blocks that this process converts before it starts others
@@ -179,7 +179,7 @@ def convert_one(path: str, job: Job) -> Tally:
                 from .parquet import batches_of
             form, blocks = batches_of(file, job.target, asked.is_read)
         else:
-            form, blocks = lines_of(file, given, asked.is_read, excel_safe=job.excel_safe)
+            form, blocks = table_of_lines(file, given, asked.is_read, excel_safe=job.excel_safe)
         header = understood(form.names, form.sample, asked.stated, asked.inputs, asked.measured)
         check_inputs(header, asked.measured)
         reading = header.reading(form.preamble)

@@ -225,7 +225,7 @@ FORMATS = ("bare", "json", "csv", "explain", "cite")
 PICTURES = ("svg", "pdf", "png")
 
 
-def worded(error: JkrollError, command: str, options: Collection[str]) -> str:
+def message_of(error: JkrollError, command: str, options: Collection[str]) -> str:
     """Return the message of an error in the words typed: the command that lacks an input, the option of a bad one."""
     if type(error) is MissingInput and command in QUESTIONS:
         return f"{command} {error.reason()}"

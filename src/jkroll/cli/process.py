@@ -108,10 +108,10 @@ def report(error: Exception, words: Sequence[str]) -> int:
     """Print an error on stderr, in one line unless a terminal is narrower; return the exit code. `words`: as typed."""
     code = FAILED
     if isinstance(error, JkrollError):
-        from .call import worded
+        from .call import message_of
 
         typed = [word.partition("=")[0] for word in words]
-        message, code = worded(error, typed[0] if typed else "", typed), error.exit_code
+        message, code = message_of(error, typed[0] if typed else "", typed), error.exit_code
     elif isinstance(error, MemoryError):
         message = "there is not enough memory; ask for fewer rows or points"
     elif isinstance(error, OSError):

@@ -22,7 +22,7 @@ from ..rows.sweep import Sweep
 from ..scene.scene import Scene
 from ..scene.wiring import formula_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
-from .call import Call, worded
+from .call import Call, message_of
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -140,7 +140,7 @@ def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = 
     if not failed:
         return 0
     options = [NOMENCLATURE[name].option for name in call.inputs]
-    message = worded(first, call.command, options) if first and count == 1 else f"{failed} of {count} rows failed"
+    message = message_of(first, call.command, options) if first and count == 1 else f"{failed} of {count} rows failed"
     say_wrapped(f"jkroll: {message}", sys.stderr)
     return ROWS_FAILED
 

@@ -147,7 +147,7 @@ def data_of(path: str) -> Mapping[str, Any]:
 _FORMS: Mapping[type, str] = {dict: "a table", list: "a list", str: "a text in quotes"}
 
 
-def checked(value: object, form: type, where: str) -> Any:
+def in_form(value: object, form: type, where: str) -> Any:
     """Return a value if it has a form: a table, a list or a text; `where`: its place. Raises BadRequest."""
     if not isinstance(value, form):
         raise BadRequest(f"{shown(where)} is not {_FORMS[form]}")
@@ -156,7 +156,7 @@ def checked(value: object, form: type, where: str) -> Any:
 
 def texts(value: object, form: type, where: str) -> Any:
     """Return a text, or the texts of a list or a table, safe to print; raise BadRequest if it is none."""
-    content = checked(value, form, where)
+    content = in_form(value, form, where)
     if form is dict:
         return {key: texts(text, str, f"{where}.{key}") for key, text in content.items()}
     return tuple(texts(text, str, where) for text in content) if form is list else shown(content)
@@ -181,7 +181,7 @@ def materials_in(path: str) -> list[Material]:
         data = data_of(path)
         _refuse_unknown_keys("", data, ("title", "materials", "references"))
         title = texts(data.get("title", shown(path)), str, "title")
-        tables, references = (checked(data.get(key, {}), dict, key) for key in ("materials", "references"))
+        tables, references = (in_form(data.get(key, {}), dict, key) for key in ("materials", "references"))
         materials = [_read(name, table, title, path, references) for name, table in tables.items()]
         names = {material.name.casefold(): material.name for material in reversed(materials)}
         for material in materials:
@@ -203,7 +203,7 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
     """Return a material with what its table says, or with what is wrong with it. `title`: of the set, by default."""
     material, values, origins = Material(name, title, path), {}, {}
     try:
-        checked(table, dict, f"materials.{name}")
+        in_form(table, dict, f"materials.{name}")
         about = {key: texts(table.get(key, form()), form, f"{name}.{key}") for key, form in _ABOUT.items()}
         material = material._replace(aliases=about["aliases"], title=about["source"] or title, state=about["state"])
         _refuse_unknown_keys(f"{name}.", table, (*PROPERTIES, XI, *_ABOUT))

@@ -22,7 +22,7 @@ from ..quantities.values import NO_UNIT, QuantityError, unit_of, value_of
 from ..text import ascii_text, composed, first_of, listed, quoted, shown
 from . import words
 from .cells import Column, has_no_value, is_number
-from .words import MATERIALS, Meaning, fits, key, squeezed, symbol_of, unit_for, with_unit
+from .words import MATERIALS, Meaning, fits, headed, key, spelt_out, squeezed, unit_for
 
 
 class Reading(NamedTuple):
@@ -114,11 +114,11 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     meaning = known.get(key(word))
     stem, _, symbol = word.rpartition(" ")
     if meaning is None and is_explicit and (named := known.get(key(stem))):  # as in Young's modulus E
-        of_symbol = words.symbols().get(symbol_of(symbol), Meaning())
+        of_symbol = words.symbols().get(spelt_out(symbol), Meaning())
         meaning = named if {*named.names} <= {*of_symbol.names} else None
     is_symbol = meaning is None
     if is_symbol and (is_explicit or (not is_mangled and len(squeezed(unit)) > 1 and word[:1].isalpha())):
-        meaning = words.symbols().get(symbol_of(word))
+        meaning = words.symbols().get(spelt_out(word))
     if meaning is None or not meaning.names or (unit in words.INDICES and not is_explicit):
         return None
     units = ((each, unit_for(unit, each, is_explicit=is_explicit) if unit else "") for each in meaning.names)
@@ -130,7 +130,7 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
         return None
     alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
     is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
-    meant = [with_unit(each, unit_text or "UNIT") for each in alike] if is_open else ()
+    meant = [headed(each, unit_text or "UNIT") for each in alike] if is_open else ()
     is_symbol = is_symbol and not unit and not meaning.problem and name not in words.RATIOS
     return Reading(name, unit_text, "", is_symbol, meaning.problem, meant)
 
@@ -175,14 +175,14 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
-            meant = [*map(with_unit, names)] if split.unit[0].isalpha() else []
+            meant = [*map(headed, names)] if split.unit[0].isalpha() else []
             return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
             is_beside = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
             is_open = not meaning.problem and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
-            meant = [with_unit(each, (is_beside and unit_text) or "UNIT") for each in names if is_open]
+            meant = [headed(each, (is_beside and unit_text) or "UNIT") for each in names if is_open]
             return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
     return None
 
@@ -417,7 +417,7 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
     problems = [f"{quoted(head.text)}{cell}: {head.problem}" for head, cell in zip(heads, cells, strict=True)]
     if len(heads) == 1:
         head = heads[0]
-        in_place = f"a column {with_unit(head.name)} in its place" if head.name else ""
+        in_place = f"a column {headed(head.name)} in its place" if head.name else ""
         ways = (remedies if head.meant else in_place, f"{_option(head.text, '')} to pass it through")
         remedies = ", or ".join(filter(None, ways))
     return BadTable(f"header: {'; '.join(problems)}. Write {remedies}")
@@ -437,7 +437,7 @@ def check_inputs(header: Header, measured: str = "") -> None:
     if header.texts and all(map(is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
     if measured:
-        raise BadTable(f"header: no column has the measured {measured}; write {_option('HEADER', with_unit(measured))}")
+        raise BadTable(f"header: no column has the measured {measured}; write {_option('HEADER', headed(measured))}")
     raise BadTable(
         "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. "
         f"Write {_option('HEADER', 'INPUT [UNIT]')}"

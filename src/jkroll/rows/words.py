@@ -84,7 +84,7 @@ def key(word: str) -> str:
     return re.sub(r"[\W_]+", "", plain).casefold() if _WORD.fullmatch(plain) else ""
 
 
-def symbol_of(word: str) -> str:
+def spelt_out(word: str) -> str:
     """Return a symbol with Greek letters spelt out; one that is spelt with a capital, such as Rho, is the same."""
     spelt = ascii_text(word).replace(" ", "").replace("_", "")
     return spelt.lower() if spelt.rstrip("12").title() in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
@@ -111,7 +111,7 @@ def symbols() -> dict[str, Meaning]:
     names: dict[str, list[str]] = {}
     for name in INPUTS:
         if name in RATIOS or NOMENCLATURE[name].unit != "1":
-            names.setdefault(symbol_of(NOMENCLATURE[name].symbol).removesuffix("1"), []).append(name)
+            names.setdefault(spelt_out(NOMENCLATURE[name].symbol).removesuffix("1"), []).append(name)
     for symbol, name in SYMBOLS_TOO.items():
         names.setdefault(symbol, []).append(name)
     return _of_spheres({symbol: Meaning(inputs) for symbol, inputs in names.items()} | _DOUBTFUL_SYMBOLS)
@@ -211,6 +211,6 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
     return next((unit for unit in units if fits(unit, name)), "")
 
 
-def with_unit(name: str, unit_text: str = "UNIT") -> str:
+def headed(name: str, unit_text: str = "UNIT") -> str:
     """Return the header of an input, with its unit, or the place of it, if it needs one."""
     return f"{name} [{unit_text}]" if NOMENCLATURE[name].unit not in ("", "1") else name
