@@ -121,6 +121,11 @@ def test_spheres_can_be_bound_without_touching() -> None:
     assert found["load"] < 0 < found["zone_radius"]
     with pytest.raises(Failure, match="the spheres have parted"):
         solve("load", model="maugis", **QUARTZ, approach_at_load=-1e-9)
+    shown = Answer(
+        QUESTIONS["contact"],
+        Scene({"radius": 1e-7, "approach_at_load": -3e-10}, known_materials()["quartz"], model="maugis"),
+    )
+    assert any("bound without touching" in note.text for note in shown.notes)
 
 
 @pytest.mark.parametrize("name", ["half_circles_moment", "boussinesq_pressure", "displacement_limit"])

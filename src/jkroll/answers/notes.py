@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
 from ..scene.doubts import (
@@ -155,6 +156,8 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         first, last = ("peels off", "slides") if scene["peeling_over_sliding"] < 1 else ("slides", "peels off")
         pushed = f"pushed, {rolls}it {first} at {span('sliding_or_peeling_force', force, force)}, before it {last}"
         yield Note("caveat", f"{pushed}: the contact shrinks under the push")
+    if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
+        yield Note("remark", "a = 0: the spheres are bound without touching")
     if rolling(names):
         values = scene.numbers(XI, "hysteresis_ratio", "displacement_ratio")
         if assumes_displacement(scene) and not is_like_rolled(scene):

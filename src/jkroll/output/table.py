@@ -31,6 +31,7 @@ _LEAST = 0.25  # number that stands in the unit of the rows above it
 _SILENT = {"", "–", *(f"as {law}" for law in map(head_of, LAWS))}  # cells that say no more than others
 _GAP = 2  # blanks between columns
 _LEAST_TEXT = 24  # of a text in several lines
+_CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
 _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
@@ -125,7 +126,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         texts = [quantity.sentence, symbol_among(name, answer.inputs), unit[0]]
         rows.append([*texts, *(_cell(value, unit, form) for value in values)])
     words, symbols, in_units, *columns = _of_rows(rows, words=3)
-    write_table([words, symbols], columns, out, trailing=[in_units])
+    write_table([words, symbols], columns, out, trailing=[in_units], repeated=columns[:1])
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -152,7 +153,8 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for name in columns.wanted.names:
         if name not in inputs:
             results += columns_of(name, _values(columns, name), form)
-    doubts = [first_of(codes(bits & columns.told).split(), 1) for bits in columns.doubts]
+    told = [codes(bits & columns.told) for bits in columns.doubts]
+    doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
     if any(doubts) and "state" not in inputs:  # all states of a pair have the same, which notes tell
         results.append(Column(DOUBT, doubts, is_right=False))
     across = _of_rows([(column.head, *column.cells) for column in (*leading, *results)], words=1)
@@ -190,11 +192,17 @@ def _measures(columns: "Columns", key: str) -> list[Any]:
 
 
 def write_table(
-    leading: Sequence[Column], columns: Sequence[Column], out: TextIO, *, trailing: Sequence[Column] = ()
+    leading: Sequence[Column],
+    columns: Sequence[Column],
+    out: TextIO,
+    *,
+    trailing: Sequence[Column] = (),
+    repeated: Sequence[Column] = (),
 ) -> None:
     """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
 
-    Those below the first leave out rows in which they say nothing.
+    Those below the first leave out rows in which they say nothing. `repeated`: columns to stand in them again, if they
+    have room.
     """
     while columns:
         room = terminal_width() + _GAP - _size([*leading, *trailing])
@@ -202,12 +210,14 @@ def write_table(
         say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
         columns = columns[count:]
         is_said = [not _SILENT.issuperset(cells) for cells in zip(*(column.cells for column in columns), strict=True)]
-        leading, columns, trailing = (
+        leading, columns, trailing, repeated = (
             [column._replace(cells=[*compress(column.cells, is_said)]) for column in each]
-            for each in (leading, columns, trailing)
+            for each in (leading, columns, trailing, repeated)
         )
         if columns:
             say("", out)
+            is_wide = _size([*leading, *repeated, columns[0], *trailing]) > terminal_width() + _GAP
+            columns = columns if is_wide else [*repeated, *columns]
 
 
 def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
