@@ -396,6 +396,7 @@ def test_ranges_over_many_orders(run: Run) -> None:
     assert middle["inputs"]["radius2"] == 1e5
     loads = [one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5 --json").out)]
     assert loads == [-3e-9, -2e-9, -1e-9, 0.0, 1e-9]
+    assert run("pull-off quartz 100nm --z0 1e-30m --json").code == 0  # which is compared at half of it, too
 
 
 def test_a_unit_that_a_double_cannot_express_is_refused(run: Run) -> None:

@@ -14,7 +14,7 @@ from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Interval, ends_of, middle
 from .failures import MissingInput, NotInLaw
-from .scene import DEFAULTS, IN_ITS_PLACE, Scene, takes
+from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, Scene, takes
 from .wiring import depends_on, plan_for, taken_by
 
 if TYPE_CHECKING:
@@ -71,8 +71,8 @@ class Evaluation:
 
 
 def at_half_spacing(scene: Scene) -> Scene:
-    """Return a scene whose atomic spacing is half as large."""
-    return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
+    """Return a scene whose atomic spacing is half as large, or the least that a scene takes."""
+    return scene.replace(atomic_spacing=at_least(scene["atomic_spacing"] / 2, LEAST))
 
 
 def by_law_at_spacing(scene: Scene, names: Iterable[str]) -> Scene:
