@@ -333,6 +333,22 @@ def test_a_material_is_pickled_copied_and_hashed(name: str) -> None:
     assert pickle.loads(pickle.dumps(known)).materials == copy.deepcopy(known).materials == known.materials
 
 
+def test_a_material_made_by_hand_has_properties_as_solve_takes_them() -> None:
+    mine = Materials()["quartz"]._replace(properties={"surface_energy": 0.05}, uncertainties={})
+    assert jkroll.solve("work_of_adhesion", material=mine) == 0.1
+    for properties, words in (
+        ({"surface_energy": "x"}, "surface_energy: 'x' does not begin with a number"),
+        ({"surface_energy": "25±5 mJ/m2"}, "surface_energy: .* is not a single number"),
+        ({"surface_energy": None}, "surface_energy: 'None' is not a number"),
+        ({"hardness": 1.0}, "'hardness' is not a quantity"),
+        ({"load": 1e-9}, "load: '1e-09' is not a property of a material"),
+        (3, "material2: .* is not the name of one material"),
+    ):
+        other: Any = mine._replace(properties=properties)  # type: ignore[arg-type]
+        with pytest.raises(JkrollError, match=words):
+            jkroll.solve("work_of_adhesion", material=mine, material2=other)
+
+
 # --- The second set: materials by state -------------------------------------------------------------------------------
 
 # A material without γ says what has one near it, or what was measured instead.

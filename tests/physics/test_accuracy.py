@@ -31,15 +31,7 @@ from reference import (
     formula_error,
     ulp_error,
 )
-from scenes import (
-    Scene,
-    hard_approaches,
-    hard_loads,
-    hard_scenes,
-    log_uniform,
-    random_scenes,
-    strip_contacts,
-)
+from scenes import Scene, hard_approaches, hard_loads, hard_scenes, log_uniform, random_scenes, strip_contacts
 
 pytestmark = pytest.mark.filterwarnings("error")  # of numpy, too
 

@@ -310,7 +310,7 @@ class Delimited:
         whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
         self.sample = [[*map(_text, row)] for row in whole]
         read = compress(zip(*self.sample, strict=True), map(is_read, self.names))
-        self.has_decimal_commas = has_decimal_commas(read, is_of_semicolons=self.separator == ";")
+        self.has_decimal_commas = has_decimal_commas(read, self.separator)
         if self.has_decimal_commas:
             if self.separator == ",":
                 raise BadTable("decimal commas between commas: write decimal points, or semicolons between columns")
@@ -442,13 +442,13 @@ _UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of
 _POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
 
 
-def has_decimal_commas(columns: Iterable[Iterable[str]], *, is_of_semicolons: bool) -> bool:
+def has_decimal_commas(columns: Iterable[Iterable[str]], separator: str) -> bool:
     """Return whether the numbers of columns have decimal commas. Raises BadTable for those that may be of thousands.
 
     A mark that stands in a number more than once is of thousands or of a list, and decides nothing. Where nothing
     decides, points are decimal, but may be of thousands between semicolons.
 
-    >>> has_decimal_commas([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], is_of_semicolons=False)
+    >>> has_decimal_commas([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
     True
     """
     marks, unclear = Counter[str](), list[str]()
@@ -461,7 +461,7 @@ def has_decimal_commas(columns: Iterable[Iterable[str]], *, is_of_semicolons: bo
     if marks[","] != marks["."]:
         return marks[","] > marks["."]
     for number in unclear:
-        if "," in number or is_of_semicolons:
+        if separator == ";" or ("," in number and separator != ","):
             digits = number.replace(",", "").replace(".", "")
             raise BadTable(
                 f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"

@@ -92,7 +92,12 @@ class Call:
     def models(self) -> Sequence[str | None]:
         """The names of laws; None where none was given."""
         text = self.inputs.get("model")
-        return [None] if text is None else [law_named(word).name for word in text.split(",")]
+        if text is None:
+            return [None]
+        names = [law_named(word).name for word in text.split(",")]
+        if len(set(names)) < len(names):
+            raise BadRequest(f"--model: {quoted(text)} names a law more than once")
+        return names
 
     @cached_property
     def values(self) -> dict[str, str]:

@@ -28,6 +28,7 @@ def head_of(law: str) -> str:
 
 _DIGITS = 4  # of a result on a terminal
 _LEAST = 0.25  # number that stands in the unit of the rows above it
+_WITH_SPACING = f"with {NOMENCLATURE['atomic_spacing'].option}"  # in place of a number that needs it
 _SILENT = {"", "–", *(f"as {law}" for law in map(head_of, LAWS))}  # cells that say no more than others
 _GAP = 2  # blanks between columns
 _LEAST_TEXT = 24  # of a text in several lines
@@ -117,7 +118,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         same = None if result.value is None else f"as {law}"
         values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
         if same and answer.scene.by_law.may_rest_on_spacing(name):
-            values = ["with --z0" if value is None else value for value in values]
+            values = [_WITH_SPACING if value is None else value for value in values]
         first = next((value for value in values if isinstance(value, float | Uncertain)), 0.0)
         unit = units.get(quantity.unit)
         if not unit or not _LEAST <= abs(convert(middle(first), unit[1])) < 1:
@@ -155,7 +156,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
             results += columns_of(name, _values(columns, name), form)
     told = [codes(bits & columns.told) for bits in columns.doubts]
     doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
-    if any(doubts) and "state" not in inputs:  # all states of a pair have the same, which notes tell
+    if len({*doubts}) > 1 if "state" in inputs else any(doubts):  # notes have those of all states of a pair
         results.append(Column(DOUBT, doubts, is_right=False))
     across = _of_rows([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if _size(across) <= terminal_width() + _GAP < _size([*leading, *results]):

@@ -17,7 +17,16 @@ from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
 from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, of_sphere
+from ..quantities.nomenclature import (
+    INFINITY,
+    NOMENCLATURE,
+    PROPERTIES,
+    STATE,
+    UP_TO_INFINITE,
+    XI,
+    UnknownQuantity,
+    of_sphere,
+)
 from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain, middle
 from ..text import listed
 from .failures import INFINITE, RESTS_ON_SPACING, TWO_RIGID_BODIES, Failure, MissingInput, NotInLaw, failure_of
@@ -30,6 +39,8 @@ LEAST, MOST = 1e-30, 1e30  # of the size of an input in SI units; one that may b
 
 def check_range(name: str, value: Any) -> None:
     """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
+    if name not in NOMENCLATURE:
+        raise UnknownQuantity(name)
     place: tuple[int, ...] = ()
     if not isinstance(value, NUMBER):
         if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):

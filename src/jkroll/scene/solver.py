@@ -98,12 +98,20 @@ def materials_of(
 
 
 def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
-    """Return a material, or that of a name."""
+    """Return the material of a name, or one that may have been made by hand, with its properties in SI units."""
     if isinstance(material, str):
         return (materials or known_materials())[material]
-    if not isinstance(material, Material | None):
+    if material is None:
+        return None
+    if not (isinstance(material, Material) and isinstance(material.properties, Mapping)):
         raise QuantityError(argument, str(material), "is not the name of one material", 'write "quartz"')
-    return material
+    properties, _ = in_si(material.properties)
+    for name, value in properties.items():
+        if not NOMENCLATURE[name].twin:
+            raise QuantityError(name, str(value), "is not a property of a material", "give it by its name")
+        if not isinstance(value, float):
+            raise QuantityError(name, str(value), "is not a single number")
+    return material._replace(properties=properties)
 
 
 def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
