@@ -56,6 +56,7 @@ def test_what_is_read(text: str, name: str, value: float) -> None:
     assert parse_quantity(text, name) == value
 
 
+TWO_NUMBERS = "has two numbers; 20 to 30 mJ/m2 is any value between; 20nm:100nm:9 a list, on a command line"
 REFUSED = {
     "5mµm": "radius: '5mµm' has a µ that is not the first letter of a unit; expected a length such as 100nm",
     "5 N": "radius: '5 N' is a force; expected a length such as 100nm",
@@ -77,8 +78,9 @@ REFUSED = {
     "1e-400 nm": "radius: '1e-400 nm' is too small for a double; expected a length such as 100nm",
     "5.00(1) nm": "radius: '5.00(1) nm' has an uncertainty: give the value alone; expected a length such as 100nm",
     "5 nm = 6 nm": "radius: '5 nm = 6 nm' is not a number and a unit; expected a length such as 100nm",
-    "5-6 nm": "radius: '5-6 nm' has two numbers; a range of which any value is possible is 20 to 30 mJ/m2",
-    "5..6 nm": "radius: '5..6 nm' has two numbers; a range of which any value is possible is 20 to 30 mJ/m2",
+    "5-6 nm": f"radius: '5-6 nm' {TWO_NUMBERS}",
+    "5nm-6nm": f"radius: '5nm-6nm' {TWO_NUMBERS}",
+    "5..6 nm": f"radius: '5..6 nm' {TWO_NUMBERS}",
     "5 nm!": "radius: '5 nm!' is not a number and a unit; expected a length such as 100nm",
     "$5 nm": "radius: '$5 nm' does not begin with a number; expected a length such as 100nm",
     "1e1.5 nm": "radius: '1e1.5 nm' is not a number and a unit; expected a length such as 100nm",

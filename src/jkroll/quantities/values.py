@@ -192,6 +192,7 @@ def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 _Decimal = tuple[int, int]  # an integer and a power of ten
 _UnitIn = Callable[[str], Unit]  # the unit that a text means; for an empty text that of texts without one
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
+_SECOND = re.compile(r" ?([-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\2$")  # 5-6 nm, 5nm-6nm
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
 
 
@@ -325,9 +326,9 @@ def split_number(text: str) -> tuple[_Decimal, str]:
         raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
     if has_uncertainty(rest):
         raise BadUnit("has an uncertainty: give the value alone")
-    second = rest.lstrip(" -–—…")
-    if second[:1].isdigit() and second != rest.lstrip(" "):
-        raise BadUnit("has two numbers", "a range of which any value is possible is 20 to 30 mJ/m2")
+    if _SECOND.match(rest):
+        remedy = "20 to 30 mJ/m2 is any value between; 20nm:100nm:9 a list, on a command line"
+        raise BadUnit("has two numbers", remedy)
     if exponent and re.match("[eE][+-]?[0-9]", rest):
         raise BadUnit("has two powers of ten", "write one, as in (25±5)e-3 J/m2")
     if exponent and len(exponent.lstrip("+-")) > 3:
@@ -512,7 +513,7 @@ def between(first: str, last: str, count: str = "", scale: str = "", *more: str,
     Without a scale, "lin" or "log", the steps are of equal ratios, or equal if an end is not positive.
     """
     if more or not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
-        raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, with :lin for equal steps")
+        raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, as 1nm:1um:7, and :lin for equal steps")
     if len(count) > 10 or not 2 <= (size := int(count)) <= MAX_VALUES:
         raise QuantityError(name, text, f"needs a count from 2 to {MAX_VALUES}")
     low, high = parse_quantity(first, name), parse_quantity(last, name)
