@@ -67,7 +67,7 @@ REFUSED = {
     ),
     "pull-off quartz 100nm --model jkr,dmt,jkr": "--model: 'jkr,dmt,jkr' names a law more than once",
     "r-min 1e-170m": "radius: 1e-170 must lie between 1e-30 and 1e30 in SI units",
-    "pull-off quartz 1nm:1um": "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, as 1nm:1um:7, and :lin for equal steps",
+    "pull-off quartz 1:9": "radius: '1:9' is not a range; write FROM:TO:COUNT, as 1nm:1um:7, and :lin for equal steps",
     "yield-force quartz 100nm --load -1nN:1nN:3:log": (
         "--load: '-1nN:1nN:3:log' has an end that is not positive; leave :log out: the steps are equal then"
     ),
