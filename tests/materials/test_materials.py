@@ -104,9 +104,6 @@ def test_the_file_of_a_call_overrides_and_says_so(run: Run, tmp_path: Path, monk
             assert ran.err.startswith(said)
     force = jkroll.solve("pull_off_force", surface_energy=0.37, radius=1e-6)
     assert float(run(f"pull-off quartz 1um --bare --materials {mine}").out) == force
-    notes = json.loads(run(f"pull-off gold 1um --json --quiet --materials {mine}").out)["notes"]
-    assert [note for note in notes if "overrides" in note] == [f"Quartz: {one}" for one in text]
-    assert "overrides" not in run(f"pull-off iron 1um --json --materials {mine}").out
     monkeypatch.setenv("JKROLL_MATERIALS", str(mine))  # the same file, as the environment names it
     assert run(f"pull-off quartz 1um --bare --quiet --materials {mine}").err == said
 
@@ -302,8 +299,6 @@ def test_a_file_of_one_s_own_is_read_by_its_path_or_as_one_of_several(made: Call
 def test_what_is_not_a_path_is_refused(paths: Any) -> None:
     with pytest.raises(TypeError):
         Materials(paths)
-    with pytest.raises(TypeError):
-        jkroll.known_materials(paths)
 
 
 def test_a_file_may_be_a_pipe(run: Run) -> None:

@@ -14,7 +14,7 @@ from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.doubts import LIMITS, at_half_spacing
-from jkroll.scene.failures import BEYOND_PULL_OFF, NO_CHAIN, TOO_SMALL, Failure, MissingInput
+from jkroll.scene.failures import BEYOND_PULL_OFF, NO_CHAIN, NO_DOUBLE, Failure, MissingInput
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import KEPT, depends_on, formula_of, plan_for
 from relative import approx
@@ -50,7 +50,7 @@ def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
     values = Scene(tiny, model="maugis").evaluate(("pull_off_force", "sticking_energy", "sticking_speed"))
     assert isinstance(values["pull_off_force"], float)
     for name in ("sticking_energy", "sticking_speed"):
-        assert values[name].kind == TOO_SMALL
+        assert values[name].kind == NO_DOUBLE
         assert "sticking_energy_maugis: no value that a double can hold" in str(values[name])
 
 

@@ -76,8 +76,8 @@ _ALIKE = 0.2  # relative difference of radii that needs no scaling
 class Result:
     """A quantity in SI units, or the reason why it has no value; a text of it is rounded, as on a terminal.
 
-    `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies
-    the relative error of a measured one, `growth` the largest factor by which those of two measured values enter it.
+    `error` is the relative error of a model of the moment, `growth` the largest factor by which relative errors of
+    measured values enter an inferred one.
     """
 
     def __init__(
@@ -86,15 +86,14 @@ class Result:
         value: float | None,
         reason: str = "",
         error: float | None = None,
-        condition: float | None = None,
         growth: float | None = None,
         by_law: Mapping[str, float] = MappingProxyType({}),  # of an inferred value: what it is under the other laws
         propagated: Propagated | None = None,  # its uncertainty, if an input has one
         law: str = "",  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
         of_law: str = "",  # the equation of the paper by which it does, or its source
     ) -> None:
-        self.name, self.value, self.reason, self.error, self.condition = name, value, reason, error, condition
-        self.growth, self.by_law, self.propagated, self.law = growth, by_law, propagated, law
+        self.name, self.value, self.reason, self.error, self.growth = name, value, reason, error, growth
+        self.by_law, self.propagated, self.law = by_law, propagated, law
         self.equation = of_law if law else NOMENCLATURE[name].equation
 
     def __repr__(self) -> str:
@@ -183,21 +182,19 @@ class Answer(Evaluation):
         return all(result.value is None for result in self.results if result.name in self.question.headline)
 
     @cached_property
-    def inputs(self) -> Mapping[str, float | str]:
-        """The inputs on which the results depend, as they were understood."""
-        given = self.inputs_of([*self.outcomes])
-        return {name: in_words(name, middle(value)) for name, value in given.items()}
+    def measures(self) -> "Mapping[str, float | str | Uncertain]":
+        """The inputs on which the results depend, as they were understood, with their error bars."""
+        return {name: in_words(name, value) for name, value in self.inputs_of([*self.outcomes]).items()}
 
     @cached_property
-    def uncertain(self) -> "Mapping[str, Uncertain]":
-        """The inputs that are uncertain."""
-        given = self.sources.given if self.sources is not None else {}
-        return {name: value for name, value in given.items() if name in self.inputs}
+    def inputs(self) -> Mapping[str, float | str]:
+        """The same without error bars."""
+        return {name: middle(value) for name, value in self.measures.items()}
 
     @property
-    def measures(self) -> "Mapping[str, float | str | Uncertain]":
-        """The inputs with their error bars."""
-        return {**self.inputs, **self.uncertain}
+    def uncertain(self) -> "Mapping[str, Uncertain]":
+        """The inputs that are uncertain."""
+        return {name: value for name, value in self.measures.items() if is_uncertain(value)}
 
     @cached_property
     def results(self) -> tuple[Result, ...]:

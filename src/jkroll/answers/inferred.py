@@ -38,7 +38,7 @@ class Inferred(Answer):
         scene = problem.filled if self.failure else problem.solved
         super().__init__(Question(problem.unknowns, measured, named=measured), scene)
         self.problem, self.bars, self.sources = problem, unknowns.bars, unknowns.sources
-        self.inputs = {name: in_words(name, middle(value)) for name, value in unknowns.inputs_of(()).items()}
+        self.measures = {name: in_words(name, value) for name, value in unknowns.inputs_of(()).items()}
         self.condition = problem.solution.condition if measured[1:] else None
         self.assumed = {name: text for name, text in self.assumed.items() if name not in problem.measured}
 
@@ -47,12 +47,11 @@ class Inferred(Answer):
         """The values of the unknowns, with their uncertainties."""
         if self.failure is not None:
             return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
-        solution, which = self.problem.solution, "growth" if self.condition else "condition"
-        results = []
+        solution, results = self.problem.solution, []
         for name, value in solution.values.items():
             by_law = {law: middle(values[name]) for law, values in self.alternatives.items()}
-            growth = {which: solution.growths[name]} if isfinite(solution.growths[name]) else {}
-            results.append(Result(name, value, by_law=by_law, propagated=self.propagated(name), **growth))
+            growth = solution.growths[name] if isfinite(solution.growths[name]) else None
+            results.append(Result(name, value, growth=growth, by_law=by_law, propagated=self.propagated(name)))
         return tuple(results)
 
     @cached_property
@@ -106,9 +105,7 @@ class Inferred(Answer):
         proof = f"{equal(values, symbol_of)} {'give' if self.condition else 'gives'} {equal(forward, symbol_of)}"
         if "surface_energy" in values and "radius2" in scene.stated and "surface_energy2" not in scene.given:
             proof += f" if γ2 = γ1, so w = {amount('work_of_adhesion', scene['work_of_adhesion'])}"
-        slope = "/".join(f"d ln {NOMENCLATURE[name].symbol}" for name in (*values, *forward))
-        kappa = "κ" if self.condition else f"κ = |{slope}|"
-        yield Note("more", f"{proof}; {kappa} = {self.problem.solution.condition:.3g}")
+        yield Note("more", proof + (f"; κ = {self.condition:.3g}" if self.condition else ""))
 
     @cached_property
     def explained(self) -> Answer:

@@ -114,7 +114,6 @@ def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> 
         bounds = "w = 2√(γ1γ2) is an upper estimate for solids so unlike, 4/(1/γ1 + 1/γ2) a lower one"
         yield Note("caveat", f"{bounds}: --work-of-adhesion")
     for material, name in scene.data_used(inputs):
-        yield from (Note("more", f"{material.name}: {text}") for text in material.remarks)
         if name in material.notes:  # of a property with an origin they say what is against it
             kind: Kind = "caveat" if name in material.origins else "more"
             yield Note(kind, f"{symbol_among(name, ())} of {material.name}: {material.notes[name]}")
@@ -274,7 +273,7 @@ class OfRows:
             evaluation = Evaluation(scene, dict.fromkeys(scene.possible(names)))
             with suppress(JkrollError):  # each row says which sources do not go together
                 every += about_left_out(evaluation.sources)
-            every += about_given(scene, [*evaluation.values], entering(scene, names)[0])
+            every += about_given(scene, [*evaluation.values], scene.inputs_of(*evaluation.values))
             if rolling(evaluation.values) and assumes_displacement(scene):
                 every.append(Note("caveat", about_displacement(scene, rolled_solid(scene))))
             every += about_limits(evaluation.validity)

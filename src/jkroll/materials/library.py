@@ -82,7 +82,6 @@ class Material(NamedTuple):
     properties: Mapping[str, float] = read_only({})
     aliases: tuple[str, ...] = ()
     notes: Mapping[str, str] = read_only({})  # by property
-    remarks: tuple[str, ...] = ()  # on the names that it takes from materials of other files
     references: tuple[Mapping[str, str], ...] = ()
     state: str = ""  # "below 175 K"
     uncertainties: Mapping[str, Uncertain] = read_only({})  # of properties that have one
@@ -297,13 +296,12 @@ class Materials:
             earlier = [(word, other) for key, word in words.items() for other in self._meanings.get(key, ())]
             taken = [(word, other.title) for word, other in earlier if takes or other.path != SHIPPED]
             remarks = [f"{shown(material.path)} overrides {shown(word)} of {title}" for word, title in taken]
-            told = material._replace(remarks=tuple(dict.fromkeys(remarks)))
-            self.overrides += told.remarks
+            self.overrides += dict.fromkeys(remarks)
             for key in words:
                 shared = [other for other in self._meanings.get(key, ()) if other.path == SHIPPED and not takes]
-                meanings.setdefault(key, shared).append(told)
+                meanings.setdefault(key, shared).append(material)
             if len(meanings[key := material.name.casefold()]) == 1:
-                named[key] = told
+                named[key] = material
         for others in self._meanings.values():  # what takes a name takes the other names of the one that had it
             others[:] = [named.get(other.name.casefold(), other) for other in others]
         self._materials |= named
@@ -371,12 +369,10 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
     return UnclearMaterial(f"material {quoted(word)} is one of several; write {choice}", "unclear material")
 
 
-def known_materials(*paths: Path) -> Materials:
-    """Return the shipped materials, which are read once, and those of `paths`, which are read anew."""
-    return Materials(paths) if paths else _shipped()
-
-
-_shipped = cache(Materials)
+@cache
+def known_materials() -> Materials:
+    """Return the shipped materials, which are read once."""
+    return Materials()
 
 
 # --- The user's files -------------------------------------------------------------------------------------------------

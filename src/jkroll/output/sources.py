@@ -106,10 +106,10 @@ def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, 
         yield "shares", ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in shares)
     if result.error:
         yield "error", f"{100 * result.error:.2g} % off the exact moment of this contact"
-    if result.condition is not None:
-        error = f"a relative error of it enters times κ = {result.condition:.3g}"
+    if result.growth is not None and answer.condition is None:
+        error = f"a relative error of it enters times κ = {result.growth:.3g}"
         yield "inferred", f"so that the formula below gives the measured value; {error}"
-    if result.growth is not None:
+    elif result.growth is not None:
         errors = f"relative errors of these enter times {result.growth:.3g} at most"
         yield "inferred", f"with the other input, so that both have their measured values; {errors}"
     yield "by law", ", ".join(f"{shown(value)} ({law})" for law, value in result.by_law.items())

@@ -127,7 +127,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         texts = [quantity.sentence, symbol_among(name, answer.inputs), unit[0]]
         rows.append([*texts, *(_cell(value, unit, form) for value in values)])
     words, symbols, in_units, *columns = _of_rows(rows, words=3)
-    write_table([words, symbols], columns, out, trailing=[in_units], repeated=columns[:1])
+    write_table([words, symbols], columns, out, [in_units])
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -166,8 +166,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
 
 def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
     """Return the values of a result, and those by data and by the other law, if that moves a result of the pairs."""
-    of_law = LAW.bits
-    law_matters = any(bits & of_law for bits in columns.doubts)
+    law_matters = any(bits & LAW.bits for bits in columns.counted_doubts)
     symbol = symbol_among(name, columns.inputs)
     values = {symbol: _measures(columns, name)}
     for kind, key in columns.wanted.alternatives_of(name).items():
@@ -193,18 +192,14 @@ def _measures(columns: "Columns", key: str) -> list[Any]:
 
 
 def write_table(
-    leading: Sequence[Column],
-    columns: Sequence[Column],
-    out: TextIO,
-    *,
-    trailing: Sequence[Column] = (),
-    repeated: Sequence[Column] = (),
+    leading: Sequence[Column], columns: Sequence[Column], out: TextIO, trailing: Sequence[Column] = ()
 ) -> None:
     """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
 
-    Those below the first leave out rows in which they say nothing. `repeated`: columns to stand in them again, if they
-    have room.
+    Those below the first leave out rows in which they say nothing. Where trailing ones make a row of values that are
+    compared, the first stands in them again, if it has room.
     """
+    repeated = columns[:1] if trailing else []
     while columns:
         room = terminal_width() + _GAP - _size([*leading, *trailing])
         count = max(sum(end <= room for end in accumulate(_size([column]) for column in columns)), 1)

@@ -12,7 +12,7 @@ from ..scene.doubts import Evaluation, bits_of, doubts
 from ..scene.failures import MissingInput
 from ..scene.inverse import Problem, already_given, inputs_named
 from ..scene.scene import Scene, check_range
-from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainties
+from ..scene.solver import in_si, materials_of, with_uncertainties
 from ..scene.wiring import in_order
 from .columns import Columns, Wanted, sides_in
 from .sweep import Sweep
@@ -153,8 +153,7 @@ def infer(
         check_range(name, middle(value))
     scene = Scene(described, *materials_of(material, material2, materials), model=model)
     problem, inputs = Problem(names, known, scene), {**described, **known}
-    if has_bars := any(map(is_uncertain, inputs.values())):
-        refuse_arrays(inputs)
-    solution = problem.solution
-    values = with_uncertainties(problem, solution.values) if has_bars else solution.values  # as in `solve`
-    return InferredValues(values, solution.condition) if is_list else values[names[0]]
+    values = problem.solution.values
+    if any(map(is_uncertain, inputs.values())):  # as in `solve`
+        values = with_uncertainties(problem, inputs, values)
+    return InferredValues(values, problem.solution.condition) if is_list else values[names[0]]

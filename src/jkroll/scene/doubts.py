@@ -222,8 +222,7 @@ def at_most_measured(scene: Scene) -> Scene:
 
 def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
     """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
-    measured = measured_displacement(scene)
-    factor = farthest((end, scene[XI]) for end in (measured.low, measured.high))
+    factor = farthest((end, scene[XI]) for end in ends_of(measured_displacement(scene)))
     return where(is_like_rolled(scene), factor, 1.0)
 
 
@@ -360,8 +359,7 @@ class Doubt:
     @property
     def code(self) -> str:
         """The code of the last threshold that is passed; empty where the limit holds."""
-        passed = [code for threshold, code in self.limit.codes.items() if self.limit.is_beyond(self.judged, threshold)]
-        return passed[-1] if passed else ""
+        return codes(self.bits)
 
     @property
     def factor(self) -> float | None:
@@ -383,7 +381,7 @@ class Doubt:
             return NOT_JUDGED
         bits: Any = 0
         for threshold, code in self.limit.codes.items():
-            bits = where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
+            bits = where(self.limit.is_beyond(self.judged, threshold), BITS.get(code, 0), bits)
         return bits
 
 
@@ -397,11 +395,6 @@ IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 _PULLED = frozenset({"pull_off_force", "bond_number"})
 
 LAW_MATTERS = 1.05  # factor between the answers of two laws
-
-
-def _is_stated(names: Collection[str]) -> Callable[[Scene, Collection[str]], bool]:
-    """Return whether one of some inputs was stated, as a function of a scene."""
-    return lambda scene, _: not scene.stated.keys().isdisjoint(names)
 
 
 def _energy_over_sticking(scene: Scene, _: Collection[str]) -> Any:
@@ -425,7 +418,7 @@ LIMITS = (
     Limit(
         "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
         "only fixed grips hold this state",
-        _is_stated(STATE_OR_LOAD),
+        lambda scene, _: not STATE_OR_LOAD.isdisjoint(scene.stated),
         ends_meaning=True,
     ),
     Limit(
@@ -476,7 +469,7 @@ LIMITS = (
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
         "at this energy elastic spheres bounce off a held body 2: turns have no meaning; v_stick, e: of a free pair",
-        lambda scene, names: _is_stated(IMPACT)(scene, names) and (
+        lambda scene, _: not IMPACT.isdisjoint(scene.stated) and (
             "viscous_time" not in scene.stated or bool(scene.possible(["sticking_speed"]))
         ),
         ends_meaning=True,

@@ -10,6 +10,7 @@ from typing import Any
 from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import approach_at_fold
+from ..physics.motion import FITTED_UP_TO
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_OR_LOAD
@@ -127,8 +128,7 @@ NO_POISSON_RATIO = Kind(
     "Poisson's ratio not positive",
     "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign",
 )
-TOO_LARGE = Kind("no finite value", "no finite value for these inputs")
-TOO_SMALL = Kind("no finite value", "no value that a double can hold")
+NO_DOUBLE = Kind("no finite value", "no value that a double can hold")
 INFINITE = Kind("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
 NO_STIFFNESS = Kind("", "infinite where fixed grips let go")
 
@@ -188,20 +188,11 @@ def _pull_off_dmt(given: Given) -> Any:
     return -pull_off_force_dmt(work_of_adhesion=given["work_of_adhesion"], reduced_radius=given["reduced_radius"])
 
 
-def _fold(given: Given) -> Any:
-    return approach_at_fold(approach=given["approach"])
-
-
-def _fitted(_: Given) -> float:
-    from ..physics.motion import FITTED_UP_TO  # most answers are of contacts at rest
-
-    return FITTED_UP_TO
-
-
 Rule = tuple[Kind, Callable[[Given], Any]]
 
 # Between pull-off and the fold, by the stiffness or by the distance from pull-off.
 _NOT_HELD: Rule = (NOT_HELD, lambda given: given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
+_PARTED: Rule = (BEYOND_FOLD, lambda given: approach_at_fold(approach=given["approach"]))
 
 # By formula, the kind of a reason, and the limit of the value that this kind names, or whether it is the reason.
 RULES: Mapping[str, Rule] = {
@@ -209,12 +200,12 @@ RULES: Mapping[str, Rule] = {
     "edge_ratio_at_load": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),
     "contact_radius_dmt": (BEYOND_PULL_OFF, _pull_off_dmt),
     "adhesive_force_dmt": (BEYOND_PULL_OFF, _pull_off_dmt),
-    "load_factor_at_approach": (BEYOND_FOLD, _fold),
-    "load_margin_at_approach": (BEYOND_FOLD, _fold),
+    "load_factor_at_approach": _PARTED,
+    "load_margin_at_approach": _PARTED,
     "edge_ratio_at_approach": (BEYOND_FOLD, lambda given: given["fold_approach_maugis"]),
     "contact_radius_dmt_at_approach": (BEYOND_FOLD, lambda _: 0.0),
     "yield_displacement_at_hysteresis": (TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
-    "sticking_speed_viscous": (STICKS_ALWAYS, _fitted),
+    "sticking_speed_viscous": (STICKS_ALWAYS, lambda _: FITTED_UP_TO),
     "r_min": (NO_CHAIN, lambda given: given["radius2"] == INFINITY),
     "vertical_frequency": _NOT_HELD,
     "peeling_force": _NOT_HELD,
@@ -226,11 +217,11 @@ RULES: Mapping[str, Rule] = {
 }
 
 
-def failure_of(name: str, given: Given, value: float) -> Failure:
-    """Return why a formula has no result for these numbers; `value`: what it gave."""
+def failure_of(name: str, given: Given) -> Failure:
+    """Return why a formula has no result for these numbers."""
     if name in RULES:
         kind, rule = RULES[name]
         numbers = (given[kind.name], rule(given)) if kind.name else ()
         if kind.is_beyond(*numbers) if numbers else rule(given):
             return Failure(kind, name, numbers)
-    return Failure(TOO_LARGE if abs(value) > 1 else TOO_SMALL, name)
+    return Failure(NO_DOUBLE, name)

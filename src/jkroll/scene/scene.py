@@ -7,6 +7,7 @@ the names in DEFAULTS have values if nothing else is said. A scene takes numbers
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property, reduce
+from itertools import product
 from math import isfinite, isinf, nan
 from operator import and_
 from types import MappingProxyType
@@ -105,10 +106,7 @@ FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
 # Inputs of which one follows from the other.
 EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
-    ("surface_energy", "work_of_adhesion", "hamaker"),
-    ("surface_energy2", "work_of_adhesion", "hamaker"),
-    ("surface_energy", "work_of_adhesion", "hamaker2"),
-    ("surface_energy2", "work_of_adhesion", "hamaker2"),
+    *product(("surface_energy", "surface_energy2"), ("work_of_adhesion",), ("hamaker", "hamaker2")),
     ("load", *sorted(STATE)),
     IN_ITS_PLACE,
     ("contact_modulus", "modulus_over_energy"),
@@ -322,12 +320,9 @@ class Scene:
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
         """Return the inputs that are used, as they were understood: the materials, the law and SI values by name."""
-        texts = {
-            "material": self.material and self.material.name,
-            "material2": self.material2 and self.material2.name,
-            "model": self.stated_model,
-        }
-        echoed: dict[str, Any] = {name: text for name, text in texts.items() if text is not None}
+        echoed: dict[str, Any] = {of_sphere(sphere, "material"): solid.name for solid, sphere in self.materials}
+        if self.stated_model is not None:
+            echoed["model"] = self.stated_model
         for name in NOMENCLATURE:
             if name in used:
                 echoed[name] = self.values[name]
@@ -400,10 +395,6 @@ class Scene:
         rests = self["transition_parameter"] < 1
         return Failure(RESTS_ON_SPACING, name) if rests is True else where(rests, nan, value)
 
-    def lose(self, failure: Failure) -> None:
-        """Take away a value that this scene does not have, but for the rounding error of a formula."""
-        self.values[self.plan(failure.name).name] = failure
-
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
         return name in self.law.by_spacing and self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
@@ -415,6 +406,8 @@ class Scene:
             if isinstance(value, JkrollError):
                 return value
         is_rigid = step.name in _ON_AREA and self.is_rigid
+        if not self.arrays:  # to compute a number takes less than to look for it
+            return self._computed(step.name, step.formula, given, is_rigid)
         arguments = (is_rigid, *given.values())
         key = (step.name, *map(id, arguments))
         if key not in self._results:
@@ -435,7 +428,7 @@ class Scene:
             value = INFINITY
         if isinstance(value, NUMBER):
             has_answer = SMALLEST <= value < INFINITY or is_answer(name, value)
-            return value if has_answer else failure_of(name, given, value)
+            return value if has_answer else failure_of(name, given)
         is_usual = value.size and value.min() >= SMALLEST and value.max() < INFINITY
         numbers = value if is_usual else where(is_answer(name, value), value, nan)
         for argument in given.values():

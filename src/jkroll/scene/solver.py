@@ -81,8 +81,7 @@ def solve(
     scene = Scene(described, *materials_of(material, material2, materials), model=model)
     results = values_of(scene, names)
     if scene.uncertain:
-        refuse_arrays(described)
-        results = with_uncertainties(scene, results)
+        results = with_uncertainties(scene, described, results)
     elif registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results if is_list else results[names[0]]
@@ -142,10 +141,11 @@ def refuse_arrays(described: Mapping[str, Any]) -> None:
             raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays without uncertainty")
 
 
-def with_uncertainties(scene: Any, values: Mapping[str, float]) -> dict[str, Any]:
+def with_uncertainties(scene: Any, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
     """Return values of a scene or a problem with their error bars; raise a Failure with the reason why one has none."""
     from .uncertainty import measures_of, uncertainties
 
+    refuse_arrays(described)
     measures = measures_of(uncertainties(scene, [*values]))
     for measure in measures.values():
         if isinstance(measure, JkrollError):
@@ -167,8 +167,7 @@ def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) ->
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
             raise BadRequest(f"{words[name]} and {word} are one quantity; give it once")
-        is_float = isinstance(value, float)
-        values[name] = float(value) if is_float else _number(name, _content(name, value), registries)
+        values[name] = _number(name, _content(name, value), registries)
     return values, registries[-1] if registries else None
 
 

@@ -113,7 +113,7 @@ Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the r
 def uncertainties(
     scene: Any,
     names: Sequence[str],
-    alternative: Callable[[Scene], Scene] | None = None,
+    made_of: Callable[[Any], Any] = lambda scene: scene,
     sources: Sources | None = None,
 ) -> Bars:
     """Return the uncertainties of quantities of a scene, or of one that is made of it.
@@ -122,7 +122,6 @@ def uncertainties(
     no source has an influence, is left out. An error is the reason why a quantity has no value at one place of the
     sources. `sources`: by default all that enter the quantities.
     """
-    made_of: Callable[[Any], Any] = alternative or (lambda same: same)
     middle, bars = made_of(scene), Bars()
     numbers = middle.numbers(*names)
     values = {name: value for name, value in numbers.items() if not isinstance(value, float) or isfinite(value)}
