@@ -54,7 +54,9 @@ _OTHER = re.compile(r"write (--(?:delimiter|format) \w+)")
 
 def named(message: str) -> list[str]:
     """Return what a message says to write."""
-    return [shlex.split(value)[0] for value in _COLUMN.findall(message)] + _OTHER.findall(message)
+    advice, _, passing = message.partition(", or --column")
+    chosen = _COLUMN.findall(advice) or _COLUMN.findall(f"--column{passing}")
+    return [shlex.split(value)[0] for value in chosen] + _OTHER.findall(message)
 
 
 def words(choice: str) -> list[str]:

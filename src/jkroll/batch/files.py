@@ -476,8 +476,7 @@ def _with_decimal_points(records: Records) -> Records:
     for column in cells.values():
         for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:
             text = quoted(column[row].decode("utf-8", "replace"))
-            remedy = "write numbers without marks of thousands"
-            odd.setdefault(row, f"{text} has a point, and this table has decimal commas: {remedy}")
+            odd.setdefault(row, f"{text} has a point: this table has decimal commas, and no marks of thousands")
     points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
     return records._replace(cells={**records.cells, **points}, odd=odd)
 

@@ -353,11 +353,11 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
     """Return the error about a name of several materials, with their surface energies and states or sets."""
     from ..quantities.formatting import amount
 
-    first, last = materials[0], materials[-1]
+    first, last, name = materials[0], materials[-1], quoted(word)
     if first.path == SHIPPED != last.path and word.strip().casefold() in last.words:  # which must not take its names
         title, file = first.title, shown(last.path)
         meanings = f"shipped ({title}) and also in {file}; rename it, or pass --materials {file}"
-        return UnclearMaterial(f"material {quoted(word)} is {meanings}", "unclear material")
+        return UnclearMaterial(f"material {name} is {meanings}", f"unclear material {name}")
     has_sets = len({material.title for material in materials}) > 1
     choices = []
     for material in materials:
@@ -366,7 +366,7 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
         about = ", ".join(filter(None, [*known, material.state or (material.title if has_sets else "")]))
         choices.append(f"{material.name} ({about})" if about else material.name)
     choice = f"{', '.join(choices[:-1])} or {choices[-1]}"
-    return UnclearMaterial(f"material {quoted(word)} is one of several; write {choice}", "unclear material")
+    return UnclearMaterial(f"material {name} is one of several; write {choice}", f"unclear material {name}")
 
 
 @cache

@@ -247,10 +247,8 @@ class Columns:
         import numpy
 
         for name in self.inputs.keys() & inputs.keys():
-            if not isinstance(inputs[name], str):
-                self.inputs[name] = numpy.full(len(self), middle(inputs[name]), dtype=float)
-            else:
-                self.inputs[name] = [inputs[name]] * len(self)
+            value, size = inputs[name], len(self)
+            self.inputs[name] = [value] * size if isinstance(value, str) else numpy.full(size, middle(value), float)
 
     def put(self, rows: Sequence[int], columns: "Columns") -> None:
         """Take the columns of some rows in place of what was known of them."""

@@ -32,7 +32,7 @@ class Reading(NamedTuple):
     unit_text: str = ""
     part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", or the "low" or "high" end of a range
     is_symbol: bool = False  # without a unit: an input only if its cells have units
-    problem: str = ""  # why the header is refused unless another column is this input
+    problem: str = ""  # why the header is refused unless columns or options give what it may be
     meant: Sequence[str] = ()  # the headers that would be read, where that is certain
     is_stated: bool = False  # by an option
     place: int = 0  # in a table
@@ -69,13 +69,6 @@ _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
 _FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
 _LONGEST = 120  # letters of a header that can be one
-# Of an uncertainty. The patterns are made when a header is first held against them: most tables need none.
-_SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
-_ERROR = "|".join([r"(?:standard|std?)[\s_.]*dev(?:iation)?\.?", *words.ERRORS])
-_PART = (
-    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
-    rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{_ERROR}|{'|'.join(words.PARTS)})(?=$|[\s_.,/(\[])"
-)
 
 
 @lru_cache(maxsize=1000)
@@ -84,8 +77,6 @@ def reading_of(text: str, measured: str = "") -> Reading:
 
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
-    >>> reading_of("± [nm]")[:3], reading_of("SD")[:3], reading_of("u(E) (%)")[:3]
-    (('', 'nm', 'both'), ('', '', 'both'), ('youngs_modulus', '%', 'both'))
     """
     if len(text) > _LONGEST:
         return Reading()
@@ -137,9 +128,9 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
 
 def _of_part(text: str, measured: str) -> Reading | None:
     """Return the meaning of a header of a part of an uncertainty, without a name if it is ± alone, if it is one."""
-    plain = re.sub(_SHARE, "", text)
+    plain = re.sub(words.PERCENT, "", text)
     share = "%" if plain != text else ""
-    if (mark := re.search(_PART, plain)) is None:
+    if (mark := re.search(words.PART, plain)) is None:
         return None
     word = mark[0].strip(" _.").casefold()
     part = words.PARTS.get(word, "both")
@@ -161,7 +152,8 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
         if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
             return Reading(reading.name, problem="a sign or a factor stands beside the word or its unit")
         word, is_slip = _word_in(split.word, known)
-        word = word or (words.with_index(split.word) if split.is_explicit and split.unit else "")
+        is_indexed = bool(not word and split.is_explicit and split.unit)
+        word = words.with_index(split.word) if is_indexed else word
         if not word:
             continue
         meaning = known[word]
@@ -175,12 +167,13 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
-            meant = [*map(headed, names)] if split.unit[0].isalpha() else []
+            meant = [*map(headed, names if split.is_explicit else names[:1])] if split.unit[0].isalpha() else []
             return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
-            is_beside = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
+            is_last = not split.is_mangled and key(split.word).endswith(word)
+            is_beside = split.is_explicit if is_slip or is_indexed else is_last
             is_open = not meaning.problem and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
             meant = [headed(each, (is_beside and unit_text) or "UNIT") for each in names if is_open]
             return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
@@ -191,9 +184,6 @@ def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
     """Return the known word that a text is, the longest beside others in it, or that from which it differs by a slip.
 
     The second value says if it is a slip: a letter, or the order of two.
-
-    >>> [_word_in(text, words.meanings("")) for text in ("tip load", "gama", "laod", "head")]
-    [('load', False), ('gamma', True), ('load', True), ('', False)]
     """
     letters = key(text)
     if letters in known:
@@ -310,7 +300,10 @@ def understood(
     inputs.pop("", None)
     used = {name: parts for name, group in inputs.items() if (parts := _used(name, group))}
     values = [head for parts in used.values() for part, head in parts.items() if part in ("", *_ENDS)]
-    refused = [head for head in heads if head.problem and head.name not in used]
+    refused = [
+        head for head in heads
+        if head.problem and (head.name not in used or not {meant.split()[0] for meant in head.meant} <= {*used, *given})
+    ]  # fmt: skip
     refused += [head for head in map(_with_problem, values) if head.problem]
     if refused:
         raise _refusal(sorted(refused, key=lambda head: head.place))
@@ -410,16 +403,17 @@ def _column(name: str, parts: Mapping[str, Reading]) -> Column:
 
 def _refusal(heads: Sequence[Reading]) -> BadTable:
     """Return the error of columns that may be inputs and cannot be read."""
-    remedies = " ".join(" or ".join(_option(head.text, meant) for meant in head.meant or [""]) for head in heads)
+    ways = [
+        " or ".join(_option(head.text, meant) for meant in head.meant)
+        or f"a column {headed(head.name)} in place of {quoted(head.text)}"
+        for head in heads if head.name
+    ]  # fmt: skip
     if any(head.problem == _UNIT for head in heads):
-        return BadTable(f"header: the first row has units. Delete it, and write {remedies}")
+        return BadTable(f"header: the first row has units. Delete it, and write {' '.join(ways)}")
     cells = [f" (first cell {quoted(head.cell)})" if head.cell else "" for head in heads]
     problems = [f"{quoted(head.text)}{cell}: {head.problem}" for head, cell in zip(heads, cells, strict=True)]
-    if len(heads) == 1:
-        head = heads[0]
-        in_place = f"a column {headed(head.name)} in its place" if head.name else ""
-        ways = (remedies if head.meant else in_place, f"{_option(head.text, '')} to pass it through")
-        remedies = ", or ".join(filter(None, ways))
+    passing = f"{' '.join(_option(head.text, '') for head in heads)} to pass {'them' if heads[1:] else 'it'} through"
+    remedies = ", or ".join(filter(None, ["; ".join(ways), passing]))
     return BadTable(f"header: {'; '.join(problems)}. Write {remedies}")
 
 

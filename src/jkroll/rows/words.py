@@ -12,7 +12,8 @@ from ..text import ascii_text
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
 SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # what symbols mean besides
-SYMBOLS_TOO |= {"SFE": "surface_energy", "rad": "radius", "vimp": "speed"}
+SYMBOLS_TOO |= {"SFE": "surface_energy", "rad": "radius", "vimp": "speed", "R*": "reduced_radius"}
+SYMBOLS_TOO |= dict.fromkeys(("w12", "W12", "wa", "Wa"), "work_of_adhesion") | {"Reff": "reduced_radius"}
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
@@ -24,20 +25,24 @@ class Meaning(NamedTuple):
     has_remedy: bool = True  # it may be one of the inputs as it is
 
 
-_SIZE = Meaning(["radius"], "a radius is half of a diameter or a size, and r may be a distance", has_remedy=False)
+_SIZE = Meaning(["radius"], "a radius is half of a diameter or a size", has_remedy=False)
 _FORCE = Meaning(["load"], "it may be a load, or a force that was measured")
+_OF_PAIR = Meaning(["work_of_adhesion", "surface_energy"], "it may be that of a pair")
 _MODULUS = Meaning(["youngs_modulus", "contact_modulus"], "it may be Young's modulus, or E* of the contact")
 _DOUBTFUL_WORDS = {
     **dict.fromkeys("dia diam diameter diameters durchmesser size".split(), _SIZE),
-    **dict.fromkeys("normalforce appliedforce preload".split(), _FORCE),
+    **dict.fromkeys("normalforce appliedforce preload setpoint".split(), _FORCE),
+    **dict.fromkeys("indentation overlap penetration".split(), Meaning(["approach_at_load"], "it may be the approach")),
     **dict.fromkeys("modulus effectivemodulus".split(), _MODULUS),
     "surfacetension": Meaning(["surface_energy"], "it may be the tension of a liquid"),
-    "adhesionenergy": Meaning(["work_of_adhesion", "surface_energy"], "it may be that of a pair"),
+    **dict.fromkeys("adhesion adhesionenergy energyofadhesion interfacialenergy".split(), _OF_PAIR),
     "hysteresis": Meaning(["adhesion_hysteresis"], "it may be another hysteresis"),
 }
 _DOUBTFUL_SYMBOLS = {
-    **dict.fromkeys("r d D dp Dp".split(), _SIZE),
+    **dict.fromkeys("d D dp Dp".split(), _SIZE),
     **dict.fromkeys("Fn FN".split(), _FORCE),
+    "r": Meaning(["radius"], "r may be a distance"),
+    "gamma12": Meaning(["work_of_adhesion"], "w = γ1 + γ2 - γ12, if it is of the interface", has_remedy=False),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),
     "Eeff": _MODULUS,
 }
@@ -62,7 +67,7 @@ LABELS = {*"""id ids no nr num number name names type types class classes case c
     description quality flag status unit units method model formula cost price date color colour grade out
     ratio""".split()}  # fmt: skip
 INDICES = ("in", "bar")  # in no brackets they may mean inside and mean
-ERRORS = "err error std stdev sd sem se unc uncertainty".split()  # words of an uncertainty to both sides
+_ERRORS = "err error std stdev sd sem se unc uncertainty".split()  # words of an uncertainty to both sides
 # Words of its other parts: of one side, and of the ends of a range.
 PARTS = {
     "minus": "minus",
@@ -70,6 +75,13 @@ PARTS = {
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
+# In a header. The patterns are made when one is first held against them: most tables need none.
+PERCENT = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
+_ERROR = "|".join([r"(?:standard|std?)[\s_.]*dev(?:iation)?\.?", *_ERRORS])
+PART = (
+    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
+    rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
+)
 
 _WORD = re.compile(r"[^\W\d_](?:[\w\s.'-]*[\w\s.-])?")
 
@@ -99,6 +111,7 @@ def meanings(measured: str) -> dict[str, Meaning]:
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     names |= {word: name for name, others in SYNONYMS.items() for word in others}
     inputs = {word: Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
+    inputs |= {re.sub("us$", "i", re.sub("y$", "ies", word)): meaning for word, meaning in inputs.items()}  # radii
     known = dict.fromkeys(NOMENCLATURE, Meaning()) | _of_spheres(inputs | _DOUBTFUL_WORDS)
     if measured:
         known |= dict.fromkeys(map(key, (measured, NOMENCLATURE[measured].symbol)), Meaning([measured]))
