@@ -30,7 +30,7 @@ from tools.measurements import MEASUREMENTS
 SIZES = (1e-7, 3e-6)
 
 
-def of(material: str, radius: float, **given: Any) -> Scene:
+def of(material: str, radius: Any, **given: Any) -> Scene:
     return Scene({"radius": radius, **given}, known_materials()[material])
 
 
@@ -75,7 +75,7 @@ def test_each_quantity_follows_by_its_own_power(model: str) -> None:
     assert "pull_off_force" not in Answer(question_about("pull_off_force,yield_force"), scene).others["data"]
 
 
-def test_between_two_scalings() -> None:
+def test_between_two_scalings(run: Run) -> None:
     random.seed(1)
     here = [end(of("quartz", ROLLED["radius"]))["yield_displacement"] for end in (at_least_measured, at_most_measured)]
     for _ in range(20):
@@ -84,6 +84,10 @@ def test_between_two_scalings() -> None:
         ratios = [radius / ROLLED["radius"], (radius / ROLLED["radius"]) ** (2 / 3)]
         assert at_least_measured(scene)["yield_displacement"] == approx(here[0] * min(ratios))
         assert at_most_measured(scene)["yield_displacement"] == approx(here[1] * max(ratios))
+    radii = [value_of(text, "radius") for text in ("0.1 to 1 um", "0.1um", "1um")]
+    wide, *both = (ends(of("quartz", radius), "yield_force") for radius in radii)
+    assert wide == approx((both[0][0], both[1][1]))
+    assert "P_c = 7.6–72 nN by" in run("pull-off", "quartz", "50 to 500nm").err
 
 
 def test_a_sphere_on_a_plane_counts_by_the_reduced_radius() -> None:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from ..errors import JkrollError
 from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
-from ..quantities.values import ends_of, is_uncertain, middle
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.values import Interval, ends_of, is_uncertain, middle
 from ..scene.doubts import (
     ASSUMED_DISPLACEMENT,
     DATA,
@@ -23,6 +23,7 @@ from ..scene.doubts import (
     Doubt,
     Evaluation,
     alternatives_of,
+    at_full_hysteresis,
     at_half_spacing,
     at_most_measured,
     at_other_reading,
@@ -35,6 +36,7 @@ from ..scene.doubts import (
     names_with_alternatives,
     rolled_solid,
     rolling,
+    with_bars,
 )
 from ..scene.failures import (
     BEYOND_PULL_OFF,
@@ -287,7 +289,7 @@ class Answer(Evaluation):
         scene, known = self.scene, [*self.values]
         headline = [name for name in known if name in self.question.headline]
         if doubt.limit is LAW and doubt.is_exceeded:
-            return _about_law(doubt, scene, headline, known)
+            return _about_law(doubt, scene, headline, known, self.others.get(BETWEEN, {}))
         if doubt.limit is ASSUMED_DISPLACEMENT and doubt.is_exceeded:
             rolled = rolling(headline) or rolling(known)
             return _about_displacement(scene, {name: self.others[DATA][name] for name in rolled[:MAX_TOLD]})
@@ -340,12 +342,17 @@ class Answer(Evaluation):
 # --- What stands in place of results, in words ------------------------------------------------------------------------
 
 
-def _about_law(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str]) -> str:
-    """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law"."""
+def _about_law(
+    doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str], by_law: Mapping[str, Any]
+) -> str:
+    """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law".
+
+    `by_law`: the answers by Maugis' law, with their error bars.
+    """
     spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"], digits=3)
     scale = f"(Tabor parameter {doubt.value:.2g}, z0 = {spacing})"
     for names in (headline, known if not headline or doubt.value >= JUMP else ()):
-        texts = {name: advised(scene, name) for name in names}
+        texts = {name: advised(scene, name, by_law.get(name)) for name in names}
         if told := [name for name in names if texts[name]][:MAX_TOLD]:
             values = ", ".join(f"{NOMENCLATURE[name].symbol} {texts[name]}" for name in told)
             at_displacement = " at equal ξ" if rolling(told) and is_at_displacement(scene) else ""
@@ -354,8 +361,10 @@ def _about_law(doubt: Doubt, scene: Scene, headline: Sequence[str], known: Seque
     return f"energies and speeds are rough here: neither {scene.law.title} nor Maugis' law is exact {scale}"
 
 
-def advised(scene: Scene, name: str) -> str:
+def advised(scene: Scene, name: str, by_law: Any = None) -> str:
     """Return what a quantity is by Maugis' law, from half the atomic spacing on: "= 14–15 nN"; empty if it is the same.
+
+    `by_law`: this with its error bar, of which a range counts, as it is of the inputs.
 
     A pull-off force by Lennard-Jones' law is above Maugis' in every scene that was tried. Below the Tabor parameter of
     a jump, Maugis' law is no correction to the energies that separate spheres, and what follows from them: a well of
@@ -371,6 +380,7 @@ def advised(scene: Scene, name: str) -> str:
     if not others:
         return "has no value"
     is_moved = not farthest((value, ours) for value in others) <= LAW_MATTERS
+    others += ends_of(by_law) if isinstance(by_law, Interval) else ()
     return f"= {span(name, min(others), max(others))}" if is_moved else ""
 
 
@@ -382,10 +392,11 @@ def _about_displacement(scene: Scene, values: Mapping[str, Any]) -> str:
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(value))}" for name, value in values.items() if value)
     text = f"{', '.join(told)} by {_forces(scene)}"
     most = at_most_measured(scene)
-    if (ratio := most.numbers("hysteresis_ratio").get("hysteresis_ratio", 0.0)) > 1:
-        name, end = next(iter(most.replace(**{XI: most[XI] / ratio}).numbers(*values).items()))
-        bound = "at most" if end < most[name] else "at least"
-        text += f"; adhesion alone gives {NOMENCLATURE[name].symbol} = {span(name, end, end)} {bound}"
+    if most.numbers("hysteresis_ratio").get("hysteresis_ratio", 0.0) > 1:
+        name = next(iter(values))
+        end = with_bars(scene, [name], at_full_hysteresis, ["hysteresis_ratio"])[name]
+        bound = "at most" if middle(end) < most[name] else "at least"
+        text += f"; adhesion alone gives {NOMENCLATURE[name].symbol} = {span(name, *ends_of(end))} {bound}"
     return f"{text}; ξ is assumed (--xi)"  # the head says this, too: it may be cut from a short note
 
 

@@ -220,6 +220,11 @@ def at_most_measured(scene: Scene) -> Scene:
     return scene.replace(**{XI: measured_displacement(scene).high})
 
 
+def at_full_hysteresis(scene: Scene) -> Scene:
+    """Return the scene with the displacement at which all of the work of adhesion is lost."""
+    return scene.replace(**{XI: scene[XI] / scene["hysteresis_ratio"]})
+
+
 def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
     """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
     factor = farthest((end, scene[XI]) for end in ends_of(measured_displacement(scene)))
@@ -251,26 +256,31 @@ def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict
     """
     law, values = other_law(scene.law.name), {}
     if moved := names_of.get(law):
-        values[law] = _with_bars(scene, moved, attrgetter("by_law"))
+        values[law] = with_bars(scene, moved, attrgetter("by_law"))
     rolled = names_of.get(DATA)
     if rolled and (is_near := is_like_rolled(scene)) is not False:
-        lows, highs = (_with_bars(scene, rolled, end) for end in (at_least_measured, at_most_measured))
+        made_of = "yield_force", "reduced_radius"  # at the pair that was measured, and here
+        lows, highs = (with_bars(scene, rolled, end, made_of) for end in (at_least_measured, at_most_measured))
         values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
     return values
 
 
-def _with_bars(scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene]) -> dict[str, Any]:
+def with_bars(
+    scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene], made_of: Sequence[str] = ()
+) -> dict[str, Any]:
     """Return quantities of what is made of a scene, with their error bars. Sources that do not go together give none.
 
-    Raises a JkrollError for a scene of arrays of which some elements have no error bars.
+    `made_of`: the quantities of the scene that decide on inputs of the other one, whose sources enter, too. Raises a
+    JkrollError for a scene of arrays of which some elements have no error bars.
     """
     values = dict.fromkeys(names) | alternative(scene).numbers(*names)
     if not scene.uncertainties:
         return values
-    from .uncertainty import Propagated, uncertainties
+    from .uncertainty import Propagated, sources_of_results, uncertainties
 
     try:
-        bars = uncertainties(scene, names, alternative)
+        sources = sources_of_results(scene, [*names, *made_of]) if made_of else None
+        bars = uncertainties(scene, names, alternative, sources)
     except JkrollError:
         if scene.shape:
             raise
