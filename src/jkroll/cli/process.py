@@ -54,6 +54,7 @@ HINTS: Mapping[str, str] = {
     **dict.fromkeys(
         ("map --csv", "map --json", "figure --csv", "figure --json"), "--data FILE writes the numbers as CSV"
     ),
+    "map --quantities": "the quantity comes first: jkroll map a quartz 100nm --x load=-5nN:20nN",
     **dict.fromkeys(
         ("batch --json", "batch --csv", "batch --bare"), "--format and the name of the file say the format"
     ),
@@ -270,7 +271,7 @@ def _no_such_command(word: str) -> BadRequest:
     elif quantity := nearest(name):
         hint = f"did you mean the quantity {quantity}? jkroll quantities {quantity} lists the commands that show it"
     else:
-        hint = "see jkroll --help"
+        hint = "a command comes first, as in jkroll pull-off quartz 100nm; see jkroll --help"
     return BadRequest(f"no such command {quoted(word)}; {hint}")
 
 

@@ -493,8 +493,8 @@ def spreads_of(text: str, name: str) -> list[Spread]:
         return [_spread(item, name) for item in items]
     except QuantityError as error:
         if error.reason == NO_UNIT and (len(items) > 1 or ":" in text):
-            reason = "has a comma where a number has a point, or a number without a unit"
-            reason = reason if len(items) > 1 else "needs a unit at both ends"
+            of_list = f"has a number without a unit, {error.value}; a decimal mark is a point"
+            reason = of_list if len(items) > 1 else "needs a unit at both ends"
             raise QuantityError(name, text, reason) from None
         raise
 
