@@ -327,7 +327,7 @@ class Scene:
             if name in used:
                 echoed[name] = self.values[name]
             elif name == "radius2" and "radius" in used:
-                echoed[name] = self.values["radius"]
+                echoed[name] = self.values.get(name, self.values["radius"])
             elif name == "energy" and "energy_ratio" in used:
                 echoed |= self.numbers("energy")
         return echoed
