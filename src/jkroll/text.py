@@ -1,10 +1,11 @@
-"""Text for people and programs: ASCII, lines, JSON, the terminal's size, suggestions, quotes, names of files, lists."""
+"""Text for people and programs: ASCII, lines, tables, JSON, the terminal, suggestions, quotes, lists, names."""
 
 import codecs
 import os
 import sys
-from collections.abc import Iterable, Sequence
-from typing import Any, TextIO
+from collections.abc import Collection, Iterable, Sequence
+from itertools import accumulate, compress
+from typing import Any, NamedTuple, TextIO
 
 _ASCII = {
     "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega",
@@ -229,3 +230,83 @@ def ending(path: str) -> str:
     """
     _, point, end = path.rpartition(".")
     return end.casefold() if point else ""
+
+
+# --- Tables -----------------------------------------------------------------------------------------------------------
+
+_GAP = 2  # blanks between columns
+_LEAST_TEXT = 24  # of a text in several lines
+
+
+class TextColumn(NamedTuple):
+    """A column of texts. Numbers are set to the right."""
+
+    head: str
+    cells: Sequence[str]
+    is_right: bool = True
+
+
+def write_table(
+    leading: Sequence[TextColumn],
+    columns: Sequence[TextColumn],
+    out: TextIO,
+    trailing: Sequence[TextColumn] = (),
+    silent: Collection[str] = ("", "–"),
+) -> None:
+    """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
+
+    Those below the first leave out rows in which all cells are `silent`. Where trailing ones make a row of values that
+    are compared, the first stands in them again, if it has room.
+    """
+    repeated = columns[:1] if trailing else []
+    while columns:
+        room = terminal_width() + _GAP - _size([*leading, *trailing])
+        count = max(sum(end <= room for end in accumulate(_size([column]) for column in columns)), 1)
+        say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
+        columns = columns[count:]
+        is_said = [not {*cells} <= {*silent} for cells in zip(*(column.cells for column in columns), strict=True)]
+        leading, columns, trailing, repeated = (
+            [column._replace(cells=[*compress(column.cells, is_said)]) for column in each]
+            for each in (leading, columns, trailing, repeated)
+        )
+        if columns:
+            say("", out)
+            has_room = fit_terminal([*leading, *repeated, columns[0], *trailing])
+            columns = [*repeated, *columns] if has_room else columns
+
+
+def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
+    """Write rows of texts; what is wider than the terminal goes on below the last column."""
+    columns = text_columns([heads, *rows], words=len(heads))
+    for line in _lines(columns):
+        say_wrapped(line, out, min(_size(columns[:-1]), terminal_width() - _LEAST_TEXT))
+
+
+def text_columns(rows: Iterable[Sequence[str]], *, words: int) -> list[TextColumn]:
+    """Return the columns of rows, the first of which has the heads; so many columns are of words."""
+    return [TextColumn(head, cells, place >= words) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
+
+
+def _lines(columns: Iterable[TextColumn]) -> list[str]:
+    """Return the heads of columns, a line below them, and the rows."""
+    lines = [(" " * _GAP).join(cells) for cells in zip(*map(padded, columns), strict=True)]
+    head, *rows = map(str.rstrip, lines)
+    return [head, "─" * min(width_of(lines[0]), terminal_width()), *rows]
+
+
+def padded(column: TextColumn) -> list[str]:
+    """Return the head and the cells of a column, all as wide as the widest of them."""
+    texts = [column.head, *column.cells]
+    width = max(map(width_of, texts))
+    blanks = [" " * (width - width_of(text)) for text in texts]
+    return [blank + text if column.is_right else text + blank for blank, text in zip(blanks, texts, strict=True)]
+
+
+def fit_terminal(columns: Iterable[TextColumn]) -> bool:
+    """Return whether columns beside each other are no wider than the terminal."""
+    return _size(columns) <= terminal_width() + _GAP
+
+
+def _size(columns: Iterable[TextColumn]) -> int:
+    """Return the width of columns on a terminal, with the blanks behind each."""
+    return sum(width_of(padded(column)[0]) + _GAP for column in columns)

@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIE
 from ..rows.columns import Wanted
 from ..scene.doubts import LIMITS
 from ..scene.wiring import arguments_of, depends_on, formula_of
-from ..text import first_of, json_text, say, say_wrapped
+from ..text import TextColumn, first_of, json_text, say, say_wrapped, write_table, write_texts
 from .answered import bar_object, numbers_of, write_measure
 from .manual import has_words, without_variants, words_of
 from .sources import bibtex, docstring_fields
@@ -57,19 +57,19 @@ def _write_rows(chosen: Sequence[Material], out: TextIO, kind: str) -> None:
 
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of the properties of some materials."""
-    from .table import Column, columns_of, write_table
+    from .table import columns_of
 
-    columns: list[Column] = []
+    columns: list[TextColumn] = []
     for name in PROPERTIES:
         values = [material.measures.get(name) for material in chosen]
         columns += columns_of(name, {symbol_among(name, ()): values}, _EXACT)
-    write_table([Column("material", [material.name for material in chosen], is_right=False)], columns, out)
+    write_table([TextColumn("material", [material.name for material in chosen], is_right=False)], columns, out)
     say(f"\n{_IN_FULL}", out)
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     """Write a table of materials by sets: the surface energy of each, and how it was found."""
-    from .table import columns_of, write_texts
+    from .table import columns_of
 
     measures = [material.measures.get("surface_energy") for material in chosen]
     ((head, energies, _),) = columns_of("surface_energy", {"γ": measures}, _EXACT)
@@ -171,8 +171,6 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
     elif kind in ("table", "plain") and len(names) == 1:
         _write_quantity(names[0], out)
     elif kind == "table":
-        from .table import write_texts
-
         for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names}).items():
             heads = (title, "symbol [unit]", "meaning")
             write_texts(heads, map(_quantity_table_row, members), out)

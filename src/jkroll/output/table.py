@@ -1,9 +1,9 @@
 """Tables on a terminal, in the width there is: of one scene, of a list of pairs, and of texts."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from itertools import accumulate, chain, compress
+from collections.abc import Mapping, Sequence
+from itertools import chain
 from math import isnan
-from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
 from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, LAWS
@@ -12,7 +12,7 @@ from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, of_sides
 from ..rows.columns import DOUBT
 from ..scene.doubts import DATA, LAW, SIO2, codes, rolled_solid
-from ..text import first_of, say, say_wrapped, terminal_width, width_of
+from ..text import TextColumn, first_of, fit_terminal, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -30,20 +30,10 @@ _DIGITS = 4  # of a result on a terminal
 _LEAST = 0.25  # number that stands in the unit of the rows above it
 _WITH_SPACING = f"with {NOMENCLATURE['atomic_spacing'].option}"  # in place of a number that needs it
 _SILENT = {"", "–", *(f"as {law}" for law in map(head_of, LAWS))}  # cells that say no more than others
-_GAP = 2  # blanks between columns
-_LEAST_TEXT = 24  # of a text in several lines
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
 _FOLLOWING = {"radius2", "energy"}.union(*_OF_MATERIALS.values()) - {"surface_energy"}
-
-
-class Column(NamedTuple):
-    """A column of texts. Numbers are set to the right."""
-
-    head: str
-    cells: Sequence[str]
-    is_right: bool = True
 
 
 # --- Values and inputs ------------------------------------------------------------------------------------------------
@@ -60,12 +50,12 @@ def _cell(value: "Value", unit: tuple[str, Unit], form: Format) -> str:
     return form.in_unit(value, unit)
 
 
-def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format) -> list[Column]:
+def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format) -> list[TextColumn]:
     """Return the columns of values of a quantity, by their heads, in the unit that suits them all."""
     unit = form.common_unit(name, [*chain.from_iterable(values.values())])
     in_unit, is_right = f" [{unit[0]}]" if unit[0] else "", not NOMENCLATURE[name].is_word
     return [
-        Column(f"{head}{in_unit}", [_cell(value, unit, form) for value in each], is_right)
+        TextColumn(f"{head}{in_unit}", [_cell(value, unit, form) for value in each], is_right)
         for head, each in values.items()
     ]
 
@@ -126,8 +116,8 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         units |= {quantity.unit: unit} if first else {}
         texts = [quantity.sentence, symbol_among(name, answer.inputs), unit[0]]
         rows.append([*texts, *(_cell(value, unit, form) for value in values)])
-    words, symbols, in_units, *columns = _of_rows(rows, words=3)
-    write_table([words, symbols], columns, out, [in_units])
+    words, symbols, in_units, *columns = text_columns(rows, words=3)
+    write_table([words, symbols], columns, out, [in_units], _SILENT)
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -157,9 +147,9 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     told = [codes(bits & columns.told) for bits in columns.doubts]
     doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
     if len({*doubts}) > 1 if "state" in inputs else any(doubts):  # notes have those of all states of a pair
-        results.append(Column(DOUBT, doubts, is_right=False))
-    across = _of_rows([(column.head, *column.cells) for column in (*leading, *results)], words=1)
-    if _size(across) <= terminal_width() + _GAP < _size([*leading, *results]):
+        results.append(TextColumn(DOUBT, doubts, is_right=False))
+    across = text_columns([(column.head, *column.cells) for column in (*leading, *results)], words=1)
+    if fit_terminal(across) and not fit_terminal([*leading, *results]):
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
 
@@ -186,63 +176,3 @@ def _measures(columns: "Columns", key: str) -> list[Any]:
         None if isnan(value) else of_sides(value, dict(zip(keys, of_row, strict=True)))
         for value, *of_row in zip(columns.column(key), *sides, strict=True)
     ]
-
-
-# --- Texts ------------------------------------------------------------------------------------------------------------
-
-
-def write_table(
-    leading: Sequence[Column], columns: Sequence[Column], out: TextIO, trailing: Sequence[Column] = ()
-) -> None:
-    """Write columns between leading and trailing ones, in as many tables as the width of the terminal takes.
-
-    Those below the first leave out rows in which they say nothing. Where trailing ones make a row of values that are
-    compared, the first stands in them again, if it has room.
-    """
-    repeated = columns[:1] if trailing else []
-    while columns:
-        room = terminal_width() + _GAP - _size([*leading, *trailing])
-        count = max(sum(end <= room for end in accumulate(_size([column]) for column in columns)), 1)
-        say("\n".join(_lines([*leading, *columns[:count], *trailing])), out)
-        columns = columns[count:]
-        is_said = [not _SILENT.issuperset(cells) for cells in zip(*(column.cells for column in columns), strict=True)]
-        leading, columns, trailing, repeated = (
-            [column._replace(cells=[*compress(column.cells, is_said)]) for column in each]
-            for each in (leading, columns, trailing, repeated)
-        )
-        if columns:
-            say("", out)
-            is_wide = _size([*leading, *repeated, columns[0], *trailing]) > terminal_width() + _GAP
-            columns = columns if is_wide else [*repeated, *columns]
-
-
-def write_texts(heads: Sequence[str], rows: Iterable[Sequence[str]], out: TextIO) -> None:
-    """Write rows of texts; what is wider than the terminal goes on below the last column."""
-    columns = _of_rows([heads, *rows], words=len(heads))
-    for line in _lines(columns):
-        say_wrapped(line, out, min(_size(columns[:-1]), terminal_width() - _LEAST_TEXT))
-
-
-def _of_rows(rows: Iterable[Sequence[str]], *, words: int) -> list[Column]:
-    """Return the columns of rows, the first of which has the heads; so many columns are of words."""
-    return [Column(head, cells, place >= words) for place, (head, *cells) in enumerate(zip(*rows, strict=True))]
-
-
-def _lines(columns: Iterable[Column]) -> list[str]:
-    """Return the heads of columns, a line below them, and the rows."""
-    lines = [(" " * _GAP).join(cells) for cells in zip(*map(padded, columns), strict=True)]
-    head, *rows = map(str.rstrip, lines)
-    return [head, "─" * min(width_of(lines[0]), terminal_width()), *rows]
-
-
-def padded(column: Column) -> list[str]:
-    """Return the head and the cells of a column, all as wide as the widest of them."""
-    texts = [column.head, *column.cells]
-    width = max(map(width_of, texts))
-    blanks = [" " * (width - width_of(text)) for text in texts]
-    return [blank + text if column.is_right else text + blank for blank, text in zip(blanks, texts, strict=True)]
-
-
-def _size(columns: Iterable[Column]) -> int:
-    """Return the width of columns on a terminal, with the blanks behind each."""
-    return sum(width_of(padded(column)[0]) + _GAP for column in columns)

@@ -20,7 +20,7 @@ from ..quantities.nomenclature import INFINITY, header
 from ..quantities.values import middle
 from ..rows.columns import DOUBT, Columns, Wanted, as_list
 from ..scene.doubts import codes
-from ..text import json_text, quoted, say, spelled
+from ..text import json_text, quoted, say, spelled, write_texts
 
 STRIP = 256  # rows written at once: their text stays in the cache, and is no large piece of memory
 
@@ -248,8 +248,6 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind:
     if kind == "json":
         say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
     elif kind == "table":
-        from .table import write_texts
-
         write_texts(heads, [[*map(_text, record)] for record in records], out)
     else:
         write_columns(heads, [list(column) for column in zip(*records, strict=True)], kind, out)

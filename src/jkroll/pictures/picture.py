@@ -8,13 +8,12 @@ from typing import Any, NamedTuple, TextIO
 
 import numpy
 
-from ..output.table import Column, padded, write_table
 from ..quantities.formatting import in_units
 from ..quantities.markup import plain
 from ..quantities.nomenclature import NOMENCLATURE, Quantity, bracketed, header
 from ..scene.scene import Scene
 from ..scene.solver import values_of
-from ..text import say, say_wrapped, terminal_width, width_of
+from ..text import TextColumn, padded, say, say_wrapped, terminal_width, width_of, write_table
 
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 SAME = 1e-9  # relative difference of values that are the same but for rounding
@@ -260,7 +259,10 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
         scene = field.scene.replace(**panel.x.inputs(x[None, :]), **panel.y.inputs(y[:, None]))
         values = numpy.broadcast_to(values_of(scene, [field.quantity])[field.quantity], (y.size, x.size))
         cells, signs = _cells(field, scene, values)
-        columns = [Column(quantity_of(panel.y.name).symbol, heads_of_y, is_right=False), *map(Column, heads, cells)]
+        columns = [
+            TextColumn(quantity_of(panel.y.name).symbol, heads_of_y, is_right=False),
+            *map(TextColumn, heads, cells),
+        ]
         head, *rows = zip(*map(padded, columns), strict=True)
         if width_of(_GAP.join(head)) <= terminal_width():
             break
@@ -299,7 +301,7 @@ def _painted(field: Field, texts: Sequence[str], numbers: Any) -> list[str]:
     ]
 
 
-def _columns(panel: Panel) -> list[Column]:
+def _columns(panel: Panel) -> list[TextColumn]:
     """Return the columns of a panel of curves: the curve or the point, x and y."""
     rows: list[tuple[str, float, float]] = []
     for curve in panel.curves:
@@ -308,10 +310,10 @@ def _columns(panel: Panel) -> list[Column]:
         rows += [(plain(curve.text), *point) for point in zip(x[some].tolist(), y[some].tolist(), strict=True)]
     rows += [(plain(mark.text), mark.x, mark.y) for mark in panel.marks if mark.x is not None and mark.y is not None]
     names, *numbers = zip(*rows, strict=True)
-    columns = [Column("", names, is_right=False)]
+    columns = [TextColumn("", names, is_right=False)]
     for axis, values in zip((panel.x, panel.y), numbers, strict=True):
         texts, unit = axis.in_words(values, DIGITS + 1)
-        columns.append(Column(quantity_of(axis.name).symbol + bracketed(unit), texts))
+        columns.append(TextColumn(quantity_of(axis.name).symbol + bracketed(unit), texts))
     return columns
 
 
