@@ -129,16 +129,13 @@ REFUSED = {
     "gamma [nm]": "what stands behind surface_energy is not its unit",  # no N/m
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "E_avg (GPa)": "=youngs_modulus [GPa]' or --column 'E_avg (GPa)=youngs_modulus2 [GPa]'",
-    "rho_p [kg/m3]": "it may be density",
-    "ρs (g/cm³)": "it may be density",
+    **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
     "second radius (nm)": "'second radius (nm)=radius [nm]' or --column 'second radius (nm)=radius2 [nm]'",
     "applied tip load [nN]": "=load [nN]'",
     "Particle radius (µm)": "=radius [",
     "density¹ [kg/m³]": _FACTOR,
     "radius_max [nm]": "alone is no uncertainty of radius",
-    "-load [nN]": _FACTOR,
-    "2gamma [mJ/m2]": _FACTOR,
-    "radius/2 [nm]": _FACTOR,
+    **dict.fromkeys(("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]"), _FACTOR),
 }
 PASSING = (
     "E | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | R_min | v_c | w | radius_in | load_case | "
