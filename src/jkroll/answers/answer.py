@@ -1,6 +1,6 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -345,7 +345,7 @@ class Answer(Evaluation):
 def _about_law(
     doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str], by_law: Mapping[str, Any]
 ) -> str:
-    """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law".
+    """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by …".
 
     `by_law`: the answers by Maugis' law, with their error bars.
     """
@@ -357,8 +357,13 @@ def _about_law(
             values = ", ".join(f"{NOMENCLATURE[name].symbol} {texts[name]}" for name in told)
             at_displacement = " at equal ξ" if rolling(told) and is_at_displacement(scene) else ""
             better = f"better here than {scene.law.title} {scale}: --model {BETWEEN}"
-            return f"{values} by Maugis' law{at_displacement}, {better}"
+            return f"{values} by {laws_advised(told)}{at_displacement}, {better}"
     return f"energies and speeds are rough here: neither {scene.law.title} nor Maugis' law is exact {scale}"
+
+
+def laws_advised(names: Collection[str]) -> str:
+    """Return by which laws quantities are advised: a pull-off force by that of Lennard-Jones, too."""
+    return "Maugis' and Lennard-Jones' laws" if "pull_off_force" in names else "Maugis' law"
 
 
 def advised(scene: Scene, name: str, by_law: Any = None) -> str:

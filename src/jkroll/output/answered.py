@@ -268,8 +268,8 @@ def answer(
     >>> answered = answer("pull-off", material="quartz", radius="100 nm")
     >>> str(answered["pull_off_force"]), answered["P_c"].unit
     ('11.781 nN', 'N')
-    >>> print(*answered.doubts)
-    P_c = 14–15 nN by Maugis' law, better here than JKR (Tabor parameter 0.14, z0 = 200–400 pm): --model maugis
+    >>> print(str(answered.doubts[0]).partition(", ")[0])
+    P_c = 14–15 nN by Maugis' and Lennard-Jones' laws
     """
     from ..scene.solver import in_si, materials_of, refuse_arrays
 

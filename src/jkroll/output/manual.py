@@ -8,7 +8,7 @@ from typing import ClassVar, NamedTuple, TextIO
 from ..errors import BadRequest
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, QUANTITY_SYNONYMS, named, with_symbol
-from ..text import LETTERS, closest, first_of, quoted, say, terminal_width
+from ..text import LETTERS, closest, first_of, quoted, say, say_wrapped, terminal_width
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
@@ -199,4 +199,6 @@ def write_hits(words: Sequence[str], hits: Hits, out: TextIO) -> None:
     if hits.quantities:
         say(f"quantities: {first_of(hits.quantities, MAX_NAMED)}: jkroll quantities {text}", out)
     if hits.materials:
-        say(f"materials: {first_of(hits.materials, MAX_NAMED)}: jkroll materials {','.join(hits.materials)}", out)
+        say_wrapped(
+            f"materials: {first_of(hits.materials, MAX_NAMED)}: jkroll materials {','.join(hits.materials)}", out
+        )

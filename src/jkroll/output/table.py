@@ -28,7 +28,7 @@ def head_of(law: str) -> str:
 
 _DIGITS = 4  # of a result on a terminal
 _LEAST = 0.25  # number that stands in the unit of the rows above it
-_WITH_SPACING = f"with {NOMENCLATURE['atomic_spacing'].option}"  # in place of a number that needs it
+_NEEDS_SPACING = f"needs {NOMENCLATURE['atomic_spacing'].option}"  # in place of a number that needs it
 _SILENT = {"", "–", *(f"as {law}" for law in map(head_of, LAWS))}  # cells that say no more than others
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
@@ -108,7 +108,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         same = None if result.value is None else f"as {law}"
         values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
         if same and answer.scene.by_law.may_rest_on_spacing(name):
-            values = [_WITH_SPACING if value is None else value for value in values]
+            values = [_NEEDS_SPACING if value is None else value for value in values]
         first = next((value for value in values if isinstance(value, float | Uncertain)), 0.0)
         unit = units.get(quantity.unit)
         if not unit or not _LEAST <= abs(convert(middle(first), unit[1])) < 1:

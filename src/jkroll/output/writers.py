@@ -294,8 +294,7 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
         place = os.path.realpath(path)
         folder, name = os.path.split(place)
         temporary = os.path.join(folder, f".{name[:MAX_KEPT]}.{os.urandom(4).hex()}")
-        begun = open(temporary, "xb")
-        with _removed_at_last(temporary):
+        with _removed_at_last(temporary) as begun:
             with begun:
                 yield begun
             if os.path.exists(place):
@@ -307,12 +306,14 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
 
 
 @contextmanager
-def _removed_at_last(path: str) -> Iterator[None]:
-    """Remove a file behind a block, and where a signal ends the process within it."""
+def _removed_at_last(path: str) -> Iterator[BinaryIO]:
+    """Open a new file. Remove it behind a block, and where a signal ends the process within it."""
+    begun: list[BinaryIO] = []  # it alone, when it is there: another's file of the name stays
 
     def remove() -> None:
         with suppress(FileNotFoundError):
-            os.unlink(path)
+            for file in begun:
+                os.unlink(file.name)
 
     def end(number: int, _: object) -> None:
         remove()
@@ -324,7 +325,8 @@ def _removed_at_last(path: str) -> Iterator[None]:
         for number in ending:
             signal.signal(number, end)
     try:
-        yield
+        begun.append(open(path, "xb"))
+        yield begun[0]
     finally:
         remove()
         with suppress(ValueError):

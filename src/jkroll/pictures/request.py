@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..answers.answer import advised, equation_of
+from ..answers.answer import advised, equation_of, laws_advised
 from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, entering
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
@@ -316,6 +316,6 @@ def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
         if excess.max() > 0 and (told := advised(here, quantity)):
             place, shown = amount(x.name, value, _TWO), amount(quantity, here[quantity], _THREE)
             yield (
-                f"{here.law.title} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} {told} by Maugis' "
-                f"law, {shown} here."
+                f"{here.law.title} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} {told} by "
+                f"{laws_advised([quantity])}, {shown} here."
             )
