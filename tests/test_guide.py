@@ -109,8 +109,8 @@ def test_the_word_of_an_option_is_the_name(run: Run, word: str) -> None:
     axis = f"{word}=1mJ/m2:1J/m2:3"
     assert run("map", "pull-off", "100nm", "--x", axis, "--data", "-").out.startswith("curve,surface_energy ")
     assert run("pull-off", "quartz", "100nm", "--quantities", "contact-modulus").out.startswith("contact_modulus ")
-    shown = run("pull-off", "100nm", "--gamma", "25mJ/m2", "--quantities", f"{word},pull-off")
-    assert shown.out.startswith("surface_energy 0.025 J/m^2\npull_off_force ")
+    refused = run("pull-off", "100nm", "--gamma", "25mJ/m2", "--quantities", word)
+    assert refused.err.startswith("jkroll: --quantities: surface_energy is an input here; leave it out")
 
 
 def test_claims_of_the_text() -> None:

@@ -27,7 +27,7 @@ radius 1e-6: RADIUS (um) | R1 (um) | radius_um | R1 / µm | R / µm | RADIUS [UM
 radius2 1e-9: R2 (nm) | radius_2 [nm] | R₂ [nm] | radius₂ [nm]
 radius2 1e-6: R_2/um | $R_{2}$ [$\mu$m] | R_2 (\mu m)
 work_of_adhesion 1e-3: W [mJ/m2] | Δγ (mJ/m2) | w [mJ/m2] | Work of adhesion (mJ/m2)
-work_of_adhesion 1: W_adh (J m-2) | W12 [J/m2] | w_12 [J/m2] | W_a (J/m2)
+work_of_adhesion 1: W_adh (J m-2)
 surface_energy 1e-3: SFE [mJ/m2] | γ [mJ/m2] | γ1 (mJ/m²) | gamma1 [mJ/m2] | Gamma [mJ/m2] | gamma_mJ_m2
 surface_energy 1e-3: surface_energy_mJ_m2 | surface_energy_mJ_per_m2 | γ / (mJ/m²) | γ (mJ.m-2) | gamma, mJ.m-2
 surface_energy 1e-3: gamma..mJ.m2. | gamma_mJ_m2_
@@ -59,7 +59,7 @@ gravity 1: g [m/s2]
 atomic_spacing 1e-9: z0 (nm)
 approach_at_load 1e-9: δ [nm]
 contact_modulus 1e9: E* [GPa] | E_r (GPa) | reduced modulus (GPa) | Effective Young's modulus [GPa]
-reduced_radius 1e-9: reduced_radius [nm] | R* [nm] | R*/nm | R_eff (nm)
+reduced_radius 1e-9: reduced_radius [nm]
 radius 1e-9: radius【nm】 | radius–nm | radius = nm | radius R (nm)
 youngs_modulus 1e9: E-Modul [GPa] | E · GPa | E1 – GPa | Elastic Modulus E (GPa) | Young's modulus E1 [GPa]
 density 1: Density ρ (kg/m³) | densities [kg/m3]
@@ -87,6 +87,8 @@ REFUSED = {
     **{f"{r} [nm]": f"r may be a distance. Write --column '{r} [nm]=radius [nm]'" for r in ("r", "r1")},
     "r2_um": "r may be a distance. Write --column 'r2_um=radius2 [um]'",
     **dict.fromkeys(("indentation [nm]", "Overlap (nm)"), "it may be the approach. Write --column"),
+    "R* [nm]": "'R* [nm]=reduced_radius [nm]'",
+    "W_12 (mJ/m²)": "'W_12 (mJ/m²)=work_of_adhesion [mJ/m²]'",
     "γ12 (mJ/m²)": "a column work_of_adhesion [UNIT] in place of",
     "adhesion [mJ/m2]": "it may be that of a pair",
     "R [nm]": "--column 'R [nm]=radius [nm]' or --column 'R [nm]=reduced_radius [nm]'",
@@ -102,7 +104,8 @@ REFUSED = {
     **dict.fromkeys(("radius [?m]", "LOAD [PN]", "Radius (Mm)", "load [-nN]", *LOSSY), "is not its unit. Write"),
     "radius (sphere 2) [nm]": "or --column 'radius (sphere 2) [nm]=radius2 [UNIT]'",
     "loadpN": "'loadpN=load [UNIT]'",  # no N
-    **dict.fromkeys(("maxLoad___N_", "load_p_n", "Load.P..N."), "=load [UNIT]'"),  # maxLoad (µN) and load P (N)
+    # maxLoad (µN) and load P (N) among them
+    **dict.fromkeys("maxLoad___N_|load_p_n|Load.P..N.|load_uncertanty [nN]|load_micro_N".split("|"), "=load [UNIT]'"),
     **dict.fromkeys(("Hamaker.A.J.", "hamaker_a_j"), "=hamaker [UNIT]'"),
     "mean\u2009load\n[nN]": "'mean load [nN]=load [nN]'",
     "Young's E (mean $x$) [GPa]": '"Young\'s E (mean \\$x\\$) [GPa]=youngs_modulus [UNIT]"',
@@ -111,16 +114,11 @@ REFUSED = {
     "surface energy (polar) [mJ/m2]": "surface_energy [UNIT]' or --column",
     "gama [mJ/m2]": "=surface_energy [mJ/m2]'",
     "gama": "=surface_energy [UNIT]'",
-    "load_uncertanty [nN]": "=load [UNIT]'",
     "surface_energy in GPa": "what stands behind surface_energy is not its unit",
-    "load_micro_N": "=load [UNIT]'",
     "log radius [nm]": "Write a column radius [UNIT] in place of 'log radius [nm]', or --column",
     "radius_stderr [nm]": "column radius [UNIT] in place of 'radius_stderr [nm]', or --column",
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
-    "radius*1e9": _FACTOR,
-    "radius (×10⁻⁶ m)": _FACTOR,
-    "E [1e9 Pa]": _FACTOR,
-    "A (10^-20 J)": _FACTOR,
+    **dict.fromkeys(("radius*1e9", "radius (×10⁻⁶ m)", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
     "work_of_adhesion_mJ": "what stands behind work_of_adhesion is not its unit",
     **dict.fromkeys(("modulus (GPa)", "modulus1 [GPa]"), "it may be Young's modulus"),
     "normal force [nN]": "it may be a load, or a force that was measured",
@@ -128,12 +126,11 @@ REFUSED = {
     "hysteresis (mJ/m2)": "it may be another hysteresis",
     "gamma [nm]": "what stands behind surface_energy is not its unit",  # no N/m
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
-    "E_avg (GPa)": "=youngs_modulus [GPa]' or --column 'E_avg (GPa)=youngs_modulus2 [GPa]'",
+    "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
     "second radius (nm)": "'second radius (nm)=radius [nm]' or --column 'second radius (nm)=radius2 [nm]'",
-    "applied tip load [nN]": "=load [nN]'",
+    **dict.fromkeys(("applied tip load [nN]", "laod [nN]", "Indentation load (nN)"), "=load [nN]'"),
     "Particle radius (µm)": "=radius [",
-    "density¹ [kg/m³]": _FACTOR,
     "radius_max [nm]": "alone is no uncertainty of radius",
     **dict.fromkeys(("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]"), _FACTOR),
 }
@@ -468,6 +465,7 @@ def test_a_name_that_is_no_material_is_a_label_where_the_row_has_all(run: Run) -
     Path("x.csv").write_text("\n".join([*lines, ""]), encoding="utf-8")
     ran = run("batch x.csv --material quartz --quantities contact_radius -o out.csv")
     assert ran.code == 1
+    assert "'SiO2' is one of several; write quartz" in ran.err
     found = [*csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())]
     quartz = run("contact quartz 1um --bare --quantities contact_radius --quiet").out.strip()
     steel = run("contact 1um --young 200GPa --poisson 0.29 --gamma 50mJ/m2 --bare --quantities contact_radius --quiet")

@@ -75,8 +75,8 @@ REFUSED = {
     "plot quartz": f"no such command 'plot'; {HINTS['plot']}",
     "--install-completion bash": "--install-completion stands alone: jkroll --install-completion",
     "--version=x": "--version takes no value: leave '=x' out",
-    "--": "no such command '--'; a command comes first, as in jkroll pull-off quartz 100nm; see jkroll --help",
-    "-": "no such command '-'; a command comes first, as in jkroll pull-off quartz 100nm; see jkroll --help",
+    "--": "no such command '--'; see jkroll --help, or write, for example, jkroll pull-off quartz 100nm",
+    "-": "no such command '-'; see jkroll --help, or write, for example, jkroll pull-off quartz 100nm",
 }
 
 

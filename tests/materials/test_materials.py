@@ -573,8 +573,10 @@ def test_a_table_says_once_which_a_name_may_be(run: Run) -> None:
     rows = "".join(f"{name},{radius}\n" for radius in range(1, 50) for name in ("SiO2", "quartz", "ice"))
     Path("grains.csv").write_text("material,radius [um]\n" + rows, encoding="utf-8")
     ran = run("batch grains.csv --quantities pull_off_force -o out.csv")
-    said = [line for line in ran.err.splitlines() if "SiO2" in line or "'ice'" in line]
-    assert [line.rpartition(": ")[2] for line in said] == ["row 1, likewise 48 more", "row 3, likewise 48 more"]
+    *early, last = [line for line in ran.err.splitlines() if "SiO2" in line or "'ice'" in line]
+    assert len(early) == 2
+    assert last.startswith(early[0])
+    assert last.endswith("row 1, likewise 97 more")
     assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status says why"
     assert Path("out.csv").read_text(encoding="utf-8").count("unclear material") == 98
     assert "one of several" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err

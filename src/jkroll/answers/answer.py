@@ -290,8 +290,8 @@ class Answer(Evaluation):
         headline = [name for name in known if name in self.question.headline]
         if doubt.limit is LAW and doubt.is_exceeded:
             return _about_law(doubt, scene, headline, known, self.others.get(BETWEEN, {}))
-        if doubt.limit is ASSUMED_DISPLACEMENT and doubt.is_exceeded:
-            rolled = rolling(headline) or rolling(known)
+        rolled = rolling(headline) or rolling(known)  # none where ξ itself was asked for
+        if doubt.limit is ASSUMED_DISPLACEMENT and doubt.is_exceeded and rolled:
             return _about_displacement(scene, {name: self.others[DATA][name] for name in rolled[:MAX_TOLD]})
         return _about_roughness(scene) if doubt.code == "rough-matters" else doubt.text
 
@@ -385,7 +385,9 @@ def advised(scene: Scene, name: str, by_law: Any = None) -> str:
     if not others:
         return "has no value"
     is_moved = not farthest((value, ours) for value in others) <= LAW_MATTERS
-    others += ends_of(by_law) if isinstance(by_law, Interval) else ()
+    if isinstance(by_law, Interval):
+        at_half = with_bars(scene, [name], lambda scene: at_half_spacing(by_law_at_spacing(scene, [name])))[name]
+        others += [*ends_of(by_law), *(ends_of(at_half) if at_half is not None else ())]
     return f"= {span(name, min(others), max(others))}" if is_moved else ""
 
 

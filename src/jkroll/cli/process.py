@@ -271,7 +271,7 @@ def _no_such_command(word: str) -> BadRequest:
     elif quantity := nearest(name):
         hint = f"did you mean the quantity {quantity}? jkroll quantities {quantity} lists the commands that show it"
     else:
-        hint = "a command comes first, as in jkroll pull-off quartz 100nm; see jkroll --help"
+        hint = "see jkroll --help, or write, for example, jkroll pull-off quartz 100nm"
     return BadRequest(f"no such command {quoted(word)}; {hint}")
 
 

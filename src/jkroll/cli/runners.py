@@ -20,6 +20,7 @@ from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..rows.sweep import Sweep
 from ..scene.scene import Scene
+from ..scene.wiring import formula_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
 from .call import Call, message_of
 
@@ -39,6 +40,10 @@ def run_question(call: Call) -> int:
     check_format(call)
     question = question_of(call, QUESTIONS[call.command])
     form = call.form(question.quantities)
+    scene = call.sweep.kinds[0]
+    for name in question.named:
+        if name in scene.stated or (name in scene.values and formula_of(name) is None):
+            raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
 
     def answer(row: Scene) -> "Answer":
         from ..answers.answer import Answer  # of which rows that are written with fewer words need nothing

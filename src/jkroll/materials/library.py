@@ -357,7 +357,7 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
     if first.path == SHIPPED != last.path and word.strip().casefold() in last.words:  # which must not take its names
         title, file = first.title, shown(last.path)
         meanings = f"shipped ({title}) and also in {file}; rename it, or pass --materials {file}"
-        return UnclearMaterial(f"material {name} is {meanings}", f"unclear material {name}")
+        return UnclearMaterial(f"material {name} is {meanings}", "unclear material")
     has_sets = len({material.title for material in materials}) > 1
     choices = []
     for material in materials:
@@ -366,7 +366,7 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
         about = ", ".join(filter(None, [*known, material.state or (material.title if has_sets else "")]))
         choices.append(f"{material.name} ({about})" if about else material.name)
     choice = f"{', '.join(choices[:-1])} or {choices[-1]}"
-    return UnclearMaterial(f"material {name} is one of several; write {choice}", f"unclear material {name}")
+    return UnclearMaterial(f"material {name} is one of several; write {choice}", "unclear material")
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Tables on a terminal, in the width there is: of one scene, of a list of pairs, and of texts."""
+"""Tables on a terminal, in the width there is: of one scene, and of a list of pairs."""
 
 from collections.abc import Mapping, Sequence
 from itertools import chain

@@ -16,7 +16,9 @@ _OTHERS = {
     "2.5 ulp of the larger term": "boussinesq_pressure_at_approach",
     "3 ulp of the fit": "pull_off_force_lennard_jones",
     "3 ulp for s ≥ 0; beyond, 2 + 3s cancels towards the fold": "stiffness",
-    "3.5 ulp": "strip_moment viscosity_number mass yield_force shear_strength twisting_moment",
+    "3.5 ulp": (
+        "strip_moment viscosity_number mass yield_force shear_strength twisting_moment sliding_or_peeling_force"
+    ),
     "4 ulp": (
         "unloaded_moment_of_radius pull_off_force_rough tensile_strength adhesion_energy adhesive_force_maugis "
         "unloaded_edge_ratio rayleigh_time twisting_stiffness"

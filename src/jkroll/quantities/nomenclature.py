@@ -488,14 +488,14 @@ def _plain_spelling(symbol: str) -> str:
 _WORDS_OF_OTHERS = {
     "approach_at_load": "? indentation overlap penetration",
     "contact_modulus": "e_star reduced_modulus reduced_youngs_modulus effective_youngs_modulus",
-    "density": "mass_density",
+    "density": "mass_density dichte",
     "disruption_speed": "fragmentation_speed fragmentation_velocity fragmentation v_frag",
     "energy": "impact_energy collision_energy",
     "filling_factor": "? porosity",
     "gravity": "gravitational_acceleration",
     "hamaker": "hamaker_constant",
     "load": "applied_load normal_load",
-    "poisson_ratio": "poissons poissons_ratio poisson_number",
+    "poisson_ratio": "poissons poissons_ratio poisson_number poissonzahl querkontraktionszahl",
     "pull_off_force": "? adhesion adhesion_force detachment_force f f_ad force",
     "radius": "? diameter",
     "reduced_radius": "effective_radius",
@@ -514,7 +514,7 @@ _WORDS_OF_OTHERS = {
     "yield_force": "friction rolling_force rolling_friction rolling_friction_force",
     "yield_moment": "rolling_resistance rolling_torque torque",
     "youngs_modulus": "young_modulus youngs elastic_modulus elasticity_modulus modulus_of_elasticity e_modulus e_modul"
-        " emod ym"
+        " emod"
         " ? elasticity modulus",
 }  # fmt: skip
 SYNONYMS = {name: words.partition("?")[0].split() for name, words in _WORDS_OF_OTHERS.items()}

@@ -192,7 +192,7 @@ def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 _Decimal = tuple[int, int]  # an integer and a power of ten
 _UnitIn = Callable[[str], Unit]  # the unit that a text means; for an empty text that of texts without one
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
-_SECOND = re.compile(r" ?([-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\2$")  # 5-6 nm, 5nm-6nm
+_SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # 5-6 nm, 5nm-6nm
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
 
 

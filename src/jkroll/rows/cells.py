@@ -17,7 +17,7 @@ import numpy
 import orjson
 
 from ..errors import JkrollError
-from ..materials.library import Material, Materials
+from ..materials.library import Material, Materials, UnclearMaterial
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import Unit, dimension_of, exponent_of
 from ..quantities.values import QuantityError, Uncertain, has_uncertainty, is_uncertain, middle, unit_of, value_of
@@ -275,12 +275,13 @@ class Lookup:
 
     @property
     def remarks(self) -> list[str]:
-        """The remarks on cells beside labels that are other names of a material."""
-        cells = {cell.decode(errors="replace").strip(): index for cell, index in self._indices.items() if self.errors}
-        named = [(text, solid.name) for text, index in cells.items() if text and (solid := self.known[index])]
-        return [
-            f"material {quoted(text)} is {name}" for text, name in named if name.casefold() not in ("", text.casefold())
-        ]
+        """The remarks on cells beside labels: names of several materials, and other names of one."""
+        remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
+        for cell, index in self._indices.items() if self.errors else ():
+            text, solid = cell.decode(errors="replace").strip(), self.known[index]
+            if text and solid not in (None, LABEL) and solid.name.casefold() != text.casefold():
+                remarks.append(f"material {quoted(text)} is {solid.name}")
+        return remarks
 
     def kinds(self, indices: Indices) -> Indices:
         """Return a number for each row, which is the same for materials that can be one scene's."""

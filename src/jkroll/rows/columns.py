@@ -536,14 +536,9 @@ class Tally(NamedTuple):
         for status, (more, place, text) in other.gaps.items():
             rows, first, words = gaps.get(status, (0, place + (0 if table else self.rows), f"{table}{text}"))
             gaps[status] = (rows + more, first, words)
-        return Tally(
-            self.rows + other.rows,
-            self.failed + other.failed,
-            gaps,
-            self.doubts + other.doubts,
-            self.inferred + other.inferred,
-            self.said + other.said,
-        )
+        others = [name for name in self._fields if name != "gaps"]
+        sums: dict[str, Any] = {name: getattr(self, name) + getattr(other, name) for name in others}
+        return Tally(gaps=gaps, **sums)
 
     def with_doubts(self, bits: int) -> int:
         """Return the number of rows with any of the doubts that bits stand for."""

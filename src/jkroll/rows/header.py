@@ -9,7 +9,7 @@ of an input and is no word with a unit is refused. All else passes through.
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
-from itertools import combinations
+from itertools import chain, combinations
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -19,6 +19,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
 from ..quantities.units import is_in_table
 from ..quantities.values import NO_UNIT, QuantityError, unit_of, value_of
+from ..scene.scene import EXCLUSIVE
 from ..text import ascii_text, composed, first_of, listed, quoted, shown
 from . import words
 from .cells import Column, has_no_value, is_number
@@ -32,7 +33,7 @@ class Reading(NamedTuple):
     unit_text: str = ""
     part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", or the "low" or "high" end of a range
     is_symbol: bool = False  # without a unit: an input only if its cells have units
-    problem: str = ""  # why the header is refused unless columns or options give what it may be
+    problem: str = ""  # why the header is refused unless columns give what it may be
     meant: Sequence[str] = ()  # the headers that would be read, where that is certain
     is_stated: bool = False  # by an option
     place: int = 0  # in a table
@@ -151,9 +152,8 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
         bare = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
         if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
             return Reading(reading.name, problem="a sign or a factor stands beside the word or its unit")
-        word, is_slip = _word_in(split.word, known)
-        is_indexed = bool(not word and split.is_explicit and split.unit)
-        word = words.with_index(split.word) if is_indexed else word
+        word, is_slip = _word_in(split.word, known, split.unit)
+        word = word or (words.with_index(split.word) if split.is_explicit and split.unit else "")
         if not word:
             continue
         meaning = known[word]
@@ -167,23 +167,22 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
-            meant = [*map(headed, names if split.is_explicit else names[:1])] if split.unit[0].isalpha() else []
+            meant = [*map(headed, names[: 1 + split.is_explicit])] if split.unit[0].isalpha() else []
             return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
-            is_last = not split.is_mangled and key(split.word).endswith(word)
-            is_beside = split.is_explicit if is_slip or is_indexed else is_last
-            is_open = not meaning.problem and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
+            is_beside = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
+            is_open = meaning.has_remedy and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
             meant = [headed(each, (is_beside and unit_text) or "UNIT") for each in names if is_open]
             return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
     return None
 
 
-def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
-    """Return the known word that a text is, the longest beside others in it, or that from which it differs by a slip.
+def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:
+    """Return the known word that a text is, one beside others in it, or that from which it differs by a slip.
 
-    The second value says if it is a slip: a letter, or the order of two.
+    Of several, it is the longest, if possible of those that a unit fits. The second value says if it is a slip.
     """
     letters = key(text)
     if letters in known:
@@ -191,8 +190,9 @@ def _word_in(text: str, known: Mapping[str, Meaning]) -> tuple[str, bool]:
     tokens = re.findall(r"[a-z]+[12]?", _CUT.sub(" ", ascii_text(text).replace("'", "")).casefold())
     if words.OTHERS.isdisjoint(tokens):
         runs = ("".join(tokens[first:last]) for first, last in combinations(range(len(tokens) + 1), 2))
-        if longest := max((run for run in runs if run in known), key=len, default=""):
-            return longest, False
+        if every := sorted((run for run in runs if run in known), key=len):
+            fitting = [run for run in every if any(unit_for(unit, name) for name in known[run].names)] if unit else []
+            return (fitting or every)[-1], False
     slip = next(filter(None, map(words.slips().get, words.lacking_a_letter(letters))), "")
     return slip, bool(slip)
 
@@ -300,9 +300,12 @@ def understood(
     inputs.pop("", None)
     used = {name: parts for name, group in inputs.items() if (parts := _used(name, group))}
     values = [head for parts in used.values() for part, head in parts.items() if part in ("", *_ENDS)]
+    # A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
+    groups = [names for names in EXCLUSIVE if "work_of_adhesion" not in names and not used.keys().isdisjoint(names)]
+    held = {*used, *chain(*groups)}
     refused = [
         head for head in heads
-        if head.problem and (head.name not in used or not {meant.split()[0] for meant in head.meant} <= {*used, *given})
+        if head.problem and (head.name not in held or not {meant.split()[0] for meant in head.meant} <= {*held, *given})
     ]  # fmt: skip
     refused += [head for head in map(_with_problem, values) if head.problem]
     if refused:
@@ -313,10 +316,7 @@ def understood(
 
 
 def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measured: str) -> Reading:
-    """Return the meaning of a column: that of `--column`, else that of its header, if its cells can be of it.
-
-    `stated`, `measured`: as `understood` has them.
-    """
+    """Return the meaning of a column: that of `--column`, else that of its header, if its cells can be of it."""
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     cell = next(iter(cells), "")
     reading = reading_of(stated.get(typed(text), text), measured)._replace(is_stated=typed(text) in stated)
@@ -413,7 +413,8 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
     cells = [f" (first cell {quoted(head.cell)})" if head.cell else "" for head in heads]
     problems = [f"{quoted(head.text)}{cell}: {head.problem}" for head, cell in zip(heads, cells, strict=True)]
     passing = f"{' '.join(_option(head.text, '') for head in heads)} to pass {'them' if heads[1:] else 'it'} through"
-    remedies = ", or ".join(filter(None, ["; ".join(ways), passing]))
+    mark = " " if all(len(head.meant) == 1 for head in heads) else "; "  # options that can be typed together
+    remedies = ", or ".join(filter(None, [mark.join(ways), passing]))
     return BadTable(f"header: {'; '.join(problems)}. Write {remedies}")
 
 

@@ -150,6 +150,8 @@ class Table:
             scenes[0].check()
             return [self.asked.infer], [self.asked.infer]
         for name in explicit:
+            if name in self.given:
+                raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
             if all(scene.missing([name]) for scene in scenes):
                 try:
                     scenes[0].plans(name)

@@ -12,8 +12,7 @@ from ..text import ascii_text
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
 SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # what symbols mean besides
-SYMBOLS_TOO |= {"SFE": "surface_energy", "rad": "radius", "vimp": "speed", "R*": "reduced_radius"}
-SYMBOLS_TOO |= dict.fromkeys(("w12", "W12", "wa", "Wa"), "work_of_adhesion") | {"Reff": "reduced_radius"}
+SYMBOLS_TOO |= {"SFE": "surface_energy", "rad": "radius", "vimp": "speed", "YM": "youngs_modulus", "AH": "hamaker"}
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
@@ -35,7 +34,7 @@ _DOUBTFUL_WORDS = {
     **dict.fromkeys("indentation overlap penetration".split(), Meaning(["approach_at_load"], "it may be the approach")),
     **dict.fromkeys("modulus effectivemodulus".split(), _MODULUS),
     "surfacetension": Meaning(["surface_energy"], "it may be the tension of a liquid"),
-    **dict.fromkeys("adhesion adhesionenergy energyofadhesion interfacialenergy".split(), _OF_PAIR),
+    **dict.fromkeys("adhesion adhesionenergy energyofadhesion".split(), _OF_PAIR),
     "hysteresis": Meaning(["adhesion_hysteresis"], "it may be another hysteresis"),
 }
 _DOUBTFUL_SYMBOLS = {
@@ -43,6 +42,8 @@ _DOUBTFUL_SYMBOLS = {
     **dict.fromkeys("Fn FN".split(), _FORCE),
     "r": Meaning(["radius"], "r may be a distance"),
     "gamma12": Meaning(["work_of_adhesion"], "w = γ1 + γ2 - γ12, if it is of the interface", has_remedy=False),
+    **dict.fromkeys("R* Reff".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
+    **dict.fromkeys("w12 W12 wa Wa".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),
     "Eeff": _MODULUS,
 }
@@ -55,17 +56,17 @@ SHARED = (*"energy speed velocity angle approach contacts monomers gravity cutof
 # Beside a word they make it another quantity.
 OTHERS = {
     *"""atomic ionic covalent metallic vdw bohr gyration current dislocation yield failure ultimate shear bulk
-    storage loss dynamic complex flexural bending section rupture resilience""".split()
+    storage loss dynamic complex flexural bending section rupture resilience polar dispersive water liquid
+    hydrodynamic pore crater capillary meniscus kelvin""".split()
 }
 # Beside a word they make it a function or a statistic of the quantity: log radius, radius change.
-FUNCTIONS = {
-    *"log ln lg exp inv inverse reciprocal sqrt delta change difference relative normalized stderr variance cv".split()
-}
+FUNCTIONS = {*"""log ln lg exp inv inverse reciprocal sqrt delta change difference relative normalized variance cv std
+    stdev stderr sd sem se err error unc uncertainty sigma deviation residual fit ci""".split()}  # fmt: skip
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
     family label tag index step count counts cell rank source ref reference url doi note notes comment comments desc
     description quality flag status unit units method model formula cost price date color colour grade out
-    ratio""".split()}  # fmt: skip
+    ratio lit dft calc""".split()}  # fmt: skip
 INDICES = ("in", "bar")  # in no brackets they may mean inside and mean
 _ERRORS = "err error std stdev sd sem se unc uncertainty".split()  # words of an uncertainty to both sides
 # Words of its other parts: of one side, and of the ends of a range.
@@ -137,7 +138,7 @@ def with_index(text: str) -> str:
     ('youngsmodulus', 'density', '', '')
     """
     parts = _WITH_INDEX.fullmatch(ascii_text(text))
-    return key(symbols()[parts[1]].names[0]) if parts and (parts[2] or "").casefold() not in OTHERS else ""
+    return key(symbols()[parts[1]].names[0]) if parts and (parts[2] or "").casefold() not in {*OTHERS, *LABELS} else ""
 
 
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:

@@ -259,18 +259,18 @@ def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict
         values[law] = with_bars(scene, moved, attrgetter("by_law"))
     rolled = names_of.get(DATA)
     if rolled and (is_near := is_like_rolled(scene)) is not False:
-        made_of = "yield_force", "reduced_radius"  # at the pair that was measured, and here
-        lows, highs = (with_bars(scene, rolled, end, made_of) for end in (at_least_measured, at_most_measured))
+        deciding = "yield_force", "reduced_radius"  # at the pair that was measured, and here
+        lows, highs = (with_bars(scene, rolled, end, deciding) for end in (at_least_measured, at_most_measured))
         values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
     return values
 
 
 def with_bars(
-    scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene], made_of: Sequence[str] = ()
+    scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene], deciding: Sequence[str] = ()
 ) -> dict[str, Any]:
     """Return quantities of what is made of a scene, with their error bars. Sources that do not go together give none.
 
-    `made_of`: the quantities of the scene that decide on inputs of the other one, whose sources enter, too. Raises a
+    `deciding`: the quantities of the scene that decide on inputs of the other one, whose sources enter, too. Raises a
     JkrollError for a scene of arrays of which some elements have no error bars.
     """
     values = dict.fromkeys(names) | alternative(scene).numbers(*names)
@@ -279,7 +279,7 @@ def with_bars(
     from .uncertainty import Propagated, sources_of_results, uncertainties
 
     try:
-        sources = sources_of_results(scene, [*names, *made_of]) if made_of else None
+        sources = sources_of_results(scene, [*names, *deciding]) if deciding else None
         bars = uncertainties(scene, names, alternative, sources)
     except JkrollError:
         if scene.shape:
@@ -368,7 +368,7 @@ class Doubt:
 
     @property
     def code(self) -> str:
-        """The code of the last threshold that is passed; empty where the limit holds."""
+        """The code of the last threshold that is passed; empty where the limit holds, UNCHECKED if not judged."""
         return codes(self.bits)
 
     @property
