@@ -140,7 +140,7 @@ PASSING = (
     "gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
-    "nu_g0 | E...MPa. | velocity_c_m_s | E_loss (GPa) | rho_bulk [kg/m3] | num [-] | E_s_GPa | nu_e [Hz] | "
+    "nu_g0 | E...MPa. | velocity_c_m_s | E_loss (GPa) | rho_bulk [kg/m3] | num [-] | nu_e [Hz] | "
     "speed of sound (m/s) | contact angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s]"
 ).split(" | ")
 
@@ -188,7 +188,7 @@ def test_a_prime_is_part_of_a_symbol_and_quotes_are_not() -> None:
         assert understood([text], [["3 GPa"]]).names == {"youngs_modulus"}
 
 
-_OF_2 = "r2_um | D2 [um] | diameter2 (um) | Diameter 2, um | size2_um | tip radius (nm) | radius [nm].1 | E_s [GPa]"
+_OF_2 = "r2_um | D2 [um] | diameter2 (um) | Diameter 2, um | E_tip_GPa | R_tip (nm) | tip radius (nm) | radius [nm].1"
 
 
 @pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])

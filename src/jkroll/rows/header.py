@@ -153,7 +153,7 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
         if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
             return Reading(reading.name, problem="a sign or a factor stands beside the word or its unit")
         word, is_slip = _word_in(split.word, known, split.unit)
-        word = word or (words.with_index(split.word) if split.is_explicit and split.unit else "")
+        word = word or (words.with_index(split.word) if split.unit else "")
         if not word:
             continue
         meaning = known[word]

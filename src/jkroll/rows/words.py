@@ -48,8 +48,8 @@ _DOUBTFUL_SYMBOLS = {
     "Eeff": _MODULUS,
 }
 
-# Symbols of solids, whose index may say which of them: E_s, rho_p, Es; nu only with a gap before it.
-_WITH_INDEX = re.compile(r"(E|rho|nu)(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])")
+# Symbols of solids, whose index may say which of them: E_s, rho_p, Es; nu only with a gap before it, R of a body alone.
+_WITH_INDEX = re.compile(r"(E|rho|nu|R(?=[\s_](?:tip|probe|sphere|sample|wall)\Z))(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])")
 
 # Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
 SHARED = (*"energy speed velocity angle approach contacts monomers gravity cutoff xi z0 surfacetension".split(),)
