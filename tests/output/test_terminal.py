@@ -121,7 +121,7 @@ def test_a_warning_names_all_that_has_no_meaning_and_stands_under_quiet(run: Run
 @pytest.mark.parametrize(
     ("words", "kinds"),
     [
-        ("pull-off quartz 5um", ["smooth glass", "Maugis' and"]),  # five times the least rough size before 10 %
+        ("pull-off quartz 5um", ["smooth glass", "Maugis' or"]),  # five times the least rough size before 10 %
         ("yield-force quartz 100nm", ["ξ is assumed", "Maugis' law"]),  # 2.9 before 2.3
         ("energies quartz 100nm", ["Maugis' law", "forms and opens smoothly"]),  # a factor of 1e4 in U_stick
     ],

@@ -357,13 +357,13 @@ def _about_law(
             values = ", ".join(f"{NOMENCLATURE[name].symbol} {texts[name]}" for name in told)
             at_displacement = " at equal ξ" if rolling(told) and is_at_displacement(scene) else ""
             better = f"better here than {scene.law.title} {scale}: --model {BETWEEN}"
-            return f"{values} by {laws_advised(told)}{at_displacement}, {better}"
+            return f"{values} by {law_advised(told)}{at_displacement}, {better}"
     return f"energies and speeds are rough here: neither {scene.law.title} nor Maugis' law is exact {scale}"
 
 
-def laws_advised(names: Collection[str]) -> str:
-    """Return by which laws quantities are advised: a pull-off force by that of Lennard-Jones, too."""
-    return "Maugis' and Lennard-Jones' laws" if "pull_off_force" in names else "Maugis' law"
+def law_advised(names: Collection[str]) -> str:
+    """Return by which law quantities are advised: a pull-off force up to that of Lennard-Jones."""
+    return "Maugis' or Lennard-Jones' law" if "pull_off_force" in names else "Maugis' law"
 
 
 def advised(scene: Scene, name: str, by_law: Any = None) -> str:

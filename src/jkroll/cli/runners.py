@@ -40,8 +40,8 @@ def run_question(call: Call) -> int:
     check_format(call)
     question = question_of(call, QUESTIONS[call.command])
     form = call.form(question.quantities)
-    scene = call.sweep.kinds[0]
     for name in question.named:
+        scene = call.sweep.kinds[0]
         if name in scene.stated or (name in scene.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
 

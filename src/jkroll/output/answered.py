@@ -269,7 +269,7 @@ def answer(
     >>> str(answered["pull_off_force"]), answered["P_c"].unit
     ('11.781 nN', 'N')
     >>> print(str(answered.doubts[0]).partition(", ")[0])
-    P_c = 14–15 nN by Maugis' and Lennard-Jones' laws
+    P_c = 14–15 nN by Maugis' or Lennard-Jones' law
     """
     from ..scene.solver import in_si, materials_of, refuse_arrays
 

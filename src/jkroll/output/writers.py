@@ -312,8 +312,8 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
 
     def remove() -> None:
         with suppress(FileNotFoundError):
-            for file in begun:
-                os.unlink(file.name)
+            if begun:
+                os.unlink(path)
 
     def end(number: int, _: object) -> None:
         remove()

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..answers.answer import advised, equation_of, laws_advised
+from ..answers.answer import advised, equation_of, law_advised
 from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, entering
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
@@ -317,5 +317,5 @@ def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
             place, shown = amount(x.name, value, _TWO), amount(quantity, here[quantity], _THREE)
             yield (
                 f"{here.law.title} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} {told} by "
-                f"{laws_advised([quantity])}, {shown} here."
+                f"{law_advised([quantity])}, {shown} here."
             )

@@ -514,8 +514,7 @@ _WORDS_OF_OTHERS = {
     "yield_force": "friction rolling_force rolling_friction rolling_friction_force",
     "yield_moment": "rolling_resistance rolling_torque torque",
     "youngs_modulus": "young_modulus youngs elastic_modulus elasticity_modulus modulus_of_elasticity e_modulus e_modul"
-        " emod"
-        " ? elasticity modulus",
+        " emod ? elasticity modulus",
 }  # fmt: skip
 SYNONYMS = {name: words.partition("?")[0].split() for name, words in _WORDS_OF_OTHERS.items()}
 QUANTITY_SYNONYMS = {word: name for name, words in _WORDS_OF_OTHERS.items() for word in words.replace("?", "").split()}

@@ -167,7 +167,7 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
-            meant = [*map(headed, names[: 1 + split.is_explicit])] if split.unit[0].isalpha() else []
+            meant = [*map(headed, names if split.is_explicit else names[:1])] if split.unit[0].isalpha() else []
             return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit

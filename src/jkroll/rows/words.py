@@ -76,7 +76,7 @@ PARTS = {
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
-# In a header. The patterns are made when one is first held against them: most tables need none.
+# Forms of an uncertainty in a header. The patterns are made when one is first held against them: most tables need none.
 PERCENT = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
 _ERROR = "|".join([r"(?:standard|std?)[\s_.]*dev(?:iation)?\.?", *_ERRORS])
 PART = (
