@@ -1,9 +1,11 @@
 """What the site has beside the pages of the manual: generated pages, a gallery, and the prompt."""
 
 import io
+import json
 import re
-import shutil
 import sys
+import tempfile
+from collections.abc import Iterator
 from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -15,7 +17,8 @@ from jkroll.materials.library import known_materials
 from jkroll.quantities.nomenclature import NOMENCLATURE
 
 HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE))
+sys.path[:0] = [str(HERE), str(HERE / "prompt")]
+from bridge import FILES  # noqa: E402
 from prompt_files import put_prompt  # noqa: E402
 
 CHECKOUT = HERE.parent
@@ -25,24 +28,24 @@ MAPS = {
     "Frequencies": "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",
     "A contact under load": "contact quartz 100nm --curve",
 }
-
-
-# --- Pages ------------------------------------------------------------------------------------------------------------
+GALLERY = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS  # the line that draws each picture
 
 
 def on_files(files: Files, config: Any) -> Files:
-    """Add the generated pages."""
-    pages = {
+    """Add the generated pages and the pictures, so that mkdocs checks the links to them."""
+    content: dict[str, str | bytes] = {
         "index.md": home(),
         "try.md": "# Try it\n\n<iframe class=prompt src=../prompt/ title='a prompt that runs jkroll'></iframe>\n",
         "all-quantities.md": quantities(),
         "all-materials.md": materials(),
         "gallery.md": gallery(),
-        "run.js": (HERE / "run.js").read_text(encoding="utf-8"),
+        "run.js": f"const FILES = {json.dumps(sorted(FILES))};\n" + (HERE / "run.js").read_text(encoding="utf-8"),
         "run.css": (HERE / "run.css").read_text(encoding="utf-8"),
+        "gallery/contact.svg": (CHECKOUT / "tests" / "data" / "contact.svg").read_bytes(),
+        **dict(pictures()),
     }
-    for path, text in pages.items():
-        files.append(File.generated(config, path, content=text))
+    for path, each in content.items():
+        files.append(File.generated(config, path, content=each))
     return files
 
 
@@ -72,12 +75,20 @@ def materials() -> str:
 
 def gallery() -> str:
     """Return a page of the figures of the paper and some maps, each below the line that draws it."""
-    lines = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS
     shown = (
         f"## {title}\n\n```console\n$ jkroll {line}\n```\n\n![{title}](gallery/{number}.svg)\n"
-        for number, (title, line) in enumerate(lines.items())
+        for number, (title, line) in enumerate(GALLERY.items())
     )
     return "# Gallery\n\nThe figures of the paper as this program draws them, and maps.\n\n" + "\n".join(shown)
+
+
+def pictures() -> Iterator[tuple[str, bytes]]:
+    """Draw the pictures of the gallery; give the path and the content of each."""
+    with tempfile.TemporaryDirectory() as folder:
+        picture = Path(folder, "picture.svg")
+        for number, line in enumerate(GALLERY.values()):
+            printed(f"{line} --quiet -o {picture}")
+            yield f"gallery/{number}.svg", picture.read_bytes()
 
 
 def printed(line: str) -> str:
@@ -89,15 +100,6 @@ def printed(line: str) -> str:
     return stream.getvalue()
 
 
-# --- Files ------------------------------------------------------------------------------------------------------------
-
-
 def on_post_build(config: Any) -> None:
-    """Draw the gallery, and put the prompt beside the pages."""
-    site = Path(config["site_dir"])
-    folder = site / "gallery"
-    folder.mkdir(exist_ok=True)
-    shutil.copy(CHECKOUT / "tests" / "data" / "contact.svg", folder)
-    for number, line in enumerate([*(f"figure {figure}" for figure in FIGURES), *MAPS.values()]):
-        printed(f"{line} -o {folder / f'{number}.svg'}")
-    put_prompt(site / "prompt")
+    """Put the prompt beside the pages."""
+    put_prompt(Path(config["site_dir"]) / "prompt")
