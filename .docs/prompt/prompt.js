@@ -14,7 +14,7 @@ worker.onmessage = ({ data }) => {
   waiting.get(data.id)(data);
   waiting.delete(data.id);
 };
-worker.onerror = () => (status.textContent = "This browser cannot run Python (WebAssembly, module workers): pip install jkroll");
+worker.onerror = () => (status.textContent = "This browser cannot run Python (WebAssembly, module workers); the manual says how to install jkroll");
 
 // --- Colours: the ANSI codes of a terminal as classes of the page ---
 

@@ -10,7 +10,8 @@ async function begin() {
     const bytes = await (await fetch(`./python/${name}`)).arrayBuffer();
     python.unpackArchive(bytes, "zip", { extractDir: "/lib/site" });
   }
-  python.FS.writeFile("/lib/site/bridge.py", await (await fetch("./bridge.py")).text());
+  for (const name of ["bridge.py", "orjson.py"])
+    python.FS.writeFile(`/lib/site/${name}`, await (await fetch(`./${name}`)).text());
   python.runPython("import sys; sys.path.insert(0, '/lib/site'); import bridge; bridge.begin()");
   return python;
 }
@@ -22,16 +23,13 @@ const toObject = (proxy) => {
   return value;
 };
 
-// numpy comes from Pyodide's own place, if there is a network, the first time that a line needs it.
+// numpy lies beside Pyodide on this site, and comes the first time that a line needs it.
 async function answer(python, bridge, line) {
   const first = toObject(bridge.run(line));
   if (!first.missing.length) return first;
   const silent = () => {};
   await python.loadPackage(first.missing, { messageCallback: silent, errorCallback: silent }).catch(silent);
-  const second = toObject(bridge.run(line));
-  if (!second.missing.length) return second;
-  const names = second.missing.join(" and ");
-  return { text: `jkroll: this line needs ${names}, which could not be loaded: pip install jkroll\n`, code: 1 };
+  return toObject(bridge.run(line));
 }
 
 onmessage = async ({ data: { id, line, prefix } }) => {
