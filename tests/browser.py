@@ -13,6 +13,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
 from typing import Any
+from urllib.parse import urlsplit
 
 CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 QUIET = [
@@ -27,7 +28,7 @@ KEYS = {"Enter": "\ue007", "Tab": "\ue004", "ArrowUp": "\ue013", "ArrowDown": "\
 
 class _Silent(SimpleHTTPRequestHandler):
     def log_message(self, *_: object) -> None:
-        """Say nothing."""
+        """Print nothing."""
 
 
 @contextmanager
@@ -47,7 +48,8 @@ class Browser:
 
     def __init__(self, port: int, profile: Path) -> None:
         self.driver = f"http://127.0.0.1:{port}"
-        options = {"binary": CHROMIUM, "args": [*QUIET, f"--user-data-dir={profile}"]}
+        log = profile / "requests.json"  # see hosts_asked
+        options = {"binary": CHROMIUM, "args": [*QUIET, f"--user-data-dir={profile}", f"--log-net-log={log}"]}
         wanted = {"capabilities": {"alwaysMatch": {"browserName": "chrome", "goog:chromeOptions": options}}}
         self.session = f"/session/{self.call('POST', '/session', wanted)['sessionId']}"
 
@@ -82,9 +84,29 @@ class Browser:
             "POST", f"{self.session}/element/{next(iter(element.values()))}/value", {"text": KEYS.get(text, text)}
         )
 
+    def click(self, selector: str) -> None:
+        """Click with the mouse on the first element that a CSS selector finds."""
+        found = self.call("POST", f"{self.session}/element", {"using": "css selector", "value": selector})
+        self.call("POST", f"{self.session}/element/{next(iter(found.values()))}/click", {})
+
+    def clipboard(self) -> str:
+        """Return the text in the clipboard."""
+        self.call("POST", f"{self.session}/permissions", {"descriptor": {"name": "clipboard-read"}, "state": "granted"})
+        return str(self.script("return navigator.clipboard.readText()"))
+
     def picture(self, path: Path) -> None:
         """Save what the window shows."""
         path.write_bytes(base64.b64decode(self.call("GET", f"{self.session}/screenshot")))
+
+
+def hosts_asked(profile: Path) -> set[str | None]:
+    """Return the hosts that pages and workers sent requests to, by the log of a browser that has ended.
+
+    The browser's own requests, which reach nobody, have no page as their initiator.
+    """
+    events = json.loads((profile / "requests.json").read_text(encoding="utf-8"))["events"]
+    requests = [event["params"] for event in events if "initiator" in event.get("params", {})]
+    return {urlsplit(each["url"]).hostname for each in requests if urlsplit(each["initiator"]).hostname}
 
 
 @contextmanager

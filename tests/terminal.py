@@ -2,6 +2,11 @@
 
 import os
 import pty
+import re
+import shlex
+import sys
+
+TERMINAL = {"COLUMNS": "80", "LINES": "40", "TERM": "xterm-256color", "FORCE_COLOR": "1"}
 
 
 def on_terminal(words: list[str], **environment: str) -> tuple[int, str]:
@@ -23,3 +28,14 @@ def _read(terminal: int) -> bytes:
         return os.read(terminal, 65536)
     except OSError:
         return b""
+
+
+def script(line: str) -> tuple[str, int]:
+    """Return what jkroll prints on a terminal of 80 columns, and its exit code."""
+    code, shown = on_terminal([sys.executable, "-m", "jkroll", *shlex.split(line)], **TERMINAL)
+    return shown.replace("\r\n", "\n"), code
+
+
+def without_colours(text: str) -> str:
+    """Return a text without the codes of colours."""
+    return re.sub(r"\x1b\[[\d;]*m", "", text)

@@ -4,18 +4,21 @@ From the sdist, which has no `.docs`, these tests are left out. Where CI is set,
 """
 
 import os
-import re
-import shlex
+import runpy
 import subprocess
 import sys
 from collections.abc import Iterator
+from math import inf, nan
 from pathlib import Path
 from typing import Any
 
+import numpy
+import orjson
 import pytest
 
 from browser import CHROMIUM, DRIVER, Browser, browser, served
-from terminal import on_terminal
+from terminal import script, without_colours
+from transcripts import rounded
 
 DOCS = Path(__file__).parents[1] / ".docs"
 IS_CI = bool(os.environ.get("CI"))
@@ -39,7 +42,6 @@ LINES = (
     "resistances quartz 100nm --explain",
     "pull-off quarz 100nm",
 )
-TERMINAL = {"COLUMNS": "80", "LINES": "40", "TERM": "xterm-256color", "FORCE_COLOR": "1"}
 
 
 @pytest.fixture(scope="module")
@@ -71,17 +73,6 @@ def answer(window: Browser, line: str) -> dict[str, Any]:
     return found
 
 
-def script(line: str) -> tuple[str, int]:
-    """Return what the script prints on a terminal of 80 columns, and its exit code."""
-    code, shown = on_terminal([sys.executable, "-m", "jkroll", *shlex.split(line)], **TERMINAL)
-    return shown.replace("\r\n", "\n"), code
-
-
-def without_colours(text: str) -> str:
-    """Return a text without the codes of colours."""
-    return re.sub(r"\x1b\[[\d;]*m", "", text)
-
-
 @pytest.mark.parametrize("line", LINES)
 def test_an_answer_is_that_of_the_script(page: tuple[Browser, str], line: str) -> None:
     window = page[0] if page[0].script("return Boolean(document.body?.dataset.ready)") else opened(page)
@@ -91,19 +82,41 @@ def test_an_answer_is_that_of_the_script(page: tuple[Browser, str], line: str) -
     assert found["code"] == code
 
 
-def test_what_needs_files_says_what_to_install(page: tuple[Browser, str]) -> None:
-    window = opened(page)
-    for line in ("batch grains.csv", "pull-off quartz 1nm:1um:9 -o a.csv"):
-        found = answer(window, line)
-        assert found["code"] == 1
-        assert "pip install jkroll" in found["text"]
+@pytest.mark.parametrize("line", ["pull-off quartz 1nm:1um:5000 --csv", "map r-min --x radius=1nm:1um"])
+def test_what_needs_numpy_is_that_of_the_script(page: tuple[Browser, str], line: str) -> None:
+    """The address has another port than those of other runs: nothing of numpy is in the browser's cache."""
+    found, (printed, code) = answer(opened(page), line), script(line)
+    assert rounded(found["shown"]) == rounded(without_colours(printed))
+    assert found["code"] == code == 0
 
 
-def test_what_needs_numpy_says_so_without_a_network(page: tuple[Browser, str]) -> None:
-    found = answer(opened(page), "pull-off quartz 1nm:1um:5000 --csv")
-    assert found["code"] == 1
-    assert "numpy" in found["text"]
-    assert "pip install jkroll" in found["text"]
+def test_numbers_of_a_large_sweep_are_spelled_as_by_orjson() -> None:
+    """The module of the prompt that stands in for orjson writes and reads the same bytes."""
+    there = runpy.run_path(str(DOCS / "prompt" / "orjson.py"))
+    values = [0.0, -0.0, 1.0, 100.0, 1e-5, 4.999999999999999e-05, 1e-7, 5e-324, -1e15, 0.1]
+    for each in (numpy.array(values), numpy.array([values, values]), numpy.array([1.0, nan, -inf]), values, [1, None]):
+        text = orjson.dumps(each, option=orjson.OPT_SERIALIZE_NUMPY)
+        assert there["dumps"](each, option=there["OPT_SERIALIZE_NUMPY"]) == text
+        assert there["loads"](text) == orjson.loads(text)
+
+
+@pytest.mark.parametrize(
+    ("line", "reason"),
+    [
+        ("batch grains.csv", "batch needs files"),
+        ("pull-off quartz 1nm:1um:9 -o a.csv", "-o needs files"),
+        ("pull-off quartz 1furlong", "this line needs pint"),
+    ],
+)
+def test_what_is_not_here_says_where_to_read_how_to_install(page: tuple[Browser, str], line: str, reason: str) -> None:
+    found = answer(opened(page), line)
+    said = "which this page lacks;\nthe manual, linked below, says how to install jkroll"
+    assert (found["code"], found["shown"]) == (1, f"jkroll: {reason}, {said}\n")
+
+
+def test_no_text_of_the_prompt_says_that_jkroll_is_on_a_package_index() -> None:
+    texts = [path.read_text(encoding="utf-8") for path in (DOCS / "prompt").iterdir() if path.is_file()]
+    assert not [text for text in texts if "pip install" in text]
 
 
 def test_history_and_completion_by_the_keyboard(page: tuple[Browser, str]) -> None:

@@ -1,0 +1,145 @@
+"""The built site in headless Chromium, without a network: pictures, links, the copy button, and every run button.
+
+Build the site first (see CONTRIBUTING): a site that is older than its sources is refused. From the sdist, which has no
+`.docs`, these tests are left out. Where CI is set, a missing browser or site is a failure.
+"""
+
+import os
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import urldefrag
+
+import pytest
+
+from browser import CHROMIUM, DRIVER, Browser, browser, hosts_asked, served
+from jkroll.output.manual import page, topics
+from terminal import script, without_colours
+from transcripts import commands, rounded, transcripts
+
+ROOT = Path(__file__).parents[1]
+DOCS, SITE = ROOT / ".docs", ROOT / ".docs" / "site"
+IS_CI = bool(os.environ.get("CI"))
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not DOCS.exists(), reason="the sdist has no .docs"),
+    pytest.mark.skipif(not (CHROMIUM and DRIVER) and not IS_CI, reason="needs chromium and chromedriver"),
+    pytest.mark.skipif(not SITE.exists() and not IS_CI, reason="needs the built site"),
+]
+GALLERY = [
+    *(f"figure {number}" for number in "2 3a 3b 3c 3d 6a 6b 8 9 laws".split()),
+    "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
+    "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",
+    "contact quartz 100nm --curve",
+]
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Browser, str]]:
+    """A browser and the address of the site; at the end, no page has sent a request to another host."""
+    tracked = subprocess.run(["git", "ls-files", ".docs", "src", "*.md"], cwd=ROOT, capture_output=True, text=True)
+    newest = max((ROOT / name).stat().st_mtime for name in tracked.stdout.split() if (ROOT / name).exists())
+    assert newest < (SITE / "index.html").stat().st_mtime, "the site is older than its sources: build it"
+    profile = tmp_path_factory.mktemp("profile")
+    with served(SITE) as address, browser(profile) as window:
+        yield window, address
+    assert hosts_asked(profile) == {"127.0.0.1"}
+
+
+def address_of(topic: str) -> str:
+    """Return the address of a page on the site."""
+    return "" if topic == "index" else f"{topic}/"
+
+
+def runnable(topic: str) -> list[str]:
+    """Return the commands of a page that need no files, in their order."""
+    if topic == "gallery":
+        return GALLERY
+    text = (ROOT / "README.md").read_text(encoding="utf-8") if topic == "index" else page(topic)
+    lines = [command for block in transcripts(text) for command in commands(block)]
+    asked = [line.removeprefix("jkroll ") for line in lines if line.startswith("jkroll ")]
+    return [line for line in asked if not line.startswith("batch ") and " -o " not in line]
+
+
+def test_every_picture_is_shown_and_every_link_leads_to_a_place(site: tuple[Browser, str]) -> None:
+    window, address = site
+    pictures, broken, places, links = 0, [], {}, {}
+    for path in sorted(SITE.rglob("*.html")):
+        shown = address + path.relative_to(SITE).as_posix().removesuffix("index.html")
+        window.open(shown)
+        window.wait("document.readyState === 'complete'")
+        found = window.script("""
+            const pictures = [...document.images];
+            await Promise.all(pictures.map((picture) => picture.decode().catch(() => {})));
+            return {
+              pictures: pictures.map((picture) => [picture.src, picture.naturalWidth]),
+              files: performance.getEntriesByType("resource").map((file) => [file.name, file.responseStatus]),
+              frames: [...document.querySelectorAll("iframe")].map((frame) => frame.src),
+              links: [...document.links].map((link) => link.href),
+              places: [...document.querySelectorAll("[id]")].map((element) => element.id),
+            }""")
+        pictures += len(found["pictures"])
+        broken += [(shown, source) for source, width in found["pictures"] if not width]
+        broken += [(shown, file) for file, status in found["files"] if status >= 400]
+        places[shown] = {"", *found["places"]}
+        links[shown] = {*found["links"], *found["frames"]}
+    assert pictures == len(GALLERY) + 1  # the README has one
+    for shown, targets in links.items():
+        for target, place in {urldefrag(each) for each in targets if each.startswith(address)}:
+            reached = window.script("return fetch(arguments[0]).then((answer) => answer.ok)", target)
+            if not reached or (target in places and place not in places[target]):
+                broken.append((shown, f"{target}#{place}"))
+    assert broken == []
+
+
+@pytest.mark.parametrize("topic", ["index", "gallery", *topics()])
+def test_every_run_button_answers_as_the_program_does(site: tuple[Browser, str], topic: str) -> None:
+    window, address = site
+    window.open(address + address_of(topic))
+    titles = window.script("return [...document.querySelectorAll('.run button')].map((button) => button.title)")
+    assert titles == [f"jkroll {line}" for line in runnable(topic)]
+    for place, line in enumerate(runnable(topic)):
+        window.script("document.querySelectorAll('.run button')[arguments[0]].click()", place)
+        window.wait("document.querySelector('iframe.prompt').contentDocument?.body?.dataset.ready")
+        text, code = window.script("""
+            const frame = document.querySelector("iframe.prompt");
+            const answer = frame.contentDocument.getElementById("answer");
+            frame.remove();
+            return [answer.textContent, Number(answer.dataset.code)]""")
+        printed, ended = script(line)
+        assert (rounded(text), code) == (rounded(without_colours(printed)), ended), line
+
+
+def test_only_the_commands_of_a_transcript_are_copied(site: tuple[Browser, str]) -> None:
+    window, address = site
+    window.open(address)
+    window.click(".language-console .md-code__button")
+    assert window.clipboard() == "jkroll pull-off quartz 100nm"
+    window.click(".language-sh .md-code__button")
+    assert window.clipboard() == (
+        "python3 -m venv .venv && .venv/bin/pip install --quiet . && .venv/bin/jkroll report quartz 100nm"
+    )
+    window.click(".language-python .md-code__button")
+    assert window.clipboard().splitlines() == [
+        "import jkroll",
+        'jkroll.solve("pull_off_force", material="quartz", radius="100 nm")',
+        'jkroll.solve("yield_force_ratio", material="iron", radius=[1e-9, 1e-8])',
+        'f"{jkroll.pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"',
+    ]
+    window.open(address + "tables/")
+    window.click(".language-console .md-code__button")
+    assert window.clipboard().splitlines() == [
+        "cat grains.csv",
+        "jkroll batch grains.csv -o forces.csv --quantities pull_off_force,contact_radius_at_load",
+        "cat forces.csv",
+    ]
+
+
+def test_a_link_of_the_prompt_leaves_its_frame(site: tuple[Browser, str]) -> None:
+    window, address = site
+    window.open(address + "try/")
+    window.wait("document.querySelector('iframe').contentDocument?.querySelector('#keys a')")
+    window.script("document.querySelector('iframe').contentDocument.querySelector('#keys a').click()")
+    window.wait("location.pathname === '/' && document.readyState === 'complete'", 10)
+    assert window.script("return location.hash") == "#install"
+    assert window.script("return document.querySelector('iframe')") is None
