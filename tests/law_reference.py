@@ -140,6 +140,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "load_dmt": lambda a, w, R, E: 4 * E * a**3 / (3 * R) - 2 * pi * w * R,
     "stiffness_dmt": lambda a, E: 2 * E * a,
     "adhesive_force_dmt": lambda w, R: 2 * pi * w * R,
+    "contact_displacement_dmt": lambda a: 0 * a,
     # from JKR to DMT
     "transition_parameter": lambda mu: 32 / (9 * sqrt(mpf(3))) * cbrt(9 / (16 * pi)) * mu,
     "cohesive_stress": lambda w, z0: 16 * w / (9 * sqrt(mpf(3)) * z0),
@@ -188,7 +189,9 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "load_maugis": lambda edge, T, R, E, sigma0: hertz(edge, T, R, E) - attraction(edge, T, sigma0),
     "stiffness_maugis": slope,
     "adhesive_force_maugis": attraction,
-    "contact_displacement": lambda edge, T, R, E, sigma0, xi: (edge > 0) * xi / (1 + E * T / (sigma0 * R)),
+    "contact_displacement_maugis": lambda edge, T, R, E, sigma0, xi: (
+        xi / (1 + E * T / (sigma0 * R)) if edge else None
+    ),
     # Maugis' law: energies
     "state_energy_maugis": lambda edge, T, l_M, U_M, lambda_: sum(state_energy(edge, T, l_M, U_M, lambda_)),
     "well_energy_maugis": lambda edge0, U_M, lambda_: well(edge0, lambda_) * U_M,

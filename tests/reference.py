@@ -305,6 +305,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "yield_force": lambda w, x, xi, q: 6 * pi * w * x * xi / (1 + q),
     "yield_force_fixed_load": lambda M, R1, P, xi, R2: M / R1 - P * xi / R2,
     "yield_force_ratio": lambda x, xi, R1: 4 * x * xi / R1,
+    "contact_displacement": lambda x, xi: (x > 0) * xi,
     "yield_angle": lambda xi, R: xi / R,
     "mean_rolling_moment": lambda M: M / 2,
     "mean_rolling_force": lambda mean_M, R1: mean_M / R1,

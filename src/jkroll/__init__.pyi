@@ -84,6 +84,7 @@ from .physics.conventions import sticking_speed_pencil_code as sticking_speed_pe
 from .physics.conventions import tensile_strength as tensile_strength
 from .physics.dmt import adhesive_force_dmt as adhesive_force_dmt
 from .physics.dmt import approach_dmt as approach_dmt
+from .physics.dmt import contact_displacement_dmt as contact_displacement_dmt
 from .physics.dmt import contact_radius_dmt as contact_radius_dmt
 from .physics.dmt import contact_radius_dmt_at_approach as contact_radius_dmt_at_approach
 from .physics.dmt import load_dmt as load_dmt
@@ -111,7 +112,7 @@ from .physics.maugis import approach_at_pull_off_maugis as approach_at_pull_off_
 from .physics.maugis import approach_maugis as approach_maugis
 from .physics.maugis import approach_maugis_at_load as approach_maugis_at_load
 from .physics.maugis import approach_unit_maugis as approach_unit_maugis
-from .physics.maugis import contact_displacement as contact_displacement
+from .physics.maugis import contact_displacement_maugis as contact_displacement_maugis
 from .physics.maugis import contact_radius_at_fold_maugis as contact_radius_at_fold_maugis
 from .physics.maugis import contact_radius_at_pull_off_maugis as contact_radius_at_pull_off_maugis
 from .physics.maugis import contact_radius_maugis as contact_radius_maugis
@@ -156,6 +157,7 @@ from .physics.motion import twisting_frequency as twisting_frequency
 from .physics.motion import vertical_frequency as vertical_frequency
 from .physics.motion import viscosity_number as viscosity_number
 from .physics.rolling import bond_number as bond_number
+from .physics.rolling import contact_displacement as contact_displacement
 from .physics.rolling import fixed_approach_moment as fixed_approach_moment
 from .physics.rolling import gravity_moment as gravity_moment
 from .physics.rolling import half_circles_moment as half_circles_moment

@@ -265,7 +265,7 @@ OUTSIDE: Mapping[str, Callable[[Scene], bool]] = {
     "contact_radius_dmt_at_approach": lambda values: values["approach_at_load"] < 0,
     "zone_span": lambda values: values["edge_ratio"] == 0,
     "approach_maugis_at_load": lambda values: values["edge_ratio"] == 0,
-    "contact_displacement": lambda values: values["edge_ratio"] == 0,
+    "contact_displacement_maugis": lambda values: values["edge_ratio"] == 0,
 }
 
 

@@ -101,3 +101,14 @@ def adhesive_force_dmt(*, load: Force, work_of_adhesion: SurfaceEnergy, reduced_
     """
     attraction = 2 * pi * work_of_adhesion * reduced_radius
     return within(load + attraction >= 0, attraction)
+
+
+def contact_displacement_dmt(*, contact_radius_at_load: Length) -> Length:
+    """Return the displacement of the contact circle in DMT: 0, as a circle without attraction at its edge cannot lag.
+
+        ξ_contact = 0
+
+    Source:   The limit of Maugis' law for λ → 0; M = F_aξ comes from the attraction outside of the circle alone.
+    Valid:    In contact.
+    """
+    return 0 * contact_radius_at_load

@@ -217,7 +217,7 @@ def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_str
     return 2 * cohesive_stress * zone_span * zone_span * dugdale.Shape(edge_ratio).g3
 
 
-def contact_displacement(
+def contact_displacement_maugis(
     *,
     edge_ratio: Number,
     zone_span: Length,

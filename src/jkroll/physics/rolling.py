@@ -129,6 +129,17 @@ def yield_angle(*, yield_displacement: Length, reduced_radius: Length) -> Angle:
     return yield_displacement / reduced_radius
 
 
+def contact_displacement(*, load_factor: Number, yield_displacement: Length) -> Length:
+    """Return the displacement of the contact circle when its attraction lags behind by ξ: in JKR both have one edge.
+
+        ξ_contact = ξ
+
+    Source:   Eq (25), of a circle that is displaced by ξ.
+    Valid:    0 < x: in contact. As Eq (25).
+    """
+    return within(load_factor > 0, yield_displacement)
+
+
 def mean_rolling_moment(*, yield_moment: Moment) -> Moment:
     """Return the moment that brakes a rolling sphere, averaged over its steps of ξ.
 

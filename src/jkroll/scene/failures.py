@@ -213,7 +213,7 @@ RULES: Mapping[str, Rule] = {
     "rolling_resistance_coefficient": (NOT_PRESSED, lambda given: given["load"] <= 0),
     "viscosity_number": (NO_POISSON_RATIO, lambda given: given["poisson_ratio"] * given["poisson_ratio2"] <= 0),
     "rayleigh_time": (RIGID, lambda given: given["youngs_modulus"] == INFINITY),
-    "contact_displacement": (APART, lambda given: given["edge_ratio"] == 0),
+    "contact_displacement_maugis": (APART, lambda given: given["edge_ratio"] == 0),
 }
 
 
