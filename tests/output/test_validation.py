@@ -38,6 +38,15 @@ def test_computed_numbers_are_those_of_the_formulas() -> None:
     assert found["water ice, below 210 K", "1 um", "sticking_speed"].computed == approx(speed)
 
 
+def test_sticking_speeds_of_silica_are_of_the_two_sizes_that_were_measured() -> None:
+    """By JKR, √(2U/m) with U = 0.7722405 P_cδ0."""
+    speeds = {each.row.given["radius"]: each for each in COMPARED if each.row.solids == "silica"}
+    assert {radius: each.measured for radius, each in speeds.items()} == {"0.6 um": 1.2, "0.25 um": 1.9}
+    assert speeds["0.6 um"].computed == approx(0.150207, rel=1e-5)
+    assert speeds["0.25 um"].computed == approx(0.311554, rel=1e-5)
+    assert speeds["0.6 um"].ratio == approx(7.98898, rel=1e-5)
+
+
 def test_the_first_answer_of_the_readme_leads_to_it() -> None:
     from pathlib import Path
 
