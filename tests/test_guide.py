@@ -128,9 +128,14 @@ def test_claims_of_the_text() -> None:
     for pattern, name in ((r"R1 = ([^;|]*) by Eq 49", "n_roll"), (r"7/2 of it, ([^|]*) \|", "n_roll_energy_balance")):
         for material, radius in stated(pattern):
             assert near(name, material, radius) == approx(1, rel=0.01)
-    for material, radius in stated(r"P_c, up to R1 = ([^|]*) at τ"):
-        force, slide = solve(["pull_off_force", "sliding_force"], material=material, radius=radius).values()
+    for material, radius in stated(r"shrinks, up to R1 = ([^|]*) at τ"):
+        force, slide = solve(["pull_off_force", "sliding_or_peeling_force"], material=material, radius=radius).values()
         assert slide == approx(force, rel=2e-3)
+    # By πa²τ = P_c with 4E*a³/(3R) = P_c(2 + √(4 − E*/(4G*))), in 30 digits.
+    slides_up_to = {"iron": 334.748, "graphite": 212.248, "polystyrene": 219.609, "quartz": 7.62934}
+    assert dict(stated(r"shrinks, up to R1 = ([^|]*) at τ")) == {
+        material: f"{radius:.3g} nm" for material, radius in slides_up_to.items()
+    }
     for material, ratio in stated(r"T_peel = ([^|]*) P_c;"):
         force, peel = solve(["pull_off_force", "peeling_force"], material=material, radius=1e-7).values()
         assert peel / force == approx(float(ratio), rel=5e-3)
