@@ -350,8 +350,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "fold_energy": Quantity("F_cδ_c", "J", "unit of energy, Wada et al. 2007", definition="0.82548 P_cδ0",
         reference="code Lumajord/DustSimulation, after Wada et al. 2007"),
     "break_energy_dust_simulation": Quantity("E_break", "J", "energy to break it, DustSimulation",
-        note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus "
-            "143, 138) use a measured 1.3e-15 J", definition="1.8 F_cδ_c = 1.4859 P_cδ0",
+        note="no path of JKR from P = 0 takes as much", definition="1.8 F_cδ_c = 1.4859 P_cδ0",
         reference="code Lumajord/DustSimulation"),
     "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range=POSITIVE, option="--angle",
         example="90deg"),

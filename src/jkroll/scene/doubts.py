@@ -173,11 +173,17 @@ def assumes_displacement(scene: Scene) -> bool:
     return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE) and not scene.plan("yield_force").lacking
 
 
+def solid_of_pair(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it."""
+    solid = scene.material
+    measured = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
+    return measured if scene.material2 in (None, solid) else ""
+
+
 def rolled_solid(scene: Scene) -> str:
     """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
-    solid = scene.material
-    rolled = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
-    return rolled if rolled and scene.material2 in (None, solid) and assumes_displacement(scene) else ""
+    solid = solid_of_pair(scene)
+    return solid if solid and assumes_displacement(scene) else ""
 
 
 def is_like_rolled(scene: Scene) -> Any:
