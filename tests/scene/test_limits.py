@@ -81,6 +81,7 @@ def test_every_limit_touches_what_a_command_shows() -> None:
         ("pull_off_force", {"radius": 5e-9}, "few-atoms"),
         ("n_grav", {"radius": 1e-3}, "no-chain"),
         ("r_min", {"radius": 1e-10}, "bend-below-sphere"),
+        ("yield_force_fixed_load", {"load": 1e-7}, "rolls-by-itself"),
         ("yield_angle", {"radius": 3e-10}, "large-angle"),
         ("yield_moment", {"radius": 1e-9, "yield_displacement": 1e-9}, "xi-over-contact"),
         ("yield_moment", {"radius": 3e-9}, "xi-over-limit"),
@@ -256,6 +257,28 @@ def test_a_load_of_fixed_direction(run: Run) -> None:
     assert fixed == approx(turning, rel=1e-14)
     assert "yield_force_fixed_load" in run("yield-force quartz 100nm --load 1nN").out
     assert "yield_force_fixed_load" not in run("yield-force quartz 100nm").out
+
+
+def test_a_sphere_rolls_by_itself_beyond_eight_pull_off_forces(run: Run) -> None:
+    """Of identical spheres: Q_P = 2P_cξ(1 + s)/R1 − Pξ/R1 is 0 at P = 8P_c, where s = 3."""
+    force = 3 * math.pi * 0.025 * 5e-8
+    for times, code in ((7.999, ""), (8.001, "rolls-by-itself")):
+        assert verdicts("yield_force_fixed_load", load=times * force)["yield_force_fixed_load"] == code
+    of_a_plane = {"load": 1e-6, "radius2": math.inf}
+    assert verdicts("yield_force_fixed_load", **of_a_plane)["yield_force_fixed_load"] == ""
+    iron = json.loads(run("yield-force iron 1um --load 1mN --json").out)["validity"]
+    [doubt] = [each for each in iron if each["code"] == "rolls-by-itself"]
+    assert doubt["value"] == approx(-1.464502e-7, rel=1e-6)
+    ran = run("yield-force iron 1um --load 1mN").err
+    assert "a load that keeps its direction rolls sphere 1 by itself" in " ".join(ran.split())
+
+
+def test_the_tensile_strength_was_fitted_to_filling_factors_of_a_range(run: Run) -> None:
+    for factor, code in ((0.0099, "filling-out-of-range"), (0.01, ""), (0.5, ""), (0.51, "filling-out-of-range")):
+        assert verdicts("tensile_strength", filling_factor=factor)["filling_factor"] == code
+    assert "filling_factor" not in verdicts("compressive_strength", filling_factor=0.7)
+    ran = run("aggregates quartz 100nm --filling-factor 0.7 --quantities tensile_strength").err
+    assert "fitted to filling factors of 0.01 to 0.5 (φ = 0.7)" in " ".join(ran.split())
 
 
 def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:

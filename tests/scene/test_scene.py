@@ -24,7 +24,7 @@ LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
 
 
 def test_answers_and_their_limits_are_the_same_one_by_one() -> None:
-    scene = Scene({**QUARTZ, "viscous_time": 1e-12})
+    scene = Scene({**QUARTZ, "viscous_time": 1e-12, "filling_factor": 0.1})
     values = scene.evaluate(("pull_off_force", "n_roll", *LIMIT_NAMES))
     assert all(Scene(scene.stated)[name] == value for name, value in values.items())
     assert scene.inputs_of("pull_off_force") == ("radius", "surface_energy")

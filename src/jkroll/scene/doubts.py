@@ -453,6 +453,11 @@ LIMITS = (
         ends_meaning=True,
     ),
     Limit(
+        "yield_force_fixed_load", frozenset({"yield_force_fixed_load"}), ">", {1.0: "rolls-by-itself"},
+        "a load that keeps its direction rolls sphere 1 by itself: Q_P is the force that holds it back",
+        factor=lambda scene, _: 1 - scene["yield_force_fixed_load"] / scene["yield_force"],  # turning over resisting
+    ),
+    Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
         "the contact peels off before it slides, if it is brittle",
     ),
@@ -510,6 +515,11 @@ LIMITS = (
         "rough spheres had 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda scene, _: at_most(scene["radius"], scene["radius2"]),
+    ),
+    Limit(
+        "filling_factor", frozenset({"tensile_strength"}), ">", {1.0: "filling-out-of-range"},
+        "the formula of P_tens was fitted to filling factors of 0.01 to 0.5",
+        factor=lambda scene, _: at_least(scene["filling_factor"] / 0.5, 0.01 / scene["filling_factor"]),
     ),
     Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
