@@ -195,13 +195,21 @@ SYMBOLS = {
     "E_restr_1": "restructuring_energy_ormel", "E_disr": "disruption_energy",
     "E_disr_rule": "disruption_energy_dust_simulation",
     "A1": "hamaker", "A2": "hamaker2", "D0": "cutoff",
-    "G": "contact_shear_modulus", "k_s": "tangential_stiffness", "f": "sliding_frequency", "W_fold": "fold_energy",
+    "G": "contact_shear_modulus", "k_s": "tangential_stiffness", "f": "sliding_frequency", "f_R1": "rayleigh_frequency",
+    "f_R2": "rayleigh_frequency2", "W_fold": "fold_energy",
     "M_0": "unloaded_moment", "theta": "rolling_angle", "E_stick_1": "sticking_energy_paszun_dominik",
     "E_stick_2": "sticking_energy_pencil_code",
     "X": "position_in_strip", "X_c": "position_in_circle", "b": "contact_half_width",
     "C": "load_constant",
     "R_c": "cylinder_radius", "E_strain": "plane_strain_modulus", "n_roll": "n_roll",
 }  # fmt: skip
+
+
+def _rayleigh(radius: Exact, density: Exact, modulus: Exact, ratio: Exact) -> Exact:
+    """Return how many Rayleigh waves run around half of a sphere in a time; none around a plane or a rigid sphere."""
+    if math.inf in (radius, modulus):
+        return mpf(0)
+    return (mpf(0.8766) + mpf(0.1631) * ratio) * sqrt(modulus / (2 * (1 + ratio)) / density) / (pi * radius)
 
 
 def _pressing(P: Exact) -> Exact:
@@ -336,10 +344,9 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     ),
     "tangential_stiffness": lambda G, a: 8 * G * a,
     "sliding_frequency": lambda k_s, m: sqrt(7 * k_s / (2 * m)) / (2 * pi),
-    "time_step": lambda f: 1 / (20 * f),
-    "rayleigh_time": lambda R1, rho1, E1, nu1: (
-        pi * R1 * sqrt(rho1 / (E1 / (2 * (1 + nu1)))) / (mpf(0.8766) + mpf(0.1631) * nu1)
-    ),
+    "time_step": lambda f, f_R1, f_R2: 1 / max(20 * f, 5 * f_R1, 5 * f_R2),
+    "rayleigh_time": lambda R1, rho1, E1, nu1: 1 / _rayleigh(R1, rho1, E1, nu1),
+    "rayleigh_frequency": lambda R1, rho1, E1, nu1: _rayleigh(R1, rho1, E1, nu1),
     # sliding and twisting, where the strength is reached
     "shear_strength": lambda E1, nu1, E2, nu2: 1 / max((1 + nu1) / E1, (1 + nu2) / E2) / (8 * pi**2),
     "sliding_force": lambda tau, a: pi * a**2 * tau,
@@ -411,6 +418,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
 # What only scenes have: sphere 2, and a quantity that is another one by definition.
 OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
     "mass2": lambda R2, rho2: 4 * pi / 3 * R2**3 * rho2,
+    "rayleigh_frequency2": lambda R2, rho2, E2, nu2: _rayleigh(R2, rho2, E2, nu2),
     "moment_of_inertia2": lambda m2, R2: 2 * m2 * R2**2 / 5,
     "restructuring_energy_ormel": lambda E_roll: E_roll,
 }

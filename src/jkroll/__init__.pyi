@@ -145,6 +145,7 @@ from .physics.motion import lost_energy as lost_energy
 from .physics.motion import n_roll as n_roll
 from .physics.motion import n_roll_after_impact as n_roll_after_impact
 from .physics.motion import n_roll_energy_balance as n_roll_energy_balance
+from .physics.motion import rayleigh_frequency as rayleigh_frequency
 from .physics.motion import rayleigh_time as rayleigh_time
 from .physics.motion import restitution as restitution
 from .physics.motion import rolling_frequency as rolling_frequency

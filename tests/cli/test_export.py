@@ -338,29 +338,27 @@ def test_material_of_dust_collider(run: Run) -> None:
 # --- Time steps -------------------------------------------------------------------------------------------------------
 
 
-def rayleigh_of(text: str) -> float:
-    return float(re.findall(r"^# A fifth of the Rayleigh time, which needs no load, is (\S+) s", text, re.MULTILINE)[0])
-
-
 @pytest.mark.parametrize("program", ["lammps", "liggghts"])
-def test_two_time_steps(run: Run, program: str) -> None:
-    """Of unlike spheres the shorter of each; a wall has none.
+def test_the_time_step_is_the_shorter_of_two_rules(run: Run, program: str) -> None:
+    """Of the pair and of each sphere against its like: the shortest.
 
     The speed of a Rayleigh wave is a root of its equation.
     """
     from scipy.optimize import brentq  # type: ignore[import-untyped]
 
-    short, long = (run(f"export {program} {grain}").out for grain in ("quartz 100nm", "iron 300nm"))
-    both = run(f"export {program} quartz 100nm --radius2 300nm --material2 iron").out
-    assert rayleigh_of(both) == min(rayleigh_of(short), rayleigh_of(long)) == rayleigh_of(short)
-    assert rayleigh_of(run(f"export {program} quartz 100nm --radius2 plane --material2 iron").out) == rayleigh_of(short)
-    steps = [float(re.findall(r"timestep ([-.e\d]+)", text)[0]) for text in (short, long, both)]
-    assert steps[0] == approx(solve("time_step", material="quartz", radius=1e-7), rel=1e-11)
-    assert steps[2] <= min(steps[:2])
+    def step(words: str) -> float:
+        return float(re.findall(r"timestep ([-.e\d]+)", run(f"export {program} {words}").out)[0])
+
     shear, ratio = 54e9 / (2 * 1.17), (1 - 2 * 0.17) / (2 - 2 * 0.17)
     wave = brentq(lambda x: (2 - x) ** 2 - 4 * math.sqrt(1 - x) * math.sqrt(1 - ratio * x), 0.5, 0.99)
-    speed = math.sqrt(wave * shear / 2600)
-    assert rayleigh_of(short) == approx(math.pi * 1e-7 / speed / 5, rel=5e-3)
+    by_rayleigh = math.pi * 1e-7 / math.sqrt(wave * shear / 2600) / 5
+    assert step("quartz 100nm") == approx(by_rayleigh, rel=5e-3)
+    assert step("iron 300nm") > by_rayleigh
+    assert step("quartz 100nm --radius2 plane") == approx(by_rayleigh, rel=5e-3)  # a wall has no Rayleigh time
+    assert step("quartz 100nm --radius2 300nm --material2 iron") == approx(1.9574069e-11, rel=1e-7)  # by sliding
+    assert step("quartz 100nm --radius2 plane --material2 iron") == approx(1.7895081e-11, rel=1e-7)
+    assert step("silica-humid 5um") == approx(9.2316243e-10, rel=1e-7)
+    assert step("quartz 10nm") == approx(1.8816680e-12, rel=1e-7)  # by the period of sliding
 
 
 def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:

@@ -103,7 +103,6 @@ def test_sliding_frequency_is_an_eigenvalue(radius2: float) -> None:
     matrix = stiffness * np.outer(direction, direction) / np.sqrt(np.outer(inertia, inertia))
     highest = math.sqrt(float(np.linalg.eigvalsh(matrix)[-1])) / (2 * math.pi)
     assert math.isclose(solve("sliding_frequency", **scene), highest, rel_tol=1e-12)
-    assert math.isclose(solve("time_step", **scene), 1 / highest / 20, rel_tol=1e-12)
 
 
 @pytest.mark.parametrize("poisson", [-0.9, 0.0, 0.17, 0.5])
@@ -119,17 +118,49 @@ def test_sliding_is_the_fastest_mode(poisson: float, ratio: float) -> None:
     assert slide > 1.4 * max(others)
 
 
+@pytest.mark.parametrize(
+    ("scene", "step"),
+    [
+        # 1/(20 f_slide), t_R/5
+        ({"radius": 1e-8}, 1.8816679933550200e-12),  # 1.88, 2.33 ps
+        ({"radius": 1e-7}, 2.3321264448659369e-11),  # 27.6, 23.3 ps
+        ({"radius": 1e-7, "youngs_modulus": 54e7}, 1.2819654804729837e-10),  # 128, 233 ps
+        ({"radius": 1e-7, "radius2": 5e-8}, 1.1660632224329685e-11),  # of the smaller sphere
+        ({"radius": 5e-8, "radius2": 1e-7}, 1.1660632224329685e-11),
+        ({"radius": 1e-7, "radius2": math.inf}, 2.3321264448659369e-11),  # of the sphere
+    ],
+)
+def test_the_time_step_is_the_shorter_of_two_rules(scene: dict[str, Any], step: float) -> None:
+    """A twentieth of the period of sliding with rotation, or a fifth of the Rayleigh time, of quartz."""
+    assert solve("time_step", material="quartz", **scene) == approx(step, rel=1e-10)
+    several = solve("time_step", material="quartz", **{**scene, "radius": np.array([scene["radius"], 1e-5])})
+    assert several[0] == approx(step, rel=1e-10)
+
+
+def test_a_rigid_sphere_leaves_the_time_step_to_the_contact() -> None:
+    scene = {**GRAIN, "youngs_modulus": math.inf, "youngs_modulus2": 3e3, "poisson_ratio2": 0.5, "radius2": math.inf}
+    frequency, step = solve(["sliding_frequency", "time_step"], **scene).values()
+    assert step == approx(1 / (20 * frequency), rel=1e-14)
+
+
 def test_the_time_step_is_stable_for_many_contacts() -> None:
     """Grains of a close-packed lattice have 12 contacts: its fastest mode stays below Verlet's limit of 2/ω."""
-    slide, step = solve(["sliding_frequency", "time_step"], **GRAIN).values()
-    for contacts in (12, 40):
-        assert step < 2 / (math.sqrt(contacts) * 2 * math.pi * slide)
+    for radius in (1e-9, 1e-7, 1e-5):
+        slide, step = solve(["sliding_frequency", "time_step"], **{**GRAIN, "radius": radius}).values()
+        for contacts in (12, 40):
+            assert step < 2 / (math.sqrt(contacts) * 2 * math.pi * slide)
 
 
 def test_speeds_are_told_to_be_low_with_values(run: Run) -> None:
-    said = run("energies iron 100nm --explain").out.replace("\n ", "")
+    said = run("energies quartz 100nm --explain").out.replace("\n ", "")
+    assert "E_break of SiO2: for spheres of 1.9 µm diameter" in said
     found = re.search(r"gives ([\d.]+) m/s, of silica-dry ([\d.]+) m/s", said)
     assert found
     for number, material in zip(found.groups(), ("quartz", "silica-dry"), strict=True):
         speed = solve("sticking_speed", material=material, radius=2.5e-7, radius2=float("inf"))
         assert float(number) == approx(speed, rel=0.03)
+
+
+@pytest.mark.parametrize("grain", ["iron 1um", "polystyrene 1um", "quartz 1um --material2 iron"])
+def test_what_was_measured_on_silica_is_not_said_of_other_solids(run: Run, grain: str) -> None:
+    assert "SiO2" not in run(f"energies {grain} --explain --quantities v_stick,E_break").out

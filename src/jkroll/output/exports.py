@@ -36,7 +36,6 @@ neighbor {skin:.12g} bin
 pair_style granular
 {coefficients}
 timestep {step:.12g}
-{rayleigh}\
 # Legend, SI units. {law}: 2E* [Pa], damping 0, Poisson's ratio 0, gamma per surface [J/m^2].
 # tangential mindlin_rescale: 8G* [Pa], damping 0, coefficient of friction [1]{friction}.
 # Without _rescale, the spring of sliding gives energy to spheres that collide.
@@ -44,7 +43,8 @@ timestep {step:.12g}
 # E = 2E*, nu = 0: only E* enters the normal force. The tangential constant is 8G*, Mindlin's for these solids.
 # neighbor: the skin [m] is a fifth of the smallest radius, and at least 0.4 delta0. With less, LAMMPS 22Jul2025 without
 # its updates lets JKR contacts go before the pull-off force. These lines were run with 22Jul2025 update 4.
-# The time step is a twentieth of the period of sliding with rotation, stable up to 40 contacts a sphere, at this P.
+# The time step is the shorter of a twentieth of the period of sliding with rotation, stable up to 40 contacts a sphere,
+# at this P, and a fifth of the Rayleigh time, which needs no load.
 # A harder impact is stiffer: for its time step give its largest force as --load.
 # Damping is left out. No damping coeff_restitution here: with adhesion it gives nan (LAMMPS issue 4180).
 """
@@ -104,18 +104,8 @@ def lammps_input(scene: Scene) -> str:
         skin=_skin(scene, pairs.values()),
         coefficients="\n".join(coefficients),
         step=min(steps),
-        rayleigh=_rayleigh(grains.values()),
         friction=" F_slide/(P + 2P_c)" if is_jkr else "",
     )
-
-
-def _rayleigh(grains: Iterable[Scene]) -> str:
-    """Return the comment on the other time step in use, a fifth of the shortest Rayleigh time."""
-    times = [time for grain in grains for time in grain.numbers("rayleigh_time").values()]
-    if not times:
-        return ""
-    lead = "# A fifth of the Rayleigh time, which needs no load, is"
-    return f"{lead} {min(times) / 5:.3g} s: take the shorter of the two where grains collide.\n"
 
 
 def _skin(scene: Scene, pairs: Iterable[Scene]) -> float:
@@ -170,13 +160,16 @@ fix m2 all property/global poissonsRatio peratomtype{ratios}
 fix m3 all property/global cohesionEnergyDensity peratomtypepair {types}{densities}
 pair_style gran model hertz tangential history cohesion sjkr2
 pair_coeff * *
-{steps}{rayleigh}\
+{steps}\
 # m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N.
 # coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting.
 # k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this.
 # Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are others.
 """
-_TWENTIETH = "a twentieth of the period of sliding with rotation of a JKR contact without load, in s."
+_TWO_RULES = """\
+# timestep {:.12g}: in s, the shorter of a twentieth of the period of sliding with rotation of a JKR contact
+# without load, and a fifth of the Rayleigh time.
+"""
 
 
 def liggghts_input(scene: Scene) -> str:
@@ -199,8 +192,7 @@ def liggghts_input(scene: Scene) -> str:
         ratios=_spaced(ratios),
         types=len(moduli),
         densities=_spaced(map(_energy_density, pairs)),
-        steps=f"# timestep {min(steps):.12g}: {_TWENTIETH}\n" if steps else "",
-        rayleigh=_rayleigh(grains.values()),
+        steps=_TWO_RULES.format(min(steps)) if steps else "",
     )
 
 

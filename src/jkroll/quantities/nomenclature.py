@@ -201,6 +201,7 @@ _BOTH_SPHERES = {
     **_of_both("hamaker", "A1", "J", "Hamaker constant", range=POSITIVE, option="--hamaker", example="6.5e-20J"),
     **_of_both("mass", "m1", "kg", "mass of sphere 1", "41", range=UP_TO_INFINITE),
     **_of_both("moment_of_inertia", "I1", "kg m^2", "moment of inertia of sphere 1", "39", range=UP_TO_INFINITE),
+    **_of_both("rayleigh_frequency", "f_R1", "Hz", "inverse of the Rayleigh time of sphere 1", may_be_zero=True),
 }  # fmt: skip
 
 _TRAILING = (

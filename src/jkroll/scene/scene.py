@@ -97,7 +97,7 @@ DEFAULTS = {
 }
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
-    "radius2": (INFINITY, {"radius_ratio": 0.0, **dict.fromkeys(_OF_A_PLANE, INFINITY)}),
+    "radius2": (INFINITY, {"radius_ratio": 0.0, "rayleigh_frequency2": 0.0, **dict.fromkeys(_OF_A_PLANE, INFINITY)}),
     "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, it does not matter
     "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
     "load": (0.0, {"load_margin": 1.0}),
