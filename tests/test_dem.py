@@ -136,7 +136,7 @@ def test_softer_grains(power: float, step: float, slide: float, slide_at_strengt
 
 def test_which_time_step_governs() -> None:
     """Of quartz, below the page's radius, a twentieth of the period of sliding; above it, a fifth of t_R."""
-    assert "shorter below R1 = 36 nm" in page("dem")
+    assert "the shorter below R1 = 36 nm" in page("dem")
     for radius, is_by_sliding in ((35e-9, True), (37e-9, False)):
         scene = {**QUARTZ, "radius": radius}
         step, slide, rayleigh = solve(["time_step", "sliding_frequency", "rayleigh_time"], **scene).values()
