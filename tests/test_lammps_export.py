@@ -293,13 +293,13 @@ def test_printed_lines_run_unchanged(run: Run, lammps: Any, words: str, radii: l
 def test_collision_loses_what_the_manual_says(run: Run, lammps: Any, speed: float, restitution: float | None) -> None:
     """LAMMPS lets go at the largest tension, where a collision has lost less than at the fold. In v_stick."""
     printed = run(*"export lammps quartz 1um".split()).out
-    names = ("sticking_speed", "sticking_energy", "adhesion_energy", "time_step")
-    sticking, energy, unit, step = jkroll.solve(names, **GRAIN).values()
+    names = ("sticking_speed", "sticking_energy", "adhesion_energy", "sliding_frequency")
+    sticking, energy, unit, fastest = jkroll.solve(names, **GRAIN).values()
     if restitution is None:
         restitution = math.sqrt(1 - 0.3814 * unit / (energy * speed**2))
     grains = Grains(lammps, printed, [1e-6, 1e-6], -1e-14)
     code = grains.code
-    code.commands_list([f"timestep {step / 100}", "group upper id 1", "group lower id 2"])
+    code.commands_list([f"timestep {1 / (2000 * fastest)}", "group upper id 1", "group lower id 2"])
     for group, sign in (("upper", -1), ("lower", 1)):
         code.command(f"velocity {group} set 0 0 {sign * speed * sticking / 2}")
     code.command("fix moving all nve/sphere")

@@ -103,9 +103,7 @@ def rayleigh_time(*, radius: Length, density: Density, youngs_modulus: Stress, p
     return pi * radius * slowness / (0.8766 + 0.1631 * poisson_ratio)
 
 
-def rayleigh_frequency(
-    *, radius: Length, density: Density, youngs_modulus: Stress, poisson_ratio: Number
-) -> Frequency:
+def rayleigh_frequency(*, radius: Length, density: Density, youngs_modulus: Stress, poisson_ratio: Number) -> Frequency:
     """Return the inverse of the time of a Rayleigh wave over half the circumference of a sphere.
 
         f_R = 1/t_R, which is 0 for a rigid sphere and for a plane, as neither has such a wave
@@ -116,9 +114,7 @@ def rayleigh_frequency(
     return quotient(1.0, time, 0.0)
 
 
-def time_step(
-    *, sliding_frequency: Frequency, rayleigh_frequency: Frequency, rayleigh_frequency2: Frequency
-) -> Time:
+def time_step(*, sliding_frequency: Frequency, rayleigh_frequency: Frequency, rayleigh_frequency2: Frequency) -> Time:
     """Return a time step for simulations of many spheres, the shorter by two rules.
 
         Δt = min(1/(20 f_slide), t_R/5), t_R of either sphere

@@ -1,7 +1,8 @@
 """Units: their names and powers as exact ratios to the SI base units, and numbers converted between them.
 
 A unit is at most eight names with whole powers. pint never sees a user's text: it is asked for the meaning of a single,
-validated name, and only if the table below does not have it. Names in the table mean what they mean to pint.
+validated name, and only if the table below does not have it. Names in the table mean what they mean to pint, but for
+those that its versions have unlike: they stand in the table, or are refused.
 """
 
 import re
@@ -51,7 +52,7 @@ PREFIXABLE = _by_name({
     "J joule joules": (1, 1, _ENERGY),
     "Pa pascal pascals": (1, 1, _PRESSURE),
     "Hz hertz": (1, 1, (0, 0, -1, 0, 0, 0, 0, 0)),
-    "eV electron_volt": (1602176634, 10**28, _ENERGY),
+    "eV electron_volt electronvolt": (1602176634, 10**28, _ENERGY),
     "W watt watts": (1, 1, (1, 2, -3, 0, 0, 0, 0, 0)),
     "bar": (100000, 1, _PRESSURE),
     "dyn dyne dynes": (1, 100000, _FORCE),
@@ -60,12 +61,19 @@ PREFIXABLE = _by_name({
     "A ampere": (1, 1, (0, 0, 0, 1, 0, 0, 0, 0)),
     "K kelvin": (1, 1, (0, 0, 0, 0, 1, 0, 0, 0)),
     "V volt": (1, 1, (1, 2, -3, -1, 0, 0, 0, 0)),
+    "gf gram_force pond ponds": (980665, 10**8, _FORCE),
+    "Da dalton daltons": (166053906892, 10**38, _MASS),  # CODATA 2022, as the next three
+    "bohr bohrs": (529177210544, 10**22, _LENGTH),
+    "hartree hartrees Eh E_h": (43597447222060, 10**31, _ENERGY),
+    "rydberg rydbergs Ry": (21798723611030, 10**31, _ENERGY),
 })  # fmt: skip
 PLAIN = _by_name({
     "Å angstrom angstroms": (1, 10**10, _LENGTH),
     "micron microns": (1, 10**6, _LENGTH),
     "in inch inches": (254, 10**4, _LENGTH),
     "ft foot feet": (3048, 10**4, _LENGTH),
+    "fathom fathoms": (18288, 10**4, _LENGTH),
+    "furlong furlongs": (201168, 10**3, _LENGTH),
     "min minute minutes": (60, 1, _TIME),
     "h hr hour hours": (3600, 1, _TIME),
     "day days": (86400, 1, _TIME),
@@ -73,14 +81,14 @@ PLAIN = _by_name({
     "deg degree degrees °": (_PI, 180 * _ONE, _ANGLE),
     "lb pound pounds": (45359237, 10**8, _MASS),
     "t tonne tonnes": (1000, 1, _MASS),
-    "u amu Da": (166053906892, 10**38, _MASS),
+    "u amu": (166053906892, 10**38, _MASS),
     "lbf": (44482216152605, 10**13, _FORCE),
-    "kgf": (980665, 10**5, _FORCE),
     "bars": (100000, 1, _PRESSURE),
     "psi": (44482216152605 * 10**8, 10**13 * 254**2, _PRESSURE),
     "atm": (101325, 1, _PRESSURE),
     "torr": (101325, 760, _PRESSURE),
     "mmHg": (133322387415, 10**9, _PRESSURE),
+    "cmHg": (133322387415, 10**8, _PRESSURE),
     "Gal": (1, 100, (0, 1, -2, 0, 0, 0, 0, 0)),
     "standard_gravity": (980665, 10**5, (0, 1, -2, 0, 0, 0, 0, 0)),
     "percent %": (1, 100, NUMBER),
@@ -290,9 +298,19 @@ def _in_table(name: str) -> Unit | None:
 # --- Names of pint ----------------------------------------------------------------------------------------------------
 
 _DIGITS = 60
+# Units whose values are not the same in all versions of pint from 0.24.4 to 0.26.2, by its names. Some are in the table.
+_UNLIKE = frozenset(
+    """acre acre_foot angstrom_star apothecary_dram atomic_mass_constant atomic_unit_of_current
+    atomic_unit_of_electric_field atomic_unit_of_force atomic_unit_of_intensity atomic_unit_of_temperature
+    atomic_unit_of_time bohr bohr_magneton cables_length centimeter_Hg chain classical_electron_radius coulomb_constant
+    dalton delta_degree_Reaumur dram electron_mass fathom fine_structure_constant force_gram force_kilogram furlong
+    hartree impedance_of_free_space league link mercury meter_Hg mil neutron_mass nuclear_magneton planck_current
+    proton_mass quarter rod rydberg rydberg_constant square_league square_rod thomson_cross_section
+    unified_atomic_mass_unit unit_pole vacuum_permeability vacuum_permittivity x_unit_Cu x_unit_Mo""".split()
+)
 # Not the astronomical unit, the grain and the short ton, nor lengths: a radius (rod), (chain) or (pp) is of a thing.
 _OTHER_WORDS = frozenset(
-    """au gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
+    """au ch gr ton tons chain chains hand hands link links perch point points pole poles rod rods bp fur li pp rd sft
     smi th""".split()
 )
 
@@ -313,7 +331,8 @@ def lookup(name: str) -> Unit | None:
 
     A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
     Names that pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour),
-    the yarn count Nm, the px of a screen, and words with another meaning in this field or for most people.
+    the yarn count Nm, the px of a screen, and words with another meaning in this field or for most people. So are those
+    whose value depends on the version of pint.
 
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
@@ -341,7 +360,7 @@ def lookup(name: str) -> Unit | None:
         if powers or any(power != int(power) for power in dimension) or zero.magnitude != 0 or one.magnitude <= 0:
             return None
         is_misread = is_plural_of_symbol or unit_name in ("number_meter", "css_pixel") or name in _OTHER_WORDS
-        if is_misread or (prefix and dimension == _SPEED and unit_name != "meter_per_second"):
+        if is_misread or unit_name in _UNLIKE or (prefix and dimension == _SPEED and unit_name != "meter_per_second"):
             return None
         factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))
     return *factor.as_integer_ratio(), tuple(int(power) for power in dimension)
