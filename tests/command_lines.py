@@ -187,7 +187,11 @@ def _value(source: Random, name: str) -> str:
 
 def _unit(source: Random) -> str:
     """Return a unit, or a product of several, of any dimension."""
-    name = source.choice([*PREFIXABLE]) if source.random() < 0.8 else source.choice([*PLAIN, "furlong", "zorch", "dB"])
+    name = (
+        source.choice([*PREFIXABLE])
+        if source.random() < 0.8
+        else source.choice([*PLAIN, "nautical_mile", "zorch", "dB"])
+    )
     unit = source.choice(["", "", *PREFIXES]) + name + source.choice(("", "", "", "2", "^2", "**-1", "-3", "⁻²", "99"))
     return unit + source.choice(("/", "*", " ", "·")) + _unit(source) if source.random() < 0.3 else unit
 

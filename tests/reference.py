@@ -205,11 +205,11 @@ SYMBOLS = {
 }  # fmt: skip
 
 
-def _rayleigh(radius: Exact, density: Exact, modulus: Exact, ratio: Exact) -> Exact:
-    """Return how many Rayleigh waves run around half of a sphere in a time; none around a plane or a rigid sphere."""
-    if math.inf in (radius, modulus):
+def _wave_speed(density: Exact, modulus: Exact, ratio: Exact) -> Exact:
+    """Return the speed of a Rayleigh wave; 0 in a rigid sphere, which has none."""
+    if modulus == math.inf:
         return mpf(0)
-    return (mpf(0.8766) + mpf(0.1631) * ratio) * sqrt(modulus / (2 * (1 + ratio)) / density) / (pi * radius)
+    return (mpf(0.8766) + mpf(0.1631) * ratio) * sqrt(modulus / (2 * (1 + ratio)) / density)
 
 
 def _pressing(P: Exact) -> Exact:
@@ -345,8 +345,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "tangential_stiffness": lambda G, a: 8 * G * a,
     "sliding_frequency": lambda k_s, m: sqrt(7 * k_s / (2 * m)) / (2 * pi),
     "time_step": lambda f, f_R1, f_R2: 1 / max(20 * f, 5 * f_R1, 5 * f_R2),
-    "rayleigh_time": lambda R1, rho1, E1, nu1: 1 / _rayleigh(R1, rho1, E1, nu1),
-    "rayleigh_frequency": lambda R1, rho1, E1, nu1: _rayleigh(R1, rho1, E1, nu1),
+    "rayleigh_time": lambda R1, rho1, E1, nu1: pi * R1 / _wave_speed(rho1, E1, nu1),
+    "rayleigh_frequency": lambda R1, rho1, E1, nu1: _wave_speed(rho1, E1, nu1) / (pi * R1),
     # sliding and twisting, where the strength is reached
     "shear_strength": lambda E1, nu1, E2, nu2: 1 / max((1 + nu1) / E1, (1 + nu2) / E2) / (8 * pi**2),
     "sliding_force": lambda tau, a: pi * a**2 * tau,
@@ -418,7 +418,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
 # What only scenes have: sphere 2, and a quantity that is another one by definition.
 OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
     "mass2": lambda R2, rho2: 4 * pi / 3 * R2**3 * rho2,
-    "rayleigh_frequency2": lambda R2, rho2, E2, nu2: _rayleigh(R2, rho2, E2, nu2),
+    "rayleigh_frequency2": lambda R2, rho2, E2, nu2: _wave_speed(rho2, E2, nu2) / (pi * R2),
     "moment_of_inertia2": lambda m2, R2: 2 * m2 * R2**2 / 5,
     "restructuring_energy_ormel": lambda E_roll: E_roll,
 }

@@ -68,7 +68,7 @@ def programs(folder: Path) -> list[Program]:
         Program("jkroll pull-off quartz 100nm --bare", python("jkroll pull-off quartz 100nm --bare")),
         Program("... --json", python("jkroll pull-off quartz 100nm --json")),
         Program("... on a terminal: a table", python("jkroll pull-off quartz 100nm"), COLOURS, terminal=True),
-        Program("... in a unit that only pint knows", python("jkroll pull-off quartz 1e-14furlong --bare")),
+        Program("... in a unit that only pint knows", python("jkroll pull-off quartz 1e-14nautical_mile --bare")),
         Program("jkroll pull-off --help", python("jkroll pull-off --help")),
         Program("TAB after a material", python("jkroll"), tab("jkroll", "jkroll pull-off qu")),
         Program("a pint script of five lines", [sys.executable, "-c", "import pint_app"]),

@@ -178,7 +178,7 @@ def test_a_directory_that_is_gone(tmp_path: Path) -> None:
 BUSY = {
     "a sweep": SWEEPS["bare"],
     "objects": SWEEPS["json"],
-    "a unit that pint knows": "pull-off quartz 1furlong:2furlong:1000000 --bare --quiet",
+    "a unit that pint knows": "pull-off quartz 1nautical_mile:2nautical_mile:1000000 --bare --quiet",
     "what typer reads": "contact quartz 100nm --laod 5nN",
 }
 

@@ -78,7 +78,7 @@ OWN = ["pull-off ice 100nm --bare --quiet --materials own.toml", "materials --ma
         (ERROR_BARS, LIBRARIES, set()),
         (["infer gamma quartz 2um --radius2 plane --measured P_c=300±20nN --quiet"], LIBRARIES, {"numpy"}),
         (OWN, LIBRARIES | HEAVY, {"tomllib"}),
-        (["pull-off quartz 1e-14furlong --bare --quiet"], LIBRARIES, PINT),
+        (["pull-off quartz 1e-14nautical_mile --bare --quiet"], LIBRARIES, PINT),
     ],
     ids=["plain", "error bars", "infer", "own materials", "a unit of pint"],
 )

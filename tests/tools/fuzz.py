@@ -38,7 +38,7 @@ def main() -> None:
             if path.stat().st_size <= MAX_KEPT:
                 shutil.copy(path, kept)
         return
-    values.unit_of("furlong", "radius")  # pint starts, which is no input's fault
+    values.unit_of("nautical_mile", "radius")  # pint starts, which is no input's fault
     with tempfile.TemporaryDirectory() as directory:
         isolate(directory)
         atheris.Setup([sys.argv[0], *options, str(found), str(kept)], TARGETS[target])

@@ -61,11 +61,9 @@ PREFIXABLE = _by_name({
     "A ampere": (1, 1, (0, 0, 0, 1, 0, 0, 0, 0)),
     "K kelvin": (1, 1, (0, 0, 0, 0, 1, 0, 0, 0)),
     "V volt": (1, 1, (1, 2, -3, -1, 0, 0, 0, 0)),
-    "gf gram_force pond ponds": (980665, 10**8, _FORCE),
-    "Da dalton daltons": (166053906892, 10**38, _MASS),  # CODATA 2022, as the next three
-    "bohr bohrs": (529177210544, 10**22, _LENGTH),
-    "hartree hartrees Eh E_h": (43597447222060, 10**31, _ENERGY),
-    "rydberg rydbergs Ry": (21798723611030, 10**31, _ENERGY),
+    "Da": (166053906892, 10**38, _MASS),  # CODATA 2022, as the next two
+    "Eh E_h": (43597447222060, 10**31, _ENERGY),
+    "Ry": (21798723611030, 10**31, _ENERGY),
 })  # fmt: skip
 PLAIN = _by_name({
     "Å angstrom angstroms": (1, 10**10, _LENGTH),
@@ -81,7 +79,12 @@ PLAIN = _by_name({
     "deg degree degrees °": (_PI, 180 * _ONE, _ANGLE),
     "lb pound pounds": (45359237, 10**8, _MASS),
     "t tonne tonnes": (1000, 1, _MASS),
-    "u amu": (166053906892, 10**38, _MASS),
+    "u amu dalton daltons": (166053906892, 10**38, _MASS),
+    "bohr bohrs": (529177210544, 10**22, _LENGTH),
+    "hartree hartrees": (43597447222060, 10**31, _ENERGY),
+    "rydberg rydbergs": (21798723611030, 10**31, _ENERGY),
+    "gf gram_force pond ponds": (980665, 10**8, _FORCE),
+    "kgf kilogram_force kilopond kiloponds": (980665, 10**5, _FORCE),
     "lbf": (44482216152605, 10**13, _FORCE),
     "bars": (100000, 1, _PRESSURE),
     "psi": (44482216152605 * 10**8, 10**13 * 254**2, _PRESSURE),
@@ -298,7 +301,7 @@ def _in_table(name: str) -> Unit | None:
 # --- Names of pint ----------------------------------------------------------------------------------------------------
 
 _DIGITS = 60
-# Units whose values are not the same in all versions of pint from 0.24.4 to 0.26.2, by its names. Some are in the table.
+# Units whose values differ between versions of pint from 0.24.4 to 0.26.2, by its names. Some are in the table.
 _UNLIKE = frozenset(
     """acre acre_foot angstrom_star apothecary_dram atomic_mass_constant atomic_unit_of_current
     atomic_unit_of_electric_field atomic_unit_of_force atomic_unit_of_intensity atomic_unit_of_temperature
