@@ -1,7 +1,8 @@
 """Errors that jkroll declares. The command line prints one as a line and ends with its exit code."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from typing import Any
 
 ROWS_FAILED = 1  # exit code of a call that answered, though not for every row
 FAILED = 1  # exit code of a call that could not write, or met what nobody foresaw
@@ -12,6 +13,17 @@ class JkrollError(Exception):
 
     exit_code = 2
     phrase = ""  # of a row's status, the same for all errors of a kind; the message where it is empty
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the attributes: `args` may be others than those of `__init__`, by which exceptions are pickled."""
+        return _unpickled, (type(self), self.args, vars(self))
+
+
+def _unpickled(kind: type[JkrollError], arguments: tuple[Any, ...], attributes: Mapping[str, Any]) -> JkrollError:
+    """Return an error of a kind with its attributes."""
+    error = kind.__new__(kind, *arguments)
+    vars(error).update(attributes)
+    return error
 
 
 class MissingExtra(JkrollError):

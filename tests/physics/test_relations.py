@@ -15,6 +15,7 @@ import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.errors import BadRequest
 from jkroll.output.sources import docstring_fields
+from jkroll.physics import FORMULAS as PLAIN_FORMULAS
 from jkroll.physics import cylinder, dimensions
 from jkroll.quantities.nomenclature import UnknownQuantity
 from jkroll.quantities.units import dimension_of, kind_of
@@ -89,7 +90,7 @@ OF_A_STRIP = {name: formula for name, formula in vars(cylinder).items() if inspe
 @pytest.mark.parametrize("name", [*FORMULAS, *OF_A_STRIP])
 def test_dimensions(name: str) -> None:
     """A formula fed with pint Quantities gives one of the dimension that its annotation and the nomenclature say."""
-    formula = {**FORMULAS, **OF_A_STRIP}[name]
+    formula = {**PLAIN_FORMULAS, **OF_A_STRIP}[name]
     hints = get_type_hints(formula, localns=vars(dimensions), include_extras=True)
     units = {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
     wanted = units.pop("return")

@@ -22,7 +22,7 @@ from jkroll.quantities.values import (
     unit_of,
     value_of,
 )
-from jkroll.scene.solver import in_si
+from jkroll.scene.containers import Reader
 from relative import approx
 
 SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%;
@@ -149,10 +149,10 @@ class Ufloat(NamedTuple):
 
 
 def test_a_number_of_the_package_uncertainties() -> None:
-    assert in_si({"gamma": Ufloat(0.025, 0.005)})[0] == {"surface_energy": Measured(0.025, 0.005, 0.005)}
-    assert in_si({"gamma": Ufloat(0.025, 0.0)})[0] == {"surface_energy": 0.025}
+    assert Reader().in_si({"gamma": Ufloat(0.025, 0.005)}) == {"surface_energy": Measured(0.025, 0.005, 0.005)}
+    assert Reader().in_si({"gamma": Ufloat(0.025, 0.0)}) == {"surface_energy": 0.025}
     with pytest.raises(QuantityError, match="half the value"):
-        in_si({"gamma": Ufloat(0.025, 0.02)})
+        Reader().in_si({"gamma": Ufloat(0.025, 0.02)})
 
 
 @pytest.mark.parametrize("sides", [{"minus": 0.005}, {"plus": 0.005}, {"minus": 0.005, "plus": 0.005}])

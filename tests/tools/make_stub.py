@@ -1,5 +1,6 @@
 """Write src/jkroll/__init__.pyi, by which editors and mypy know the public names: python tests/tools/make_stub.py."""
 
+from inspect import unwrap
 from pathlib import Path
 
 import jkroll
@@ -11,7 +12,7 @@ STUB = Path(__file__).parents[2] / "src/jkroll/__init__.pyi"
 def stub() -> str:
     """Return the text of the stub: the public names, and each formula from its module."""
     homes = {name: vars(jkroll)["_HOMES"][name] for name in vars(jkroll)["__all__"]}
-    homes |= {name: formula.__module__.removeprefix("jkroll.") for name, formula in jkroll.FORMULAS.items()}
+    homes |= {name: unwrap(formula).__module__.removeprefix("jkroll.") for name, formula in jkroll.FORMULAS.items()}
     order = sorted(homes, key=lambda name: (homes[name], not name.isupper(), not name[0].isupper(), name))
     return "\n".join(
         [

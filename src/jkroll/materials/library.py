@@ -4,16 +4,14 @@ A file is TOML of a size that cannot keep a call waiting. A mistake in one mater
 the others: it is raised when that material is asked for.
 """
 
-import copyreg
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
-from ..quantities.nomenclature import PROPERTIES, XI, named
+from ..quantities.nomenclature import PROPERTIES, XI, named, read_only
 from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
 from ..text import closest, quoted, shown
 
@@ -46,14 +44,6 @@ class UnclearMaterial(BadRequest):
 # --- Materials --------------------------------------------------------------------------------------------------------
 
 ORIGIN = ("method", "law", "reference")  # of a property: how it was found, by which contact law, and where it stands
-
-
-def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
-    """Return a mapping that nobody can change, since materials are shared."""
-    return MappingProxyType(mapping)
-
-
-copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # by itself it has no pickle
 
 
 class Displacement(NamedTuple):
@@ -273,7 +263,7 @@ def shipped() -> Sequence[Material]:
 class Materials:
     """All known materials, by name or alias in any case. A name that stands for several is refused when used."""
 
-    def __init__(self, paths: Path | Iterable[Path] = (), *, added: Iterable[Path] = ()) -> None:
+    def __init__(self, paths: Path | Iterable[Path] = (), *, added: Path | Iterable[Path] = ()) -> None:
         """Read the shipped file, then `added`, then that of `paths`, or each of them.
 
         A material takes the names that it shares with those of earlier files, but one of `added` takes none of the
@@ -282,9 +272,8 @@ class Materials:
         self.overrides: list[str] = []  # sentences on the names that were taken
         self._materials: dict[str, Material] = {}  # by name, case folded
         self._meanings: dict[str, list[Material]] = {}  # of a name or alias, case folded
-        is_path = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
-        taking = [*map(os.fsdecode, [paths] if is_path else paths)]  # type: ignore[arg-type]
-        for path in dict.fromkeys((SHIPPED, *map(os.fsdecode, added), *taking)):
+        taking = _decoded(paths)
+        for path in dict.fromkeys((SHIPPED, *_decoded(added), *taking)):
             self._add(shipped() if path == SHIPPED else materials_in(path), takes=path in taking)
 
     def _add(self, materials: Sequence[Material], *, takes: bool) -> None:
@@ -347,6 +336,15 @@ class Materials:
     def aliases(self) -> list[str]:
         """The other names of all materials."""
         return [*dict.fromkeys(alias for material in self._materials.values() for alias in material.aliases)]
+
+
+def _decoded(paths: Path | Iterable[Path]) -> list[str]:
+    """Return one path or several as texts; raise MaterialsFileError for what is no path."""
+    is_path = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
+    try:
+        return [*map(os.fsdecode, [paths] if is_path else paths)]  # type: ignore[arg-type]
+    except TypeError:
+        raise MaterialsFileError(paths, 'is not a path; write Materials("mine.toml")') from None
 
 
 def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:

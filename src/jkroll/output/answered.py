@@ -5,11 +5,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.answer import Answer, Result
-from ..answers.questions import QUESTIONS, question_about
+from ..answers.questions import QUESTIONS, Question, question_about
+from ..errors import BadRequest
 from ..materials.library import Material, Materials
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import other_law
-from ..quantities.nomenclature import NOMENCLATURE, XI, UnknownQuantity, named
+from ..quantities.nomenclature import NOMENCLATURE, XI, named
 from ..quantities.values import Uncertain, ends_of, is_uncertain, middle
 from ..scene.doubts import (
     DATA,
@@ -20,7 +21,7 @@ from ..scene.doubts import (
     rolling,
 )
 from ..scene.scene import Scene
-from ..text import json_text, say, spelled
+from ..text import json_text, listed, quoted, say, spelled
 
 if TYPE_CHECKING:
     from ..scene.doubts import Doubt
@@ -191,6 +192,10 @@ class Answered:
     def __init__(self, answer: Answer) -> None:
         self._answer = answer
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the question and the scene; the rest is computed anew."""
+        return _answered, (self._answer.question, self._answer.scene)
+
     @cached_property
     def values(self) -> Mapping[str, Result]:
         """The results by name, in SI units."""
@@ -222,7 +227,10 @@ class Answered:
 
     def __getitem__(self, name: str) -> Result:
         """Return the result of a name, or of a symbol."""
-        return self.values[named(name, self.values)]
+        known = named(str(name), self.values)
+        if known not in self.values:
+            raise BadRequest(f"{quoted(str(name))} is not in this answer, which has {listed(self.values)}")
+        return self.values[known]
 
     def __repr__(self) -> str:
         shown = {name: "no value" if result.value is None else result for name, result in self.values.items()}
@@ -233,6 +241,11 @@ class Answered:
         values = [f"{name} = {value}" for name, value in self.values.items()]
         doubts = [note.text for note in self._answer.doubts()]
         return "\n".join([*values, *doubts, *self.notes])
+
+
+def _answered(question: Question, scene: Scene) -> Answered:
+    """Return the answer to a question about a scene."""
+    return Answered(Answer(question, scene))
 
 
 def answer(
@@ -271,14 +284,13 @@ def answer(
     >>> print(str(answered.doubts[0]).partition(", ")[0])
     P_c = 14–15 nN by Maugis' or Lennard-Jones' law
     """
-    from ..scene.solver import in_si, materials_of, refuse_arrays
+    from ..scene.containers import Reader
+    from ..scene.solver import materials_of, refuse_arrays, words_in
 
-    described, _ = in_si(given)
+    described = Reader().in_si(given)
     refuse_arrays(described)
-    if not isinstance(wanted, Iterable):
-        raise UnknownQuantity(str(wanted))
     is_command = isinstance(wanted, str) and wanted in QUESTIONS
-    text = wanted if isinstance(wanted, str) else ",".join(map(str, wanted))
+    text = ",".join(words_in(wanted))
     question = QUESTIONS[text] if is_command else question_about(text)
     answered = Answer(question, Scene(described, *materials_of(material, material2, materials), model=model))
     if answered.failure is not None and answered.has_no_headline:

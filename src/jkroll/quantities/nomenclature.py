@@ -3,6 +3,7 @@
 Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 """
 
+import copyreg
 from collections.abc import Collection, Mapping
 from types import MappingProxyType
 from typing import Any
@@ -387,7 +388,15 @@ _BY_A_LAW = {
     for route in routes_anywhere().get(name, ())
     if route not in _QUANTITIES
 }
-NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType({**_QUANTITIES, **_BY_A_LAW})
+
+
+def read_only(mapping: Mapping[str, Any]) -> MappingProxyType[str, Any]:
+    """Return a mapping that nobody can change, for what is shared."""
+    return MappingProxyType(mapping)
+
+
+copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))  # by itself it has no pickle
+NOMENCLATURE: Mapping[str, Quantity] = read_only({**_QUANTITIES, **_BY_A_LAW})
 
 
 def of_sphere(sphere: int, name: str) -> str:

@@ -157,8 +157,10 @@ class Interval(Uncertain):
 def _checked_number(owner: str, value: object) -> float:
     """Return a number as a float; raise BadRequest for anything else."""
     may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
+    is_number = hasattr(value, "__float__") and not isinstance(value, bool)
+    is_number = is_number and getattr(getattr(value, "dtype", None), "kind", "f") in "fiu"  # no duration, no truth
     try:
-        number = nan if isinstance(value, str | bytes) or may_have_unit else float(value)  # type: ignore[arg-type]
+        number = float(value) if is_number and not may_have_unit else nan  # type: ignore[arg-type]
         if not isnan(number):
             return number
     except (TypeError, ValueError, OverflowError):

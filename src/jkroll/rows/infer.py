@@ -8,11 +8,12 @@ from ..errors import BadRequest, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
+from ..scene.containers import Reader
 from ..scene.doubts import Evaluation, bits_of, doubts
 from ..scene.failures import MissingInput
 from ..scene.inverse import Problem, already_given, inputs_named
 from ..scene.scene import Scene, check_range
-from ..scene.solver import in_si, materials_of, with_uncertainties
+from ..scene.solver import materials_of, with_uncertainties
 from ..scene.wiring import in_order
 from .columns import Columns, Wanted, sides_in
 from .sweep import Sweep
@@ -147,8 +148,9 @@ def infer(
     if not isinstance(measured, Mapping) or len(measured) != len(names):
         lack, example = "is not a quantity and its value for each input", 'write {"pull_off_force": "300 nN"}'
         raise QuantityError("measured", str(measured), lack, example)
-    known, _ = in_si({str(word): value for word, value in measured.items()}, named)
-    described, _ = in_si(given)
+    reader = Reader()
+    known = reader.in_si(measured, named)
+    described = reader.in_si(given)
     for name, value in known.items():
         check_range(name, middle(value))
     scene = Scene(described, *materials_of(material, material2, materials), model=model)

@@ -92,6 +92,12 @@ class Kind:
         self.phrase, self.words, self.name, self.is_beyond = phrase, words, name, is_beyond
         self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the scene is to be trusted
 
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and vars(other) == vars(self)  # a copy, in another process, is the same kind
+
+    def __hash__(self) -> int:
+        return hash(self.words)
+
 
 BEYOND_PULL_OFF = Kind("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
 HELD_BY_MAUGIS = Kind(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load")

@@ -187,6 +187,10 @@ class Scene:
         self._results: dict[tuple[object, ...], tuple[Any, Sequence[Any]]] = {}
         self._gaps: set[int] = set()  # of these results, the identities of arrays of which some elements are no answer
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle what was described; the rest is computed anew."""
+        return _described, (self.stated, self.material, self.material2, self.stated_model, self.moved)
+
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
 
@@ -437,6 +441,17 @@ class Scene:
         if numbers is not value:
             self._gaps.add(id(numbers))
         return numbers
+
+
+def _described(
+    given: Mapping[str, Any],
+    material: Material | None,
+    material2: Material | None,
+    model: str | None,
+    moved: Mapping[str, Any],
+) -> Scene:
+    """Return a scene that was pickled."""
+    return Scene(given, material, material2, model=model, moved=moved)
 
 
 def check_exclusive(given: Collection[str], word_of: Callable[[str], str] = str) -> None:

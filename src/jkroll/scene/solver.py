@@ -2,18 +2,21 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
+from math import isfinite
 from typing import Any, overload
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
-from ..physics.elementary import NUMBER
-from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, as_input, named
-from ..quantities.values import Measured, QuantityError, checked, is_uncertain, value_of
-from .scene import Scene
+from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
+from ..quantities.values import QuantityError, is_uncertain
+from ..text import listed
+from .containers import Reader, units_of
+from .failures import NO_DOUBLE, Failure, failure_of
+from .scene import Scene, broadcast
+from .wiring import parameters_of
 
 ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
-_PLAIN = float, int, str  # types of values that hold no others
 
 
 @overload
@@ -75,16 +78,24 @@ def solve(
     >>> {name: round(value, 1) for name, value in solve(["n_grav"], material="quartz", radius=1e-7).items()}
     {'n_grav': 939.4}
     """
-    is_list = isinstance(wanted, Iterable) and not isinstance(wanted, str)
-    names = [named(str(name)) for name in (wanted if is_list else [wanted])]
-    described, registry = in_si(given)
+    names = [*map(named, words_in(wanted))]
+    reader = Reader()
+    described = reader.in_si(given)
     scene = Scene(described, *materials_of(material, material2, materials), model=model)
     results = values_of(scene, names)
     if scene.uncertain:
         results = with_uncertainties(scene, described, results)
-    elif registry is not None:
-        results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
-    return results if is_list else results[names[0]]
+    elif reader.registry is not None:
+        results = {name: reader.registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
+    return results[names[0]] if isinstance(wanted, str) else results
+
+
+def words_in(wanted: str | Iterable[str]) -> list[str]:
+    """Return one word or several as a list; raise UnknownQuantity for what holds no words."""
+    try:
+        return [wanted] if isinstance(wanted, str) else [*map(str, wanted)]
+    except TypeError:  # a single number, in an array too
+        raise UnknownQuantity(str(wanted)) from None
 
 
 def materials_of(
@@ -104,7 +115,7 @@ def _material(argument: str, material: str | Material | None, materials: Materia
         return None
     if not (isinstance(material, Material) and isinstance(material.properties, Mapping)):
         raise QuantityError(argument, str(material), "is not the name of one material", 'write "quartz"')
-    properties, _ = in_si(material.properties)
+    properties = Reader().in_si(material.properties)
     for name, value in properties.items():
         if not NOMENCLATURE[name].twin:
             raise QuantityError(name, str(value), "is not a property of a material", "give it by its name")
@@ -153,105 +164,38 @@ def with_uncertainties(scene: Any, described: Mapping[str, Any], values: Mapping
     return {**values, **measures}
 
 
-def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> tuple[dict[str, Any], Any]:
-    """Return SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any.
-
-    `name_of` returns the quantity that a word stands for.
-    """
-    values: dict[str, Any] = {}
-    words: dict[str, str] = {}
-    registries: list[Any] = []
-    for word, value in given.items():
-        name = name_of(word)
-        if name not in NOMENCLATURE:
-            raise UnknownQuantity(word)
-        if words.setdefault(name, word) != word:
-            raise BadRequest(f"{words[name]} and {word} are one quantity; give it once")
-        values[name] = _number(name, _content(name, value), registries)
-    return values, registries[-1] if registries else None
-
-
-def _content(name: str, value: Any) -> Any:
-    """Return the numbers, texts or pint Quantities that a container holds.
-
-    xarray and dask hold Quantities, and numpy would drop their units. Any other unit raises QuantityError: that of
-    astropy or unyt, and one that is a word among the attributes of an array.
-    """
-    if isinstance(value, _PLAIN) or hasattr(value, "m_as") or hasattr(value, "std_dev") or is_uncertain(value):
-        return value
-    if isinstance(value, list | tuple):
-        return [_content(name, item) for item in value]
-    for word in getattr(value, "attrs", ()):
-        if str(word).casefold() in ("unit", "units"):
-            unit = f"{word} = {value.attrs[word]}"
-            raise QuantityError(name, unit, "is an attribute, which is not read; give SI numbers or a pint Quantity")
-    if hasattr(value, "unit") or hasattr(value, "units"):
-        raise QuantityError(name, str(value), "has a unit, and only those of pint are read; give SI numbers")
-    if not hasattr(value, "dtype"):  # what is no array: a set of data of xarray has variables
-        return value
-    if hasattr(value, "dims"):
-        return _content(name, value.data)
-    return _content(name, value.compute()) if hasattr(value, "__dask_graph__") else value
-
-
-def _number(name: str, value: Any, registries: list[Any]) -> Any:
-    """Return a float, an uncertain value or an array of floats for a number, text, Quantity, or a sequence of these.
-
-    The registries of Quantities are added to `registries`.
-    """
-    if hasattr(value, "m_as"):
-        registries.append(value._REGISTRY)
-        if not value.is_compatible_with(NOMENCLATURE[name].unit):
-            raise QuantityError(name, str(value), "is of another dimension")
-        value = value.m_as(NOMENCLATURE[name].unit)
-    if isinstance(value, str):
-        return value_of(value, name)
-    if hasattr(value, "std_dev"):
-        value = Measured(value.nominal_value, value.std_dev)  # as the package `uncertainties` and pint have them
-    if is_uncertain(value):
-        return checked(value, name, str(value.value))
-    if isinstance(value, list | tuple):
-        value = [_number(name, item, registries) for item in value]
-        if any(map(is_uncertain, value)):
-            problem = "holds uncertain values, and arrays have no uncertainty"
-            raise QuantityError(name, "a list", problem, "give them one by one")
-    return as_floats(name, value)
-
-
-def as_floats(name: str, value: Any) -> Any:
-    """Return a float or an array of floats for a number, a sequence or an array of any number type."""
-    if isinstance(value, NUMBER) and not isinstance(value, bool):
-        try:
-            return float(value)
-        except OverflowError:
-            raise QuantityError(name, "an integer", "is too large for a double") from None
-    import numpy
-
-    if numpy.ma.isMaskedArray(value):
-        raise QuantityError(name, "a masked array", "has cells without a value; fill it first")
-    try:
-        array = numpy.asarray(value)
-        if array.dtype.kind in "fiu":
-            return array.astype(float, copy=False) if array.ndim else float(array)
-    except (TypeError, ValueError, OverflowError):
-        pass
-    raise QuantityError(name, str(value), "is not a number")
-
-
 # --- Formulas ---------------------------------------------------------------------------------------------------------
 
 
-def _of_numbers(formula: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a formula that converts its arguments to floats."""
+class OutsideDomain(Failure, ValueError):
+    """Error raised where a formula has no value for numbers; of an array such elements are nan."""
+
+
+def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a formula that takes numbers and their containers as `solve` does, and gives a Quantity for Quantities."""
+    parameters = parameters_of(formula)
 
     @wraps(formula)
-    def call(**arguments: Any) -> Any:
-        contents = {name: _content(name, value) for name, value in arguments.items()}
-        return formula(
-            **{name: value if hasattr(value, "m_as") else as_floats(name, value) for name, value in contents.items()}
-        )
+    def call(*unnamed: Any, **arguments: Any) -> Any:
+        if unnamed or arguments.keys() != {*parameters}:
+            raise BadRequest(f"{formula.__name__} takes {listed(parameters)}, each by its name")
+        reader = Reader(formula)
+        numbers = {name: reader.read(name, value) for name, value in arguments.items()}
+        broadcast({name: number for name, number in numbers.items() if not isinstance(number, float)})
+        try:
+            value = formula(**numbers)
+            if isinstance(value, complex):
+                raise ValueError("a power of a negative number")
+        except (ArithmeticError, ValueError):
+            has_words = all(isinstance(number, float) and isfinite(number) for number in numbers.values())
+            error = failure_of(formula.__name__, numbers) if has_words else Failure(NO_DOUBLE, formula.__name__)
+            raise OutsideDomain(error.kind, error.name, error.numbers) from None
+        if reader.registry is not None:
+            return reader.registry.Quantity(value, units_of(formula)["return"])
+        return value
 
+    call.__module__ = "jkroll"  # where pickle finds it
     return call
 
 
-FORMULAS: Mapping[str, Callable[..., Any]] = {name: _of_numbers(formula) for name, formula in PLAIN_FORMULAS.items()}
+FORMULAS: Mapping[str, Callable[..., Any]] = {name: _of_python(formula) for name, formula in PLAIN_FORMULAS.items()}

@@ -1,0 +1,164 @@
+"""Inputs from Python in SI units: numbers, texts, pint Quantities, uncertain values, and the containers of these."""
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import Any, get_type_hints
+
+from ..errors import BadRequest
+from ..physics import dimensions
+from ..physics.elementary import NUMBER
+from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, as_input
+from ..quantities.values import Measured, QuantityError, checked, is_uncertain, value_of
+
+_TAKEN_BY_FORMULAS = "give a number in SI units, an array of them or a pint Quantity"
+_BYTES = bytes, bytearray, memoryview  # which numpy reads as integers
+Axis = tuple[Any, Any]  # the name of a dimension and the labels along it, None where there are none
+
+
+@cache
+def units_of(formula: Callable[..., Any]) -> Mapping[str, str]:
+    """Return the SI units of the parameters of a formula, and of what it returns, from its annotations."""
+    hints = get_type_hints(formula, localns=vars(dimensions), include_extras=True)
+    return {name: hint.__metadata__[0] for name, hint in hints.items()}
+
+
+class Reader:
+    """Reads the inputs of one call, and compares what containers say of several inputs."""
+
+    def __init__(self, formula: Callable[..., Any] | None = None) -> None:
+        """`formula`: the formula whose arguments are read; None for the inputs of a scene."""
+        self.registry: Any = None  # the registry of the last pint Quantity
+        self._formula = formula
+        self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
+        self._owners: dict[Any, str] = {}  # by variable of the package uncertainties, the input that has it
+
+    def in_si(self, given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> dict[str, Any]:
+        """Return the inputs of a scene in SI units by name. `name_of` returns the quantity that a word stands for."""
+        values: dict[str, Any] = {}
+        words: dict[str, str] = {}
+        for key, value in given.items():
+            word = str(key)
+            name = name_of(word)
+            if name not in NOMENCLATURE:
+                raise UnknownQuantity(word)
+            if words.setdefault(name, word) != word:
+                raise BadRequest(f"{words[name]} and {word} are one quantity; give it once")
+            values[name] = self.read(name, value)
+        return values
+
+    def read(self, name: str, value: Any) -> Any:
+        """Return a float, an uncertain value or an array of floats.
+
+        A unit is read where pint has it, also inside an array of xarray or dask, from which numpy would drop it. Any
+        other unit raises QuantityError.
+        """
+        if type(value) is float:  # as nearly always
+            return value
+        if hasattr(value, "m_as"):
+            value = self._without_unit(name, value)
+        if hasattr(value, "std_dev"):
+            value = self._measured(name, value)
+        if isinstance(value, str) or is_uncertain(value):
+            return self._single(name, value)
+        if isinstance(value, list | tuple):
+            items = [self.read(name, item) for item in value]
+            if any(map(is_uncertain, items)):
+                problem = "holds uncertain values, and arrays have no uncertainty"
+                raise QuantityError(name, "a list", problem, "give them one by one")
+            return self._floats(name, items)
+        _refuse_unit(name, value)
+        self._compare_labels(name, value)
+        if hasattr(value, "dtype") and hasattr(value, "dims"):  # a data set of xarray has no type, and is refused
+            return self.read(name, value.data)
+        if hasattr(value, "dtype") and hasattr(value, "__dask_graph__"):
+            return self.read(name, value.compute())
+        return self._floats(name, value)
+
+    def _single(self, name: str, value: Any) -> Any:
+        """Return what a text or an uncertain value is in a scene. A formula takes neither."""
+        if self._formula is not None:
+            raise QuantityError(name, str(value), "is not a number", _TAKEN_BY_FORMULAS)
+        return value_of(value, name) if isinstance(value, str) else checked(value, name, str(value.value))
+
+    def _without_unit(self, name: str, quantity: Any) -> Any:
+        """Return the magnitude of a pint Quantity in SI units, as floats of 64 bits or an uncertain number."""
+        self.registry = registry = quantity._REGISTRY
+        unit = NOMENCLATURE[name].unit if self._formula is None else units_of(self._formula)[name]
+        magnitude = quantity.magnitude
+        if not hasattr(magnitude, "std_dev"):
+            magnitude = self.read(name, magnitude)  # 100 nm is no number of 16 bits
+        try:
+            if not quantity.is_compatible_with(unit):
+                raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}")
+            return registry.Quantity(magnitude, quantity.units).m_as(unit)
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # those of pint are such
+            raise QuantityError(name, str(quantity), f"has a unit that cannot be converted: {error}") from None
+
+    def _measured(self, name: str, number: Any) -> Measured:
+        """Return a number of the package uncertainties; raise BadRequest if it is correlated with another input."""
+        for variable, part in getattr(number, "error_components", dict)().items():
+            if part and (owner := self._owners.setdefault(variable, name)) != name:
+                remedy = (
+                    "write uncertainties.wrap(lambda x: jkroll.solve(...))(x), with x for the value that they share"
+                )
+                raise BadRequest(f"{owner} and {name} are correlated, and inputs must be independent; {remedy}")
+        return Measured(number.nominal_value, number.std_dev)
+
+    def _compare_labels(self, name: str, value: Any) -> None:
+        """Raise BadRequest for arrays of pandas or xarray whose labels differ: elements are taken by position."""
+        axes = _axes_of(value)
+        if not axes:
+            return
+        if self._labelled is None:
+            self._labelled = name, axes
+        first, others = self._labelled
+        remedy = "align them first, or give numpy arrays, which are taken by position"
+        if [dimension for dimension, _ in axes] != [dimension for dimension, _ in others]:
+            raise BadRequest(f"{first} and {name} have different dimensions: {remedy}")
+        if not all(_are_same(labels, other) for (_, labels), (_, other) in zip(axes, others, strict=True)):
+            raise BadRequest(f"{first} and {name} have different indexes: {remedy}")
+
+    def _floats(self, name: str, value: Any) -> Any:
+        """Return a float or an array of floats for a number, a sequence or an array of any number type."""
+        remedy = "" if self._formula is None else _TAKEN_BY_FORMULAS
+        if isinstance(value, NUMBER) and not isinstance(value, bool):
+            try:
+                return float(value)
+            except OverflowError:
+                raise QuantityError(name, "an integer", "is too large for a double", remedy) from None
+        import numpy
+
+        if numpy.ma.is_masked(value):
+            raise QuantityError(name, "a masked array", "has cells without a value", "fill it first")
+        try:
+            array = numpy.asarray(value)
+            if array.dtype.kind in "fiu" and not isinstance(value, _BYTES):
+                return array.astype(float, copy=False) if array.ndim else float(array)
+        except Exception:  # a container may raise anything
+            pass
+        raise QuantityError(name, str(value), "is not a number", remedy)
+
+
+def _refuse_unit(name: str, value: Any) -> None:
+    """Raise QuantityError for a unit of another package, and for one that is a word among attributes."""
+    attributes, remedy = getattr(value, "attrs", {}), "give SI numbers or a pint Quantity"
+    for word in attributes:
+        if str(word).casefold() in ("unit", "units"):
+            raise QuantityError(name, f"{word} = {attributes[word]}", "is an attribute, which is not read", remedy)
+    if any(hasattr(holder, word) for holder in (value, getattr(value, "dtype", None)) for word in ("unit", "units")):
+        raise QuantityError(name, str(value), "has a unit, and only those of pint Quantities are read", remedy)
+
+
+def _axes_of(value: Any) -> list[Axis]:
+    """Return the axes of an array of pandas or xarray; none for other containers, and for a single number."""
+    if hasattr(value, "dims"):
+        indexes = getattr(value, "indexes", {})
+        return [(dimension, indexes.get(dimension)) for dimension in value.dims]
+    if hasattr(getattr(value, "index", None), "equals"):  # as a method, `index` is that of a sequence
+        return [(None, labels) for labels in value.axes]
+    return []
+
+
+def _are_same(labels: Any, other: Any) -> bool:
+    """Return whether two axes have the same labels, or none."""
+    return labels is other or (labels is not None and bool(labels.equals(other)))
