@@ -62,7 +62,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
         values["energy"] = values["kinetic_energy"]
     names = {*EQUATIONS, *OF_A_SCENE, "load"} - {*law_reference.EQUATIONS, *AT_AN_APPROACH.values(), *NO_RESULTS}
     names |= {"adhesive_force", *values.routes.values()}
-    results = {name: values.get_exact(name) for name in names - given.keys()}
+    results = {name: values.get_exact(name) for name in sorted(names - given.keys())}
     if abs(values["load_margin"]) < 1e-7:  # within the rounding of a load, which may put it at pull-off
         del results["rolling_over_sliding"]
     if values["load"] / values["pull_off_force"] < 1e-12:  # within the rounding of an approach

@@ -10,15 +10,13 @@ _OTHERS = {
     "1 ulp of 2x": "load_margin_of_factor",
     "1.5 ulp, for the two forces as they are given": "load_margin",
     "1.5 ulp; exact for identical spheres and on a plane": "reduced_radius",
-    "2 ulp of the larger term": "yield_force_fixed_load",
     "2 ulp, for the ratio δ̂ as it is rounded": "load_factor_at_approach",
-    "2 ulp, times 1 plus its condition in the load": "contact_radius_dmt",
     "2.5 ulp of the larger term": "boussinesq_pressure_at_approach",
     "3 ulp of the fit": "pull_off_force_lennard_jones",
+    "3 ulp of the larger term": "yield_force_fixed_load",
+    "3 ulp, times 1 plus its condition in the load": "contact_radius_dmt",
     "3 ulp for s ≥ 0; beyond, 2 + 3s cancels towards the fold": "stiffness",
-    "3.5 ulp": (
-        "strip_moment viscosity_number mass yield_force shear_strength twisting_moment sliding_or_peeling_force"
-    ),
+    "3.5 ulp": "strip_moment viscosity_number mass yield_force shear_strength twisting_moment",
     "4 ulp": (
         "unloaded_moment_of_radius pull_off_force_rough tensile_strength adhesion_energy adhesive_force_maugis "
         "unloaded_edge_ratio rayleigh_time twisting_stiffness"

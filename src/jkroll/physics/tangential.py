@@ -173,7 +173,8 @@ def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Numb
         square = g * g
         c = t * (1 + g + square)
         t = t - (pull * t * (1 + g) * (1 + square) + c * c - rest) / (square * (4 * pull * g + 6 * c))
-    return peeling_force / ratio * (1 + e * t) ** 2
+    force, change = peeling_force / ratio, e * t  # (1 + et)² would double the rounding of 1 + et
+    return force + force * (change * (2 + change))
 
 
 def rolling_over_sliding(*, yield_force: Force, sliding_or_peeling_force: Force) -> Number:

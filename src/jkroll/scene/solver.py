@@ -53,9 +53,10 @@ def solve(
         The law of attraction: "jkr" (the paper's, the default), "maugis" or "dmt".
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity,
-        which an array of xarray or dask may hold. Arrays broadcast. `radius2` may be infinite (a plane), and one
-        Young's modulus too (a rigid body). Single values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to
-        30 mJ/m2", or a pint Measurement.
+        which an array of xarray or dask may hold. Arrays broadcast by position: those of pandas or xarray must have the
+        same labels. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body). Single values may
+        be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", a pint Measurement, or a number of the
+        package `uncertainties` that is independent of the other inputs.
 
     Returns
     -------
