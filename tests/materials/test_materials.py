@@ -297,7 +297,7 @@ def test_a_file_of_one_s_own_is_read_by_its_path_or_as_one_of_several(made: Call
 
 @pytest.mark.parametrize("paths", [3, None, [3], [["mine.toml"]], {"mine.toml": 1}.values()])
 def test_what_is_not_a_path_is_refused(paths: Any) -> None:
-    with pytest.raises(TypeError):
+    with pytest.raises(MaterialsFileError, match=r"is not a path; write Materials\(\"mine.toml\"\)"):
         Materials(paths)
 
 

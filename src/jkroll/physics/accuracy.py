@@ -44,8 +44,9 @@ _OTHERS = {
     "10 ulp; for λ > 0.655, of the energy of the well": "sticking_energy_maugis",
     "12 ulp": "unloaded_approach_maugis",
     "12 ulp of the fit, which is within 1e-10, times 1 plus its condition in T*": "sticking_speed_viscous",
-    "15 ulp": "pull_off_work_maugis pull_off_work_at_dead_load_maugis",
+    "15 ulp": "pull_off_work_maugis",
     "18 ulp": "well_energy_maugis",
+    "25 ulp": "pull_off_work_at_dead_load_maugis",
 }
 OTHERS = {formula: accuracy for accuracy, formulas in _OTHERS.items() for formula in formulas.split()}
 

@@ -175,10 +175,11 @@ class OutsideDomain(Failure, ValueError):
 def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
     """Return a formula that takes numbers and their containers as `solve` does, and gives a Quantity for Quantities."""
     parameters = parameters_of(formula)
+    names = frozenset(parameters)
 
     @wraps(formula)
     def call(*unnamed: Any, **arguments: Any) -> Any:
-        if unnamed or arguments.keys() != {*parameters}:
+        if unnamed or arguments.keys() != names:
             raise BadRequest(f"{formula.__name__} takes {listed(parameters)}, each by its name")
         reader = Reader(formula)
         numbers = {name: reader.read(name, value) for name, value in arguments.items()}
