@@ -398,6 +398,9 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "yield_energy": lambda w, xi, x: 3 * pi * w * x * xi**2,
     "energy_over_yield": lambda W0, W_yield: W0 / W_yield,
     "energy_over_sticking": lambda W0, U_stick: W0 / U_stick,
+    "speed_over_sticking": lambda v, v_s: v / v_s,
+    "flight_ratio": lambda W0, R1, R2, P_c: 2 * W0 / ((R1 + R2) * P_c),
+    "contact_over_sphere": lambda a0, a, R1, R2: max(a0, a) / min(R1, R2),
     # the strip of Appendix A, corrected as the docstrings say
     "asymmetric_pressure": lambda X, b, xi, R_c, E_strain, C: (
         E_strain / (2 * R_c) * (sqrt(b**2 - X**2) + (C - b**2 / 2 + xi * X) / sqrt(b**2 - X**2))

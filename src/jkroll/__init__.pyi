@@ -29,6 +29,7 @@ from .physics.contact import boussinesq_pressure_at_approach as boussinesq_press
 from .physics.contact import contact_area as contact_area
 from .physics.contact import contact_modulus as contact_modulus
 from .physics.contact import contact_modulus_of_ratio as contact_modulus_of_ratio
+from .physics.contact import contact_over_sphere as contact_over_sphere
 from .physics.contact import contact_radius as contact_radius
 from .physics.contact import contact_radius_at_load as contact_radius_at_load
 from .physics.contact import contact_radius_in_spacings as contact_radius_in_spacings
@@ -139,6 +140,7 @@ from .physics.maugis import zone_radius as zone_radius
 from .physics.maugis import zone_span as zone_span
 from .physics.maugis import zone_span_at_approach as zone_span_at_approach
 from .physics.motion import energy as energy
+from .physics.motion import flight_ratio as flight_ratio
 from .physics.motion import initial_angular_speed as initial_angular_speed
 from .physics.motion import kinetic_energy as kinetic_energy
 from .physics.motion import lost_energy as lost_energy
@@ -152,6 +154,7 @@ from .physics.motion import rolling_frequency as rolling_frequency
 from .physics.motion import rolling_frequency_as_printed as rolling_frequency_as_printed
 from .physics.motion import rolling_frequency_no_slip as rolling_frequency_no_slip
 from .physics.motion import sliding_frequency as sliding_frequency
+from .physics.motion import speed_over_sticking as speed_over_sticking
 from .physics.motion import sticking_speed_viscous as sticking_speed_viscous
 from .physics.motion import time_step as time_step
 from .physics.motion import twisting_frequency as twisting_frequency

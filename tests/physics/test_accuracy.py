@@ -102,6 +102,7 @@ RESULTS = [
 ]
 # Of a speed, of an angle and of aggregates and chains, which no hard scene has.
 NEVER_HARD = (
+    "speed_over_sticking",
     "kinetic_energy",
     "restitution",
     "lost_energy",

@@ -23,7 +23,7 @@ from .dimensions import (
     Stress,
     SurfaceEnergy,
 )
-from .elementary import cbrt, cube, in_series, pi, sqrt
+from .elementary import at_least, at_most, cbrt, cube, in_series, pi, sqrt
 
 # --- The pair ---------------------------------------------------------------------------------------------------------
 
@@ -469,6 +469,19 @@ def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Le
     """
     curvature, curvature2 = 1 / radius, 1 / radius2
     return contact_radius_at_load**2 * (curvature**2 - curvature * curvature2 + curvature2**2) / 4
+
+
+def contact_over_sphere(
+    *, contact_radius: Length, contact_radius_at_load: Length, radius: Length, radius2: Length
+) -> Number:
+    """Return the larger of the contact radii, without load and at the load, over the radius of the smaller sphere.
+
+        max(a0, a)/min(R1, R2)
+
+    Source:   The contact circle has to find a place on the sphere.
+    Valid:    Above 1 nothing of the model has a meaning: the surface tension of the solid shapes a sphere so soft.
+    """
+    return at_least(contact_radius, contact_radius_at_load) / at_most(radius, radius2)
 
 
 def displacement_over_contact_radius(*, yield_displacement: Length, contact_radius_at_load: Length) -> Number:

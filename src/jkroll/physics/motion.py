@@ -8,6 +8,7 @@ from .dimensions import (
     AngularSpeed,
     Density,
     Energy,
+    Force,
     Frequency,
     Inertia,
     Length,
@@ -196,6 +197,17 @@ def n_roll_after_impact(*, energy: Energy, mean_rolling_moment: Moment) -> Numbe
     return energy / (14 / 5 * pi * mean_rolling_moment)
 
 
+def flight_ratio(*, energy: Energy, radius: Length, radius2: Length, pull_off_force: Force) -> Number:
+    """Return the force that keeps sphere 1 on its way around a fixed body 2 over the pull-off force.
+
+        m1v²/((R1 + R2)P_c) = 2W0/((R1 + R2)P_c)
+
+    Source:   Newton: the centre moves on a circle of R1 + R2. Above 1 the sphere flies off; on a plane it stays.
+    Valid:    A sphere that moves along the surface, W0 = m1v²/2, without load.
+    """
+    return 2 * energy / ((radius + radius2) * pull_off_force)
+
+
 # --- Head-on collisions -----------------------------------------------------------------------------------------------
 
 
@@ -213,6 +225,17 @@ def restitution(*, speed: Speed, sticking_speed: Speed) -> Number:
     """
     excess = at_least(speed - sticking_speed, 0.0)
     return sqrt(excess / speed * ((speed + sticking_speed) / speed))
+
+
+def speed_over_sticking(*, speed: Speed, sticking_speed: Speed) -> Number:
+    """Return the relative speed over the largest that sticks: above 1 a head-on collision of a free pair ends apart.
+
+        v/v_stick
+
+    Source:   As `restitution`.
+    Valid:    As `restitution`.
+    """
+    return speed / sticking_speed
 
 
 def lost_energy(*, speed: Speed, sticking_speed: Speed, reduced_mass: Mass) -> Energy:
