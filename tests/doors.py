@@ -25,7 +25,8 @@ from jkroll.rows.columns import ROW, SIDES, Block, Columns, Row, Wanted, evaluat
 from jkroll.rows.infer import Problems
 from jkroll.rows.sweep import Sweep
 from jkroll.rows.table import Table
-from jkroll.scene.doubts import LIMITS, NOT_JUDGED, Limit, at_least_measured, at_most_measured
+from jkroll.scene.alternatives import at_least_measured, at_most_measured
+from jkroll.scene.doubts import LIMITS, NOT_JUDGED, Limit
 from jkroll.scene.failures import Failure
 from jkroll.scene.scene import LEAST, Scene
 from jkroll.scene.uncertainty import sources_of

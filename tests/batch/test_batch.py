@@ -77,19 +77,18 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
             "warning: numbers have no meaning in 1 of 3 rows (column doubt): xi-over-limit 1 (ξ is too large for the "
             "formula), xi-over-contact 1 (ξ is larger than the contact) and 1 more"
         ),
-        (
-            "note: doubts in 2 of 3 rows (column doubt): law-off-2x 2, moment-unexplained 1, few-atoms 1, may-yield 1 "
-            "and 1 more"
-        ),
+        "note: doubts in 1 of 3 rows (column doubt): law-off-2x 1",
         "jkroll: 1 of 3 rows failed; column status says why",
     ]
     found = read_rows(f"out.{end}")
     assert [*found[0]][-3:] == ["yield_force [N]", "doubt", "status"]
     assert [row["doubt"] or "" for row in found] == [
         "law-off-2x",
-        "law-off-2x xi-over-limit xi-over-contact slides-first moment-unexplained few-atoms may-yield wide-contact",
+        "xi-over-limit xi-over-contact slides-first",
         "",
     ]
+    assert found[1]["status"] == "ξ is too large for the formula"
+    assert found[1]["yield_force [N]"] in (None, "")
     assert "doubts in" not in run(f"{words} --no-doubt").err
     assert "doubt" not in read_rows(f"out.{end}")[0]
 

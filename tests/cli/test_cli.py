@@ -561,19 +561,19 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert not validity["tabor_parameter"]["holds"]
     assert validity["displacement_ratio"]["holds"]
     assert validity["energy_over_yield"]["holds"]
+    assert "adhesion hysteresis cannot supply this moment" in run("yield-force quartz 6nm --explain").out
+    assert "better here than JKR (Tabor parameter 0.053, " in run("yield-force quartz 6nm --explain").out
     doubts = run("yield-force quartz 3nm").err
-    assert "adhesion hysteresis cannot supply this moment" in doubts
-    assert "better here than JKR (Tabor parameter 0.042, " in run("yield-force quartz 3nm --explain").out
     assert "warning: ξ is too large for the formula" in doubts
     assert "(ξ/ξ_max = 1.56)" in doubts
     assert "(ξ/ξ_max = 1.56)" in run("yield-force quartz 3nm --quiet").err  # a warning
     assert run("yield-force quartz 3nm --bare --quiet").err == ""
     assert "the contact slides or peels off before it rolls" in run("yield-force quartz 0.5nm").err
     assert "Q/T_first = 3.8" in run("yield-force quartz 0.5nm --explain").out
-    assert "2/7 of the energy cannot begin rolling, n_roll has no" in run("n-roll quartz 10nm --energy 1e-21J").err
+    assert "2/7 of the energy cannot begin rolling (W0" in run("n-roll quartz 10nm --energy 1e-21J").err
     r_min = json.loads(run("r-min 100nm --json").out)
-    assert [one["name"] for one in r_min["validity"] if one["holds"]] == ["yield_angle", "r_min_over_radius"]
-    not_checked = "not checked: xi-over-limit, xi-over-contact: need surface energy per surface"
+    assert [one["name"] for one in r_min["validity"] if one["holds"]] == ["r_min_over_radius", "yield_angle"]
+    not_checked = "not checked: contact-exceeds-sphere, xi-over-limit, xi-over-contact: need surface energy per surface"
     assert any(note.startswith(not_checked) for note in r_min["notes"])
 
 

@@ -108,7 +108,10 @@ def test_lists_have_it_beside_the_headline(run: Run) -> None:
     assert "by Maugis" not in run("pull-off iron 1mm,2mm", terminal=True).out
     assert "by Maugis" not in run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
     assert "P_c by JKR" in run("pull-off quartz 100nm,1um --model maugis", terminal=True).out
-    assert re.search(r"no data +880–1300", run("yield-force quartz 2nm 1um", terminal=True).out)
+    assert re.search(r"no data +880–1300", run("yield-force quartz 50nm 1um", terminal=True).out)
+    assert re.search(
+        r"Q by data \[pN\] +– +880–1300", run("yield-force quartz 2nm 1um", terminal=True).out
+    )  # no meaning
 
 
 def test_lists_have_its_error_bars(run: Run) -> None:

@@ -12,8 +12,8 @@ from jkroll.quantities.values import QuantityError, parse_quantity, unit_of
 
 # Names of the table that versions of pint have unlike, or not at all.
 UNLIKE = frozenset(
-    """gf gram_force pond ponds kgf kilogram_force kilopond kiloponds Da dalton daltons u amu bohr bohrs hartree hartrees Eh E_h rydberg rydbergs Ry fathom
-    fathoms furlong furlongs electronvolt cmHg mmHg""".split()
+    """gf gram_force pond ponds kgf kilogram_force kilopond kiloponds Da dalton daltons u amu bohr bohrs hartree
+    hartrees Eh E_h rydberg rydbergs Ry fathom fathoms furlong furlongs electronvolt cmHg mmHg""".split()
 )
 OTHER_NAMES = {"°": "deg", "%": "percent", "kmph": "kph", "kmh": "kph"}  # for which pint has another name
 

@@ -13,16 +13,8 @@ from jkroll.answers.notes import about_displacement
 from jkroll.answers.questions import question_about
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import ends_of, value_of
-from jkroll.scene.doubts import (
-    ASSUMED_DISPLACEMENT,
-    FORCES,
-    ROLLED,
-    at_least_measured,
-    at_most_measured,
-    doubts,
-    is_like_rolled,
-    rolled_solid,
-)
+from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, is_like_rolled, rolled_solid
+from jkroll.scene.doubts import ASSUMED_DISPLACEMENT, doubts
 from jkroll.scene.scene import Scene
 from relative import approx
 from tools.measurements import MEASUREMENTS

@@ -13,7 +13,8 @@ from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.doubts import LIMITS, at_half_spacing
+from jkroll.scene.alternatives import at_half_spacing
+from jkroll.scene.doubts import LIMITS
 from jkroll.scene.failures import BEYOND_PULL_OFF, NO_CHAIN, NO_DOUBLE, Failure, MissingInput
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import KEPT, depends_on, formula_of, plan_for
@@ -24,7 +25,7 @@ LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
 
 
 def test_answers_and_their_limits_are_the_same_one_by_one() -> None:
-    scene = Scene({**QUARTZ, "viscous_time": 1e-12, "filling_factor": 0.1})
+    scene = Scene({**QUARTZ, "viscous_time": 1e-12, "speed": 1.0, "filling_factor": 0.1})
     values = scene.evaluate(("pull_off_force", "n_roll", *LIMIT_NAMES))
     assert all(Scene(scene.stated)[name] == value for name, value in values.items())
     assert scene.inputs_of("pull_off_force") == ("radius", "surface_energy")

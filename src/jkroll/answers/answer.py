@@ -10,25 +10,18 @@ from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import Interval, ends_of, is_uncertain, middle
-from ..scene.doubts import (
-    ASSUMED_DISPLACEMENT,
+from ..scene.alternatives import (
     DATA,
     FORCES,
-    JUMP,
-    LAW,
-    LAW_MATTERS,
-    LIMITS,
     ROLLED,
     SIO2,
-    Doubt,
-    Evaluation,
     alternatives_of,
     at_full_hysteresis,
     at_half_spacing,
     at_most_measured,
     at_other_reading,
     by_law_at_spacing,
-    doubts,
+    factor_of_law,
     farthest,
     has_other_formulas,
     is_at_displacement,
@@ -37,6 +30,19 @@ from ..scene.doubts import (
     rolled_solid,
     rolling,
     with_bars,
+)
+from ..scene.doubts import (
+    ASSUMED_DISPLACEMENT,
+    CONTACT_EXCEEDS_SPHERE,
+    INEXACT,
+    JUMP,
+    LAW,
+    LAW_MATTERS,
+    Doubt,
+    Evaluation,
+    Limit,
+    doubts,
+    touched,
 )
 from ..scene.failures import (
     BEYOND_PULL_OFF,
@@ -48,6 +54,7 @@ from ..scene.failures import (
 )
 from ..scene.scene import Scene
 from .notes import (
+    Kind,
     Note,
     about_assumed,
     about_given,
@@ -168,9 +175,9 @@ class Answer(Evaluation):
 
     condition: float | None = None  # of two inferred inputs together
 
-    def __init__(self, question: Question, scene: Scene) -> None:
+    def __init__(self, question: Question, scene: Scene, *, keeps_all: bool = False) -> None:
         """Compute the quantities of a question as far as the scene allows."""
-        super().__init__(scene, scene.outcomes(question.quantities, question.named))
+        super().__init__(scene, scene.outcomes(question.quantities, question.named), keeps_all=keeps_all)
         self.question = question
 
     @property
@@ -249,7 +256,7 @@ class Answer(Evaluation):
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
         """The values of JKR, to stand beside those of another law."""
-        numbers = self.scene.replace(model=DEFAULT_LAW).numbers(*self.outcomes)
+        numbers = self.scene.replace(model=DEFAULT_LAW).numbers(*(self.outcomes.keys() - self.ended.keys()))
         return {name: number for name, number in numbers.items() if number < INFINITY}
 
     @cached_property
@@ -260,8 +267,9 @@ class Answer(Evaluation):
         """
         if not self.values:
             return {}
-        names_of = names_with_alternatives([self.scene], [*self.outcomes])
-        names_of[other_law(self.scene.law.name)] += self.scene.by_law.missing(self.outcomes)
+        meant = [name for name in self.outcomes if name not in self.ended]
+        names_of = names_with_alternatives([self.scene], meant)
+        names_of[other_law(self.scene.law.name)] += self.scene.by_law.missing(meant)
         return alternatives_of(self.scene, names_of)
 
     @cached_property
@@ -270,23 +278,48 @@ class Answer(Evaluation):
         is_shown = self.scene.law.name == BETWEEN or any(doubt.limit is LAW for doubt in self.exceeded)
         return {kind: values for kind, values in self.others.items() if is_shown or kind not in LAWS}
 
-    @cached_property
-    def validity(self) -> Sequence[Doubt]:
-        """The limits of the model, judged for the values, with that of an assumed displacement."""
-        return doubts(self.scene, [*self.values], (*LIMITS, ASSUMED_DISPLACEMENT))
+    def inexact(self, names: Sequence[str]) -> list[Doubt]:
+        """Return the limits that end no meaning, with that of an assumed displacement."""
+        return doubts(self.scene, names, (*INEXACT, ASSUMED_DISPLACEMENT))
 
     def doubts(self) -> list[Note]:
-        """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
-        return [Note("warning" if doubt.limit.ends_meaning else "caveat", self.about(doubt)) for doubt in self.exceeded]
+        """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
+        notes = []
+        for doubt in self.exceeded:
+            kind: Kind = "caveat" if doubt.limit.is_told else "more"
+            notes.append(Note("warning" if doubt.limit.ends_meaning else kind, self.about(doubt)))
+        return notes
 
     @property
     def exceeded(self) -> list[Doubt]:
-        """The limits of the model that do not hold, the one that is exceeded most first."""
-        return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=lambda doubt: -doubt.excess)
+        """The limits of the model that do not hold.
+
+        First those that end a meaning, that of a contact wider than its sphere before all; then those of the headline;
+        then the others. Of each, those about a state, which is beyond a limit or not, are first, and then the one that
+        is exceeded most.
+        """
+        return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
+
+    def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, float]:
+        limit = doubt.limit
+        is_late = limit is not CONTACT_EXCEEDS_SPHERE, not limit.ends_meaning, not self._is_of_headline(limit)
+        return *is_late, bool(limit.threshold), -doubt.excess
+
+    def _is_of_headline(self, limit: Limit) -> bool:
+        """Return whether a limit concerns a quantity that the command is named after: a law, if it moves one.
+
+        So does one that is of a result itself, such as of a force below 0.
+        """
+        if limit.name in limit.touches and limit.name in self.values:
+            return True
+        names = [name for name in self.values if name in self.question.headline]
+        if limit is LAW:
+            return bool(factor_of_law(self.scene, names) > LAW_MATTERS)
+        return bool(touched(self.scene, names, [limit]))
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
-        scene, known = self.scene, [*self.values]
+        scene, known = self.scene, [name for name in self.values if name not in self.ended]
         headline = [name for name in known if name in self.question.headline]
         if doubt.limit is LAW and doubt.is_exceeded:
             return _about_law(doubt, scene, headline, known, self.others.get(BETWEEN, {}))
@@ -315,12 +348,12 @@ class Answer(Evaluation):
         open_bars = {name: bar for name, bar in self.bars.items() if isinstance(bar, JkrollError)}
         every = (
             *about_assumed(self.assumed),
-            *about_missing({**self.errors, **open_bars}),
+            *about_missing({**self.lacking, **open_bars}),
             *about_left_out(self.sources),
             *about_given(self.scene, self._possible, inputs),
             *about_idle(idle),
-            *about_values(self.scene, [*self.values]),
-            *about_limits(self.validity, "more" if self.errors else "remark"),  # where results say what is missing
+            *about_values(self.scene, [*self.values], [*self.values, *self.ended]),
+            *about_limits(self.validity, "more" if self.lacking else "remark"),  # where results say what is missing
             *about_lost_contacts(self),
         )
         return tuple(dict.fromkeys(every))
@@ -336,7 +369,9 @@ class Answer(Evaluation):
         for error in self.errors.values():
             if isinstance(error, Failure) and not error.kind.has_contact:
                 return with_force_by_maugis(error, self.scene) if error.kind == BEYOND_PULL_OFF else error
-        return None if self.values else next(iter(self.errors.values()), Failure(OF_IDENTICAL_SPHERES))
+        if self.values or self.ended:  # what has no meaning is an answer
+            return None
+        return next(iter(self.errors.values()), Failure(OF_IDENTICAL_SPHERES))
 
 
 # --- What stands in place of results, in words ------------------------------------------------------------------------

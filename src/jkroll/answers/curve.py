@@ -121,14 +121,19 @@ def _without_contact(scene: Scene, ratio: float, steps: int) -> Iterator[State]:
 class AtState(Answer):
     """The answer at a state of a force curve. What is said of the law and of its limits is that of the whole curve."""
 
-    def __init__(self, question: Question, state: State, curve: Answer) -> None:
+    def __init__(self, question: Question, state: State, curve: Answer, *, keeps_all: bool = False) -> None:
         """`curve`: the answer that stands for the whole curve, its pull-off force."""
         scene = state.in_scene(curve.scene)
         if state.name == FOLD:  # where a formula gives rounding errors
             scene.values[scene.plan("stiffness").name] = Failure(NO_STIFFNESS, "stiffness")
-        super().__init__(Question(question.headline, question.quantities, question.quantities), scene)
-        self.state, self.curve, self.laws, self.validity = state, curve, curve.laws, curve.validity
+        question = Question(question.headline, question.quantities, question.quantities)
+        super().__init__(question, scene, keeps_all=keeps_all)
+        self.state, self.curve, self.laws = state, curve, curve.laws
         self.alternatives = {}  # a state has no place on the curve of another law
+
+    def inexact(self, names: Sequence[str]) -> list[Doubt]:  # noqa: ARG002
+        """Return the limits that end no meaning, of the whole curve."""
+        return [doubt for doubt in self.curve.validity if not doubt.limit.ends_meaning]
 
     def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the inputs as understood, with the one that sets the state, and the name of the state."""
@@ -143,7 +148,7 @@ class AtState(Answer):
     @cached_property
     def failure(self) -> JkrollError | None:
         """The reason why there is no contact, or no value but that of the input that sets the state."""
-        is_alone = not self.values.keys() - {self.state.given}
+        is_alone = not (self.values.keys() | self.ended.keys()) - {self.state.given}
         return super().failure or (next(iter(self.errors.values()), None) if is_alone else None)
 
     def about(self, doubt: Doubt) -> str:
@@ -151,16 +156,22 @@ class AtState(Answer):
         return self.curve.about(doubt)
 
 
-def answers_at_states(scenes: Iterable[Scene], question: Question, loads: Loads | None = None) -> Iterator[AtState]:
-    """Iterate over the answers at the states of the force curve of each scene, under its own law."""
+def answers_at_states(
+    scenes: Iterable[Scene], question: Question, loads: Loads | None = None, *, keeps_all: bool = False
+) -> Iterator[AtState]:
+    """Iterate over the answers at the states of the force curve of each scene, under its own law.
+
+    `keeps_all`: whether numbers without a meaning stay.
+    """
     for scene in scenes:
         curve = Answer(WHOLE_CURVE, scene)
         for state in states(scene, loads):
-            yield AtState(question, state, curve)
+            yield AtState(question, state, curve, keeps_all=keeps_all)
 
 
-def curve_columns(answers: Sequence[AtState], names: Sequence[str]) -> Wanted:
+def curve_columns(answers: Sequence[AtState], names: Sequence[str], *, keeps_all: bool = False) -> Wanted:
     """Return the columns of quantities at states, behind those of the inputs and of the names of the states."""
     inputs = {name for answer in answers for name in answer.inputs_of(names)}
     sides = sides_in((answer.scene, names) for answer in answers)
-    return Wanted(names, named=names, inputs=in_order(inputs.difference(names)), sides=sides)
+    shown = in_order(inputs.difference(names))
+    return Wanted(names, named=names, inputs=shown, sides=sides, keeps_all=keeps_all)

@@ -7,11 +7,12 @@ from functools import cached_property
 from math import isfinite
 from typing import Any
 
+from ..errors import JkrollError
 from ..quantities.formatting import amount, in_words, span, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain, middle
-from ..scene.doubts import LAW, Doubt, Evaluation
+from ..scene.doubts import LAW, Doubt, OfUnknowns
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import SIZES, Problem, equal, sizes_in_words
 from ..scene.uncertainty import measures_of
@@ -30,13 +31,14 @@ class Inferred(Answer):
 
     laws: Mapping[str, Any] = {}  # what is found under each law stands beside the results
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: Problem, *, keeps_all: bool = False) -> None:
         """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
-        unknowns = Evaluation(problem, problem.evaluate(problem.unknowns))
-        self.failure = next(iter(unknowns.errors.values()), None)
+        unknowns = OfUnknowns(problem, problem.evaluate(problem.unknowns), keeps_all=keeps_all)
+        self.failure = next((value for value in unknowns.computed.values() if isinstance(value, JkrollError)), None)
         measured = () if self.failure else (*problem.measured,)
         scene = problem.filled if self.failure else problem.solved
-        super().__init__(Question(problem.unknowns, measured, named=measured), scene)
+        super().__init__(Question(problem.unknowns, measured, named=measured), scene, keeps_all=keeps_all)
+        self.unknowns = unknowns
         self.problem, self.bars, self.sources = problem, unknowns.bars, unknowns.sources
         self.measures = {name: in_words(name, value) for name, value in unknowns.inputs_of(()).items()}
         self.condition = problem.solution.condition if measured[1:] else None
@@ -47,6 +49,8 @@ class Inferred(Answer):
         """The values of the unknowns, with their uncertainties."""
         if self.failure is not None:
             return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
+        if self.unknowns.errors:  # without a meaning
+            return tuple(Result(name, None, reason_of(name, error)) for name, error in self.unknowns.errors.items())
         solution, results = self.problem.solution, []
         for name, value in solution.values.items():
             by_law = {law: middle(values[name]) for law, values in self.alternatives.items()}
@@ -57,13 +61,15 @@ class Inferred(Answer):
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
         """The values, with error bars, under each other law that has the measured quantities by other formulas."""
+        if self.ended:
+            return {}
         formulas = self.scene.formulas_to(*self.problem.measured)
         by_law = {}
         for law in LAWS:
             other = self.problem.replace(model=law)
             with suppress(MissingInput):
                 if other.filled.formulas_to(*other.measured) != formulas and (values := other.numbers(*other.unknowns)):
-                    bars = measures_of(Evaluation(other, values).bars)
+                    bars = measures_of(OfUnknowns(other, values, keeps_all=True).bars)
                     by_law[law] = {**values, **{name: bar for name, bar in bars.items() if is_uncertain(bar)}}
         return by_law
 
@@ -83,7 +89,9 @@ class Inferred(Answer):
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The proof of what is found, and what the measured quantities rest on."""
-        return () if self.failure is not None else (*self._proofs(), *super().notes)
+        if self.failure is not None:
+            return ()
+        return (*(() if self.unknowns.errors else self._proofs()), *super().notes)
 
     def _proofs(self) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""

@@ -10,21 +10,16 @@ from ..quantities.formatting import Format, amount, first_symbols, significant, 
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..quantities.values import Measured
-from ..scene.doubts import (
-    ENDING_MEANING,
-    IMPACT,
-    MEANINGS,
+from ..scene.alternatives import (
     SIO2,
-    Doubt,
-    Evaluation,
     assumes_displacement,
     displacements_where_measured,
     is_like_rolled,
     rolled_solid,
     rolling,
     solid_of_pair,
-    touched,
 )
+from ..scene.doubts import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, Evaluation, doubts, touched
 from ..scene.failures import grouped
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
@@ -73,9 +68,10 @@ def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tupl
     """Return the inputs of quantities, and those that were given though neither these nor a limit depends on them.
 
     The atomic spacing is among the former if it enters a limit, as it enters few answers. A load that enters limits
-    alone is among the latter: it was meant for more. `judges`: whether limits are judged.
+    alone is among the latter: it was meant for more. `judges`: whether all limits are judged, and not only those that
+    end meaning.
     """
-    limits = touched(scene, scene.possible(names)) if judges else ()
+    limits = touched(scene, scene.possible(names), LIMITS if judges else ENDING)
     every = [*names, *(limit.name for limit in limits)]
     own, used = ({*scene.inputs_of(*scene.possible(each))} for each in (names, every))
     needed = used - (STATE_OR_LOAD - own) | depends_on((*scene.missing(every),), (scene.law.name,))
@@ -135,8 +131,11 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 # --- Values -----------------------------------------------------------------------------------------------------------
 
 
-def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on values: what happens in a collision, what gives way first in a contact, the assumed ξ."""
+def about_values(scene: Scene, names: Collection[str], computed: Collection[str]) -> Iterator[Note]:
+    """Iterate over notes on values: what happens in a collision, what gives way first in a contact, the assumed ξ.
+
+    `computed`: the quantities with a value, or with a number that has no meaning.
+    """
     is_silica = solid_of_pair(scene) == SIO2
     if is_silica and "break_energy_dust_simulation" in names:
         measured = "for spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J"
@@ -144,17 +143,11 @@ def about_values(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if is_silica and "sticking_speed" in names and "viscous_time" not in scene.stated:
         measured = "SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s"
         yield Note("remark", f"speeds are low: {measured}, where γ of quartz gives 0.31 m/s, of silica-dry 1.7 m/s")
-    if "n_roll" in names and (IMPACT | {"viscous_time"}).isdisjoint(scene.stated):
-        for ratio in scene.numbers("energy_over_sticking").values():  # none in a law without U_stick
-            energy = "the impact energy of the turns, P_cδ0 of JKR,"
-            yield Note("remark", f"{energy} is {ratio:.3g} times the largest that sticks")
-    if unlike := [name for name in names if NOMENCLATURE[name].of_identical and not scene.is_identical]:
-        yield Note("warning", f"{first_symbols(unlike)} has no meaning here: it is of identical spheres alone")
     if "n_grav" in names and not scene.is_identical:
         chain = Scene(scene.stated_of_1, scene.material, model=scene.stated_model).numbers("n_grav").values()
         other = "".join(f"; the next, between spheres 1, yields at {carried + 1:.4g}" for carried in chain)
         yield Note("caveat", f"N_grav is what the first contact, on body 2, carries{other}")
-    if {"yield_force", "sliding_or_peeling_force"}.issubset(names):
+    if "yield_force" in computed and "sliding_or_peeling_force" in names:
         force = scene["sliding_or_peeling_force"]
         rolls = "it rolls first; where it cannot, " if scene["yield_force"] < force else ""
         first, last = ("peels off", "slides") if scene["peeling_over_sliding"] < 1 else ("slides", "peels off")
@@ -275,13 +268,13 @@ class OfRows:
         """The notes on all rows that were counted, and those that follow from what is given to a kind."""
         every = [*about_rows(self.tally, self._told, "jkroll guide doubts")]
         for scene, names in self._kinds:
-            evaluation = Evaluation(scene, dict.fromkeys(scene.possible(names)))
+            possible = scene.possible(names)
             with suppress(JkrollError):  # each row says which sources do not go together
-                every += about_left_out(evaluation.sources)
-            every += about_given(scene, [*evaluation.values], scene.inputs_of(*evaluation.values))
-            if rolling(evaluation.values) and assumes_displacement(scene):
+                every += about_left_out(Evaluation(scene, dict.fromkeys(possible)).sources)
+            every += about_given(scene, possible, scene.inputs_of(*possible))
+            if rolling(possible) and assumes_displacement(scene):
                 every.append(Note("caveat", about_displacement(scene, rolled_solid(scene))))
-            every += about_limits(evaluation.validity)
+            every += about_limits(doubts(scene, possible))
         return [*dict.fromkeys(every), *about_idle(self.idle), *about_assumed(self.assumed)]
 
 

@@ -71,19 +71,19 @@ def run(path: str, job: Job) -> int:
         if job.resume or job.dask:
             raise BadRequest("--resume and --dask are for many files: write 'grains/*.csv' -o DIRECTORY/")
         tally, code = convert_one(path, job), 0
-    job.say(_notes(tally, job.asked.infer))
+    job.say(_notes(tally, job.asked))
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)
 
 
-def _notes(tally: Tally, unknown: str) -> Iterator[str]:
+def _notes(tally: Tally, asked: Asked) -> Iterator[str]:
     """Iterate over lines on what was inferred, and in how many rows numbers are in doubt, or cells empty."""
     from ..answers.notes import about_rows
 
     if tally.inferred:
-        yield _summary(unknown, tally)
-    notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT}")]
+        yield _summary(asked.infer, tally)
+    notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
     yield from (note.line for note in notes[:MAX_NOTES])
     if (more := len(notes) - MAX_NOTES) > 0:
         yield f"note: column {STATUS} has {more} more kinds of gaps"

@@ -19,6 +19,7 @@ from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..rows.sweep import Sweep
+from ..scene.doubts import ENDING_MEANING
 from ..scene.scene import Scene
 from ..scene.wiring import formula_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
@@ -48,7 +49,7 @@ def run_question(call: Call) -> int:
     def answer(row: Scene) -> "Answer":
         from ..answers.answer import Answer  # of which rows that are written with fewer words need nothing
 
-        return Answer(question, row)
+        return Answer(question, row, keeps_all=keeps_all(call))
 
     return write(call, call.sweep, question, form, answer)
 
@@ -67,6 +68,11 @@ def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: "C
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # what is wrong with rows is raised before one is written
     return _write_answers(call, map(answer, sweep.scenes()) if single is None else [single], count, form)
+
+
+def keeps_all(call: Call) -> bool:
+    """Return whether numbers without a meaning stay: in bare and plain lines, which have no place for a reason."""
+    return call.kind in ("bare", "plain") and call.target is None
 
 
 def check_format(call: Call) -> None:
@@ -95,7 +101,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
     if call.kind == "bare":
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
     else:
-        wanted = sweep.wanted(question.quantities, question.named)
+        wanted = sweep.wanted(question.quantities, question.named, keeps_all=keeps_all(call))
         if call.alternatives:
             wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
         elif is_shown and len(sweep.models) == 1 and not call.measured:
@@ -130,7 +136,10 @@ def _write_columns(
         for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
             sys.stdout.write(text.decode())
         sys.stdout.flush()
-    for line in lines_of(notes if single is None else single, has_head=is_table, quiet=call.quiet):
+    about: OfRows | Answer = notes if single is None else single
+    if single is not None and notes.tally.with_doubts(ENDING_MEANING) and not single.ended:  # of states of a curve
+        about = notes
+    for line in lines_of(about, has_head=is_table, quiet=call.quiet):
         say_wrapped(line, sys.stderr)
     return _exit_code(call, notes.tally.failed, notes.tally.rows)
 
@@ -231,16 +240,20 @@ def _write_curve(call: Call) -> int:
     question = question_of(call, FORCE_CURVE)
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
-    samples = [*answers_at_states(sweep.kinds, question, loads)]
+    keeps = keeps_all(call)
+    samples = [*answers_at_states(sweep.kinds, question, loads, keeps_all=keeps)]
     failures = (sample.failure for sample in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
-    states = answers_at_states(sweep.scenes(), question, loads)
+    states = answers_at_states(sweep.scenes(), question, loads, keeps_all=keeps)
     if call.kind == "json":
         every = [*states]
         return _write_answers(call, every, len(every), form)
     names = question.quantities
-    wanted = Wanted(names, named=names, doubts=False) if call.kind == "bare" else curve_columns(samples, names)
+    if call.kind == "bare":
+        wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
+    else:
+        wanted = curve_columns(samples, names, keeps_all=keeps)
     is_table = call.kind == "table" and call.target is None
     size = None if is_table else CURVE_BLOCK
 
@@ -295,7 +308,7 @@ def run_infer(call: Call) -> int:
     """Find inputs for every scene and measured value; return the exit code."""
     from ..answers.inferred import Inferred
     from ..rows.infer import Problems
-    from ..scene.inverse import SIZES, inputs_named
+    from ..scene.inverse import SIZES, Problem, inputs_named
 
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
@@ -306,7 +319,11 @@ def run_infer(call: Call) -> int:
         raise BadRequest(f"infer reads no tables; jkroll batch {word} --infer INPUT --measured QUANTITY does")
     check_format(call)
     problems = Problems(names, _measured(call, names), call.sweep)
-    return write(call, problems, Question(tuple(names), tuple(names), tuple(names)), call.form(names), Inferred)
+
+    def answer(problem: Problem) -> Inferred:
+        return Inferred(problem, keeps_all=keeps_all(call))
+
+    return write(call, problems, Question(tuple(names), tuple(names), tuple(names)), call.form(names), answer)
 
 
 def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:

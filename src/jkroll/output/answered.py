@@ -12,7 +12,7 @@ from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import NOMENCLATURE, XI, named
 from ..quantities.values import Uncertain, ends_of, is_uncertain, middle
-from ..scene.doubts import (
+from ..scene.alternatives import (
     DATA,
     assumes_displacement,
     at_least_measured,

@@ -19,7 +19,7 @@ from ..quantities.formatting import Format, amount, symbol_of
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.doubts import has_other_formulas
+from ..scene.alternatives import has_other_formulas
 from ..scene.scene import Scene, takes
 from ..scene.wiring import Plan
 from ..text import listed, say, say_wrapped

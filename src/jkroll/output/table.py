@@ -11,7 +11,8 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, of_sides
 from ..rows.columns import DOUBT
-from ..scene.doubts import DATA, LAW, SIO2, codes, rolled_solid
+from ..scene.alternatives import DATA, SIO2, rolled_solid
+from ..scene.doubts import LAW, codes
 from ..text import TextColumn, first_of, fit_terminal, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
@@ -162,7 +163,11 @@ def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
     for kind, key in columns.wanted.alternatives_of(name).items():
         others = _measures(columns, key)
         if kind == DATA and any(value is not None for value in others):
-            values[f"{symbol} by data"] = ["no data" if value is None else value for value in others]
+            has_value = [value is not None for value in values[symbol]]
+            values[f"{symbol} by data"] = [
+                "no data" if value is None and is_here else value
+                for value, is_here in zip(others, has_value, strict=True)
+            ]
         elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
             values[f"{symbol} by {head_of(kind)}"] = others
     return values

@@ -184,7 +184,7 @@ class Layer:
         shown = [name for name in inputs if name in used or name != "load" or name in self.scene.given]
         self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in drawn])
         remark = NOMENCLATURE[quantity].note
-        self.unjudged = [f"Limits are not judged: {symbol(error.wanted)} {error.reason()}." for error in missing[:1]]
+        self.unjudged = [f"Limits are not judged: {_without(error)}." for error in missing[:1]]
         self.notes = (
             *(note.text for note in about_idle(entering(self.scene, names, judges=False)[1])),
             *notes_on(scene, self.scene, shown, names),
@@ -236,6 +236,11 @@ class Layer:
         edges = numpy.flatnonzero(numpy.diff(beyond, prepend=False, append=False)).reshape(-1, 2)
         ends = ([amount(x.name, values[end], _TWO) for end in (first, last - 1)] for first, last in edges)
         return f"{symbol(x.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
+
+
+def _without(error: JkrollError) -> str:
+    """Return what a limit lacks, with its number."""
+    return f"{symbol(error.wanted)} {error.reason()}" if isinstance(error, MissingInput) else str(error)
 
 
 def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:

@@ -30,7 +30,9 @@ class Law:
         source: str,  # as results name it, where the paper has no equation
         tables: Mapping[str, Routes],
         omits: frozenset[str] = frozenset(),  # quantities that are not shown under it
-        by_spacing: frozenset[str] = frozenset(),  # quantities that the atomic spacing decides while λ is below 1
+        by_spacing: frozenset[
+            str
+        ] = frozenset(),  # formulas whose results the atomic spacing decides while λ is below 1
     ) -> None:
         self.name, self.title, self.source = name, title, source
         self.tables, self.omits, self.by_spacing = tables, omits, by_spacing
@@ -136,7 +138,7 @@ _MAUGIS = Law(
         "approach_at_load": {"load": "load_maugis"},
     },
     omits=frozenset({"rolling_frequency_as_printed"}),
-    by_spacing=frozenset({"sticking_energy", "sticking_speed", "restitution", "lost_energy"}),
+    by_spacing=frozenset({"sticking_energy_maugis"}),
 )
 
 _DMT = Law(

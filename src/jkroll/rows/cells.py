@@ -21,7 +21,7 @@ from ..materials.library import Material, Materials, UnclearMaterial
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import Unit, dimension_of, exponent_of
 from ..quantities.values import QuantityError, Uncertain, has_uncertainty, is_uncertain, middle, unit_of, value_of
-from ..scene.doubts import measured_solid
+from ..scene.alternatives import is_smooth, measured_solid
 from ..text import quoted
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
@@ -313,5 +313,7 @@ def _kind(material: Material | None) -> Hashable:
 
 def _is_special(material: Material) -> bool:
     """Return whether more follows from a material than from numbers: uncertainties, rigidity, forces measured on it."""
-    more = material.uncertainties or material.displacement is not None or measured_solid(material)
+    more = (
+        material.uncertainties or material.displacement is not None or measured_solid(material) or is_smooth(material)
+    )
     return bool(more) or INFINITY in material.properties.values()

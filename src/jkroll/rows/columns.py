@@ -17,17 +17,21 @@ from ..errors import BadRequest, JkrollError
 from ..physics.elementary import where
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Measured, is_uncertain, middle
+from ..scene.alternatives import DATA, alternatives_of, names_with_alternatives
 from ..scene.doubts import (
     BITS,
-    DATA,
+    ENDING_MEANING,
     EVERY_DOUBT,
+    INEXACT,
     LAW,
     NOT_JUDGED,
+    Doubt,
     Evaluation,
-    alternatives_of,
     bits_of,
-    names_with_alternatives,
-    touched,
+    concerns,
+    doubts,
+    has_code,
+    is_end_of_meaning,
 )
 from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, MissingInput, grouped, needs_in_words
 from ..scene.scene import FOLLOWS, Scene, takes
@@ -63,9 +67,10 @@ class Wanted:
         doubts: bool = True,  # whether limits are judged
         # By kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
         alternatives: Mapping[str, Sequence[str]] = _NONE,
+        keeps_all: bool = False,  # whether numbers without a meaning stay
     ) -> None:
         self.names, self.named, self.inputs, self.sides = names, named, inputs, sides
-        self.doubts, self.alternatives = doubts, alternatives
+        self.doubts, self.alternatives, self.keeps_all = doubts, alternatives, keeps_all
 
     def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str]) -> "Wanted":
         """Return the same quantities, some of them with columns of what may stand in their place.
@@ -76,7 +81,7 @@ class Wanted:
         of_law, sides = next(iter(names_of.values())), {*(self.sides or ())}
         with suppress(JkrollError):  # sources of two kinds give no error bars
             sides |= sides_in((scene.by_law, of_law) for scene in scenes)
-        return Wanted(self.names, self.named, self.inputs, sides, self.doubts, names_of)
+        return Wanted(self.names, self.named, self.inputs, sides, self.doubts, names_of, self.keeps_all)
 
     @cached_property
     def keys(self) -> tuple[str, ...]:
@@ -109,7 +114,7 @@ class Wanted:
 
     def evaluation(self, scene: Any) -> Evaluation:
         """Return the evaluation of a scene, of numbers or of arrays."""
-        return Evaluation(scene, scene.outcomes(self.names, self.named))
+        return Evaluation(scene, scene.outcomes(self.names, self.named), keeps_all=self.keeps_all)
 
     def row(self, evaluation: Evaluation) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
@@ -127,8 +132,13 @@ class Wanted:
                 elif is_uncertain(value) and side in value.sides:
                     numbers[of_side] = value.sides[side]
         inputs = evaluation.inputs_of(self.names) if self.inputs else {}
-        bits = bits_of(evaluation.validity) if self.doubts else 0
-        return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
+        return Row(inputs, [numbers.get(key, nan) for key in self.keys], self._bits(evaluation), reasons)
+
+    def _bits(self, evaluation: Evaluation) -> int:
+        """Return the doubts about a row as bits: those that end meaning alone, where doubts have no column."""
+        if self.doubts:
+            return int(bits_of(evaluation.validity))
+        return 0 if self.keeps_all else bits_of(evaluation.ending) & ENDING_MEANING
 
     def columns(self, scene: Any, rows: Sequence[int], scene_of: Callable[[int], Any]) -> tuple["Columns", Any]:
         """Return the columns of a scene of arrays, and the rows that floats are to compute, as an array of booleans.
@@ -139,19 +149,22 @@ class Wanted:
         is_shown = {name: name in self.named or scene.shows(name) for name in evaluation.outcomes}
         others = self._alternatives(evaluation)
         for key, value in {**evaluation.values, **others}.items():
-            columns.column(key)[...] = where(is_shown[key.partition(_BY)[0]], middle(value), nan)
+            name, is_other, _ = key.partition(_BY)
+            has_cell = is_shown[name] & (evaluation.ended.get(name, 0) == 0 if is_other else True)
+            columns.column(key)[...] = where(has_cell, middle(value), nan)
         if self.inputs:
             columns.repeat(evaluation.inputs_of(self.names))
-        if self.doubts and evaluation.values:
-            columns.doubts[...] = _doubts(evaluation, columns)
-        again = _explain(columns, scene, is_shown, lambda row: scene_of(rows[row]))
+        if evaluation.judged and (self.doubts or not self.keeps_all):
+            columns.doubts[...] = bits_of_rows(evaluation, is_shown, len(rows), has_all=self.doubts)
+        again = _explain(columns, evaluation, is_shown, lambda row: scene_of(rows[row]))
         return columns, again | columns.put_bars(evaluation, others)
 
     def _alternatives(self, evaluation: Evaluation) -> dict[str, Any]:
         """Return what may stand in place of the outcomes, with its uncertainties, by the keys of columns."""
         if not self.alternatives:
             return {}
-        shown = evaluation.outcomes
+        ended = () if evaluation.scene.shape else evaluation.ended  # of arrays, some cells are left empty
+        shown = {name for name in evaluation.computed if name not in ended}
         names_of = {kind: [name for name in names if name in shown] for kind, names in self.alternatives.items()}
         return {
             f"{name}{_BY}{kind}": value
@@ -309,12 +322,16 @@ class Columns:
 
     @cached_property
     def failed(self) -> list[int]:
-        """The rows without a contact, or without any value but alternatives."""
+        """The rows without a contact, or without any value but alternatives; one without a meaning is an answer."""
         lacks = {number: lack(reasons) is not None for number, reasons in self.distinct_reasons.items()}
+        ended = {
+            number for number, reasons in self.distinct_reasons.items() if any(map(is_end_of_meaning, reasons.values()))
+        }
         return [
             row
             for row, reasons in self.reasons.items()
-            if lacks[id(reasons)] or all(isnan(self.column(name)[row]) for name in self.wanted.names)
+            if lacks[id(reasons)]
+            or (id(reasons) not in ended and all(isnan(self.column(name)[row]) for name in self.wanted.names))
         ]
 
 
@@ -326,27 +343,52 @@ def as_list(column: Any) -> list[Any]:
 # --- By arrays --------------------------------------------------------------------------------------------------------
 
 
-def _doubts(evaluation: Evaluation, columns: Columns) -> Any:
-    """Return the doubts of each row, of those quantities that have a value there."""
+def bits_of_rows(evaluation: Evaluation, is_shown: Mapping[str, Any], size: int, *, has_all: bool) -> Any:
+    """Return the doubts of rows as bits: of those quantities that have a value there, or would have one with a meaning.
+
+    `is_shown`: in which rows quantities are; `has_all`: whether limits that end no meaning are judged, too.
+    """
     import numpy
 
-    names = [*evaluation.values]
-    is_empty = {name: numpy.isnan(columns.column(name)) for name in names}
-    if not any(map(numpy.any, is_empty.values())):
-        return bits_of(evaluation.validity)
-    bits = numpy.zeros_like(columns.doubts)
-    for name in names:
-        limits = touched(evaluation.scene, [name])
-        of_name = bits_of(doubt for doubt in evaluation.validity if doubt.limit in limits)
-        bits |= numpy.where(is_empty[name], 0, of_name)
+    scene, bits = evaluation.scene, numpy.zeros(size, dtype=numpy.int64)
+    is_here: dict[str, Any] = {}  # whether a value is there
+    is_meant: dict[str, Any] = {}  # whether it has a meaning
+    for name in evaluation.judged:
+        value = evaluation.computed[name]
+        is_here[name] = numpy.broadcast_to(is_shown[name] & (value == value), size)  # noqa: PLR0124
+        is_meant[name] = is_here[name] & (evaluation.ended.get(name, 0) == 0)
+
+    def add(every: Iterable[Doubt], judged: Mapping[str, Any], rows: Any = slice(None), codes: int = -1) -> None:
+        """Add limits with some codes, each for the rows in which a quantity that it concerns is judged."""
+        for doubt in every:
+            masks = [mask for name, mask in judged.items() if concerns(doubt.limit, scene, [name])]
+            is_judged = reduce(or_, masks, numpy.zeros(size, dtype=bool))
+            bits[rows] |= numpy.where(is_judged, doubt.bits & codes, 0)[rows]
+
+    add(evaluation.ending, is_here)
+    if not has_all:
+        return bits & ENDING_MEANING
+    add(doubts(scene, [*is_here], [limit for limit in INEXACT if limit is not LAW]), is_meant)
+    # A law is judged by its largest effect on a result that has a meaning: together for rows with the same ones.
+    ended = {name: numpy.broadcast_to(of_name, size) for name, of_name in evaluation.ended.items()}
+    for rows in alike(numpy.arange(size), [of_name != 0 for of_name in ended.values()]):
+        meant = {name: mask for name, mask in is_meant.items() if name not in ended or not ended[name][rows[0]]}
+        add(doubts(scene, [*meant], [LAW]), meant, rows)
+    # What rests on z0 has no value, and limits by it are not judged.
+    resting = {
+        name: is_shown[name] & scene.rests_on_spacing(name) for name in filter(scene.may_rest_on_spacing, is_here)
+    }
+    add(doubts(scene, [*resting], INEXACT), resting, codes=NOT_JUDGED)
     return bits
 
 
-def _explain(columns: Columns, scene: Scene, is_shown: Mapping[str, Any], scene_of: Callable[[int], Scene]) -> Any:
+def _explain(
+    columns: Columns, evaluation: Evaluation, is_shown: Mapping[str, Any], scene_of: Callable[[int], Scene]
+) -> Any:
     """Note why cells are empty. Return the rows that floats are to compute, as they do not confirm an empty cell.
 
-    Rows that lack the same results, from the same step on, have the reasons of the first of them. `is_shown`: the
-    quantities, and in which rows they are.
+    Rows that lack the same results, from the same step on or by the same limits, have the reasons of the first of
+    them. `is_shown`: the quantities, and in which rows they are.
     """
     import numpy
 
@@ -356,12 +398,13 @@ def _explain(columns: Columns, scene: Scene, is_shown: Mapping[str, Any], scene_
     rows = numpy.flatnonzero(numpy.any([*gaps.values()], axis=0))
     if not len(rows):
         return again
-    steps = [value for value in scene.values.values() if isinstance(value, numpy.ndarray)]
+    steps = [value for value in evaluation.scene.values.values() if isinstance(value, numpy.ndarray)]
     is_nan = [numpy.broadcast_to(numpy.isnan(value), len(columns)) for value in steps]
-    for places in alike(rows, [*gaps.values(), *is_nan]):
+    ended = [numpy.broadcast_to(bits, len(columns)) for bits in evaluation.ended.values()]
+    for places in alike(rows, [*gaps.values(), *is_nan, *ended]):
         first = int(places[0])
         lacking = {name for name, is_gap in gaps.items() if is_gap[first]}
-        reasons = reasons_of(scene_of(first).outcomes(columns.wanted.names, columns.wanted.named))
+        reasons = reasons_of(columns.wanted.evaluation(scene_of(first)).outcomes)
         if reasons.keys() == lacking:
             columns.reasons.update(dict.fromkeys(places.tolist(), reasons))
         else:
@@ -525,9 +568,16 @@ class Tally(NamedTuple):
     def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
         """Return the counts of some rows; `word_of` as `worded` has it."""
         gaps: dict[str, Gaps] = {}
-        for row, status in sorted(columns.status.items()):
-            rows, first, words = gaps.get(status) or (0, row + 1, worded(columns.reasons[row], word_of))
-            gaps[status] = (rows + 1, first, words)
+        # A code says in how many rows it ends the meaning of results.
+        told = {
+            number: {key: error for key, error in reasons.items() if not has_code(error)}
+            for number, reasons in columns.distinct_reasons.items()
+        }
+        statuses = {number: status_of(reasons) for number, reasons in told.items() if reasons}
+        for row, reasons in sorted(columns.reasons.items()):
+            if (status := statuses.get(id(reasons))) is not None:
+                rows, first, words = gaps.get(status) or (0, row + 1, worded(told[id(reasons)], word_of))
+                gaps[status] = (rows + 1, first, words)
         return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally", table: str = "") -> "Tally":

@@ -9,28 +9,27 @@ from ..materials.library import Material, Materials
 from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
 from ..scene.containers import Reader
-from ..scene.doubts import Evaluation, bits_of, doubts
+from ..scene.doubts import OfUnknowns, meaning_ended
 from ..scene.failures import MissingInput
 from ..scene.inverse import Problem, already_given, inputs_named
 from ..scene.scene import Scene, check_range
 from ..scene.solver import materials_of, with_uncertainties
 from ..scene.wiring import in_order
-from .columns import Columns, Wanted, sides_in
+from .columns import Columns, Wanted, bits_of_rows, sides_in
 from .sweep import Sweep
 
 
 class Unknowns(Wanted):
     """Unknowns of rows, each of which is a problem."""
 
-    def evaluation(self, scene: Problem) -> Evaluation:
+    def evaluation(self, scene: Problem) -> OfUnknowns:
         """Return the values of the unknowns, or why a problem of numbers has none."""
-        evaluation = Evaluation(scene, scene.evaluate(self.names))
-        is_judged = self.doubts and evaluation.values
-        evaluation.validity = doubts(scene.solved, [*scene.measured]) if is_judged else ()  # for what was measured
-        return evaluation
+        return OfUnknowns(scene, scene.evaluate(self.names), keeps_all=self.keeps_all)
 
     def columns(self, scene: Problem, rows: Sequence[int], scene_of: Any) -> tuple[Columns, Any]:  # noqa: ARG002
         """Return the columns of arrays of measured values, and the rows that floats are to compute."""
+        import numpy
+
         solids = [solid.name for solid, _ in scene.scene.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
             # Solids of many rows have no name: each row by itself says.
@@ -39,8 +38,15 @@ class Unknowns(Wanted):
         columns.repeat(evaluation.inputs_of(self.names))
         for name, values in evaluation.values.items():
             columns.column(name)[...] = values
-        if self.doubts:
-            columns.doubts[...] = bits_of(evaluation.validity)
+        if self.doubts or not self.keeps_all:
+            forward = evaluation.forward
+            is_shown = dict.fromkeys(forward.computed, True)
+            columns.doubts[...] = bits_of_rows(forward, is_shown, len(rows), has_all=self.doubts)
+        for name, bits in evaluation.ended.items() if not self.keeps_all else ():
+            of_rows = numpy.broadcast_to(bits, len(rows))
+            for row in numpy.flatnonzero(of_rows).tolist():
+                reasons = columns.reasons.get(row, {})
+                columns.reasons[row] = {**reasons, name: meaning_ended(name, int(of_rows[row]))}
         for row, error in scene.solution.failures.items():
             columns.reasons[row], columns.doubts[row] = dict.fromkeys(self.names, error), 0
         return columns, columns.put_bars(evaluation, {})
@@ -66,18 +72,18 @@ class Problems(Sweep):
         others = {name: value for name, value in given.items() if name not in measured}
         return Problem(tuple(self.names), measured, Scene(others, *spheres, model=model))
 
-    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Unknowns:
+    def wanted(self, quantities: Sequence[str], named: Sequence[str], *, keeps_all: bool = False) -> Unknowns:
         """Return the columns of the unknowns. Raises the error of the inputs."""
         for problem in self.kinds:
             with suppress(MissingInput, NoResult):  # each row says why it has no value
                 problem.check()
         sides = sides_in((problem, quantities) for problem in self.kinds)
         inputs = {name for problem in self.kinds for name in problem.echo(problem.inputs_used(quantities))}
-        return Unknowns(quantities, named=named, inputs=in_order(inputs), sides=sides)
+        return Unknowns(quantities, named=named, inputs=in_order(inputs), sides=sides, keeps_all=keeps_all)
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Unknowns:
-        """Return the columns of the unknowns alone."""
-        return Unknowns(quantities, named=named, doubts=doubts)
+        """Return the columns of the unknowns alone, with all numbers."""
+        return Unknowns(quantities, named=named, doubts=doubts, keeps_all=True)
 
     def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
         """Return a scene of each kind of rows, with the measured quantities."""

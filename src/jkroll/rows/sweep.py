@@ -85,10 +85,10 @@ class Sweep:
         rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
         return [self.scene(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
 
-    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> "Wanted":
+    def wanted(self, quantities: Sequence[str], named: Sequence[str], *, keeps_all: bool = False) -> "Wanted":
         """Return the columns of the rows: the inputs that enter some row, and the quantities that concern some.
 
-        Raises a Failure where none does.
+        `keeps_all`: whether numbers without a meaning stay. Raises a Failure where no quantity concerns a row.
         """
         from .columns import Wanted, sides_in
 
@@ -98,14 +98,18 @@ class Sweep:
         names = [name for name in quantities if name in shown]
         kinds = [(scene, self.shown(scene, names, named)) for scene in self.kinds]
         inputs = {name for scene, of_kind in kinds for name in scene.echo(scene.inputs_used(of_kind))}
-        return Wanted(names, named=named, inputs=in_order(inputs - shown), sides=sides_in(kinds))
+        inputs_shown = in_order(inputs - shown)
+        return Wanted(names, named=named, inputs=inputs_shown, sides=sides_in(kinds), keeps_all=keeps_all)
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> "Wanted":
-        """Return the columns of quantities alone: those not asked for by name may concern identical spheres only."""
+        """Return the columns of quantities alone, with all numbers.
+
+        Those not asked for by name may concern identical spheres only.
+        """
         from .columns import Wanted
 
         shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
-        return Wanted(quantities, named=shown, doubts=doubts)
+        return Wanted(quantities, named=shown, doubts=doubts, keeps_all=True)
 
     def noted(self, wanted: "Wanted") -> Iterable[tuple[Scene, Sequence[str]]]:
         """Return a scene of each kind of rows, with the quantities that it shows."""

@@ -1,21 +1,19 @@
-"""Doubts about an answer: scenes that may stand in place of its own, and the limits of the model in one table."""
+"""Doubts about an answer: the limits of the model in one table, and what of an answer they leave."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cache, cached_property, reduce
 from math import exp, inf, nan
-from operator import attrgetter, ge, gt, le, lt, or_
+from operator import ge, gt, le, lt, or_
 from typing import TYPE_CHECKING, Any, Literal
 
 from ..errors import JkrollError
-from ..materials.library import Displacement, Material
-from ..physics.elementary import NUMBER, at_least, at_most, ln, quotient, where
+from ..physics.elementary import at_least, at_most, ln, where
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
-from ..quantities.values import Interval, ends_of, middle
-from .failures import MissingInput, NotInLaw
-from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, Scene, takes
-from .wiring import depends_on, plan_for, taken_by
+from .alternatives import factor_of_data, factor_of_law, is_smooth, rolled_solid
+from .failures import OF_ANOTHER_PAIR, RESTS_ON_SPACING, EndOfMeaning, Failure, MissingInput, NotInLaw
+from .scene import Scene
+from .wiring import taken_by
 
 if TYPE_CHECKING:
     from .uncertainty import Propagated, Sources
@@ -25,13 +23,41 @@ class Evaluation:
     """The outcomes of a scene with their inputs, error bars and doubts, each computed when something shows it.
 
     Rows and answers are ways to show it. Of a scene of arrays all are arrays, with nan where an element has no value.
+    A result has no value where a limit ends its meaning, unless bare numbers are wanted.
     """
 
-    def __init__(self, scene: Any, outcomes: Mapping[str, Any]) -> None:
-        """`outcomes`: values, or the errors that say why there are none, by quantity."""
-        self.scene, self.outcomes = scene, outcomes
-        self.values = {name: value for name, value in outcomes.items() if not isinstance(value, JkrollError)}
-        self.errors = {name: error for name, error in outcomes.items() if name not in self.values}
+    def __init__(self, scene: Any, computed: Mapping[str, Any], *, keeps_all: bool = False) -> None:
+        """`computed`: values, or the errors that say why there are none, by quantity.
+
+        `keeps_all`: whether values without a meaning stay, as bare numbers do.
+        """
+        self.scene, self.computed, self.keeps_all = scene, computed, keeps_all
+
+    @cached_property
+    def outcomes(self) -> Mapping[str, Any]:
+        """Values, or the errors that say why there are none, by quantity: meaningless values have one, too."""
+        if self.keeps_all or not self.ended:
+            return self.computed
+        outcomes = {**self.computed}
+        for name, bits in self.ended.items():
+            is_one = isinstance(bits, int)
+            outcomes[name] = meaning_ended(name, bits) if is_one else where(bits == 0, self.computed[name], nan)
+        return outcomes
+
+    @cached_property
+    def values(self) -> dict[str, Any]:
+        """The values by quantity."""
+        return {name: value for name, value in self.outcomes.items() if not isinstance(value, JkrollError)}
+
+    @cached_property
+    def errors(self) -> dict[str, JkrollError]:
+        """The reasons of quantities that have no value."""
+        return {name: value for name, value in self.outcomes.items() if isinstance(value, JkrollError)}
+
+    @property
+    def lacking(self) -> dict[str, JkrollError]:
+        """The errors but for those of limits that end meaning, of which a warning tells."""
+        return {name: error for name, error in self.errors.items() if not has_code(error)}
 
     def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the inputs on which quantities depend, as they were understood, with their error bars."""
@@ -50,7 +76,7 @@ class Evaluation:
             return None
         from .uncertainty import sources_of_results
 
-        return sources_of_results(self.scene, [*self.outcomes])
+        return sources_of_results(self.scene, [*self.computed])
 
     @cached_property
     def bars(self) -> "Mapping[str, Propagated | JkrollError]":
@@ -61,250 +87,98 @@ class Evaluation:
 
         return uncertainties(self.scene, [*self.values], sources=self.sources)
 
+    # --- Limits of the model ------------------------------------------------------------------------------------------
+
+    @cached_property
+    def judged(self) -> list[str]:
+        """The quantities for which limits are judged: those with a value, whether it has a meaning or not."""
+        return [name for name, value in self.computed.items() if not isinstance(value, JkrollError)]
+
+    @cached_property
+    def ending(self) -> "Sequence[Doubt]":
+        """The limits that end the meaning of results, judged for all values."""
+        return doubts(self.scene, self.judged, ENDING)
+
+    @cached_property
+    def ended(self) -> Mapping[str, Any]:
+        """The results without a meaning, with the codes that end it as bits; of arrays, with 0 where none does."""
+        every = {name: self._ended(name) for name in self.judged}
+        return {name: bits for name, bits in every.items() if not isinstance(bits, int) or bits}
+
+    def _ended(self, name: str) -> Any:
+        """Return the codes of the limits that end the meaning of a result as bits; 0 without any."""
+        bits: Any = 0 if name in NUMBERS_OF_LIMITS else self.bits_of_ending(name) & ENDING_MEANING
+        if NOMENCLATURE[name].of_identical:
+            bits = bits | where(self.scene.is_identical, 0, OF_IDENTICAL)
+        if isinstance(bits, int):
+            return bits
+        value = self.computed[name]
+        bits = where(value == value, bits, 0)  # noqa: PLR0124
+        return bits if bits.any() else 0
+
+    def bits_of_ending(self, name: str) -> Any:
+        """Return the codes of the limits that end meaning, and touch a result, as bits; UNCHECKED is one of them."""
+        return bits_of(doubt for doubt in self.ending if concerns(doubt.limit, self.scene, [name]))
+
     @cached_property
     def validity(self) -> "Sequence[Doubt]":
-        """The limits of the model, judged for the values, or with the reason why not."""
-        return doubts(self.scene, [*self.values])
+        """The limits of the model, judged for the values with a meaning, or with the reason why not."""
+        inexact = self.inexact([name for name in self.judged if name not in self.ended])
+        resting = [name for name, value in self.computed.items() if isinstance(value, JkrollError) and rests(value)]
+        lacking = [doubt for doubt in self.inexact(resting) if doubt.error is not None]
+        return [*self.ending, *inexact, *lacking]
 
+    def inexact(self, names: Sequence[str]) -> "list[Doubt]":
+        """Return the limits that end no meaning, judged for these quantities."""
+        return doubts(self.scene, names, INEXACT)
 
-# --- By the other law -------------------------------------------------------------------------------------------------
 
+class OfUnknowns(Evaluation):
+    """The values of the unknowns of a problem, whose limits are those of what was measured, in the scene with them."""
 
-def at_half_spacing(scene: Scene) -> Scene:
-    """Return a scene whose atomic spacing is half as large, or the least that a scene takes."""
-    return scene.replace(atomic_spacing=at_least(scene["atomic_spacing"] / 2, LEAST))
+    @cached_property
+    def forward(self) -> Evaluation:
+        """The evaluation of the measured quantities; of none where the unknowns have no value."""
+        if any(isinstance(value, JkrollError) for value in self.computed.values()):
+            return Evaluation(self.scene.filled, {})
+        solved = self.scene.solved
+        return Evaluation(solved, solved.evaluate([*self.scene.measured]), keeps_all=self.keeps_all)
 
+    @cached_property
+    def ended(self) -> Mapping[str, Any]:
+        """The unknowns, all or none of them, where a limit ends the meaning of a measured quantity."""
+        bits = reduce(or_, self.forward.ended.values(), 0)
+        return {} if isinstance(bits, int) and not bits else dict.fromkeys(self.computed, bits)
 
-def by_law_at_spacing(scene: Scene, names: Iterable[str]) -> Scene:
-    """Return the scene under the other law, with its atomic spacing stated where that decides on some quantities."""
-    rests = any(map(scene.by_law.may_rest_on_spacing, names))
-    return scene.by_law.replace(atomic_spacing=scene.by_law["atomic_spacing"]) if rests else scene.by_law
+    @cached_property
+    def ending(self) -> "Sequence[Doubt]":
+        """The limits that end the meaning of the measured quantities."""
+        return self.forward.ending
 
+    @cached_property
+    def validity(self) -> "Sequence[Doubt]":
+        """The limits of the measured quantities."""
+        return self.forward.validity
 
-def rolling(names: Iterable[str]) -> list[str]:
-    """Return those of some quantities that follow from the yield displacement, under every law the same."""
-    return [name for name in names if name != XI and XI in depends_on((name,))]
 
+def meaning_ended(name: str, bits: int) -> Failure:
+    """Return the reason of a result whose meaning limits end, by their codes as bits."""
+    return Failure(next(kind for bit, kind in ENDS.items() if bits & bit), name)
 
-def is_at_displacement(scene: Scene) -> bool:
-    """Return whether equal inputs are equal displacements, and not equal hystereses."""
-    return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
 
+def is_end_of_meaning(error: JkrollError) -> bool:
+    """Return whether an error is the reason of a result that has a number without a meaning."""
+    return isinstance(error, Failure) and isinstance(error.kind, EndOfMeaning)
 
-def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
-    """Return a scene under another law with the other of equal displacement and hysteresis, or None."""
-    ours, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
-    if len(ours) < 2 or not theirs:
-        return None
-    displacement, without_contact = ours[XI], DEFAULTS[XI]
-    if is_at_displacement(scene):
-        displacement = displacement * (ours["hysteresis_ratio"] / theirs["hysteresis_ratio"])
-        without_contact = ours[XI]
-    displacement = where(takes(XI, displacement), displacement, without_contact)
-    return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
+def rests(error: JkrollError) -> bool:
+    """Return whether a quantity has no value as it rests on the atomic spacing, which was not given."""
+    return isinstance(error, Failure) and error.kind == RESTS_ON_SPACING
 
-def has_other_formulas(scene: Scene, name: str, law: str = DEFAULT_LAW) -> bool:
-    """Return whether a law has a quantity by other formulas than a scene, or does not have it."""
-    return scene.plan(name).steps.keys() != plan_for(name, *scene.kind[:2], law).steps.keys()
 
-
-def moved_by_law(scene: Scene, names: Iterable[str]) -> list[str]:
-    """Return those of some quantities that the other law has by formulas of its own, or alone."""
-    other = scene.by_law
-    return [name for name in other.possible(names) if has_other_formulas(scene, name, other.law.name)]
-
-
-def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
-    """Return how far the answers to these names are from those under the law that holds, as the factor of the farthest.
-
-    A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
-    law, too. The factor is infinite where only the law in use has an answer, or answers differ in sign.
-    """
-    if scene.law.name == BETWEEN:
-        return 1.0
-    ours = scene.numbers(*moved_by_law(scene, names))
-    other = by_law_at_spacing(scene, ours)
-    compared = [*other.evaluate([*ours]).items()]
-    rolled = rolling(ours)
-    if rolled and (reading := at_other_reading(scene, other)) is not None:
-        compared += reading.evaluate(rolled).items()
-    if "pull_off_force" in ours:
-        fit = scene.evaluate(["pull_off_force_lennard_jones"])
-        compared += (("pull_off_force", value) for value in fit.values())
-    return farthest((theirs, ours[name]) for name, theirs in compared)
-
-
-def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
-    """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
-
-    It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
-    """
-    ratios: list[Any] = [1.0]
-    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, ours, 1.0) for theirs, ours in answers)
-    least, most = reduce(at_most, ratios), reduce(at_least, ratios)
-    is_positive = least > 0
-    return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
-
-
-# --- By measured forces -----------------------------------------------------------------------------------------------
-
-SIO2, POLYSTYRENE = "SiO2", "polystyrene"
-# Rolling forces on pairs of SiO2 spheres, and these pairs: Heim et al. 1999, Blum & Wurm 2000, Gundlach et al. 2011.
-FORCES = 0.85e-9, 1.21e-9
-ROLLED = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
-_OF_POLYSTYRENE = Displacement(Interval(42e-9, 42e-9, 42e-9), 1e-5)  # spheres of 5 µm on a plane: Sümer & Sitti
-# The radii of identical pairs to which it is scaled, and the surface energies that these spheres may have.
-_NEAR = {SIO2: ((1e-7, 3e-6), (0.02, 0.025)), POLYSTYRENE: ((3e-6, 1e-4), (0.0, INFINITY))}
-
-
-def measured_solid(material: Material) -> str:
-    """Return the solid on which rolling was measured, if a material is of it.
-
-    The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
-    """
-    if SIO2 in material.aliases:
-        return SIO2
-    return POLYSTYRENE if material.name in (POLYSTYRENE, "polystyrene-glassy") else ""
-
-
-def assumes_displacement(scene: Scene) -> bool:
-    """Return whether the paper's displacement is assumed where rolling begins, under a law by which forces mean one."""
-    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE) and not scene.plan("yield_force").lacking
-
-
-def solid_of_pair(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it."""
-    solid = scene.material
-    measured = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
-    return measured if scene.material2 in (None, solid) else ""
-
-
-def rolled_solid(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
-    solid = solid_of_pair(scene)
-    return solid if solid and assumes_displacement(scene) else ""
-
-
-def is_like_rolled(scene: Scene) -> Any:
-    """Return whether spheres have the solid, size and γ of those that were rolled, by element for arrays."""
-    solid = rolled_solid(scene)
-    if not solid:
-        return False
-    known = scene.numbers("work_of_adhesion", "reduced_radius")
-    (least, most), (low, high) = _NEAR[solid]
-    radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
-    return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
-
-
-def displacements_where_measured(scene: Scene) -> tuple[float, float]:
-    """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
-    ours = scene.numbers("work_of_adhesion", "contact_modulus") if rolled_solid(scene) == SIO2 else {}
-    given = {"radius": ROLLED["radius"], **ours} if len(ours) == 2 else ROLLED
-    spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
-    pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
-    low, high = (DEFAULTS[XI] * (force / pair["yield_force"]) for force in FORCES)
-    return low, high
-
-
-def measured_displacement(scene: Scene) -> Interval:
-    """Return the displacement that forces on the solid of a scene mean, scaled to its radii."""
-    displacement = _OF_POLYSTYRENE
-    if rolled_solid(scene) == SIO2:
-        low, high = displacements_where_measured(scene)
-        displacement = Displacement(Interval.of((low + high) / 2, low=low, high=high), ROLLED["radius"])
-    return displacement.scaled(2 * scene["reduced_radius"])
-
-
-def at_least_measured(scene: Scene) -> Scene:
-    """Return the scene with the least displacement that forces on the same solid mean."""
-    return scene.replace(**{XI: measured_displacement(scene).low})
-
-
-def at_most_measured(scene: Scene) -> Scene:
-    """Return the scene with the largest displacement that forces on the same solid mean."""
-    return scene.replace(**{XI: measured_displacement(scene).high})
-
-
-def at_full_hysteresis(scene: Scene) -> Scene:
-    """Return the scene with the displacement at which all of the work of adhesion is lost."""
-    return scene.replace(**{XI: scene[XI] / scene["hysteresis_ratio"]})
-
-
-def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
-    """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
-    factor = farthest((end, scene[XI]) for end in ends_of(measured_displacement(scene)))
-    return where(is_like_rolled(scene), factor, 1.0)
-
-
-# --- What may stand in place of results -------------------------------------------------------------------------------
-
-DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
-
-
-def names_with_alternatives(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, list[str]]:
-    """Return the quantities that have alternatives, by kind: the name of the other law, and DATA.
-
-    `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
-    """
-    others = {other_law(scene.law.name) for scene in scenes}
-    law = others.pop() if len(others) == 1 else BETWEEN
-    moved = {name for scene in scenes for name in moved_by_law(scene, names)}
-    rolled = {name for scene in scenes if assumes_displacement(scene) for name in rolling(names)}
-    return {law: [name for name in names if name in moved], DATA: [name for name in names if name in rolled]}
-
-
-def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
-    """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
-
-    `names_of`: the quantities of each kind. None stands for one that has no value. A kind that a scene does not have is
-    left out.
-    """
-    law, values = other_law(scene.law.name), {}
-    if moved := names_of.get(law):
-        values[law] = with_bars(scene, moved, attrgetter("by_law"))
-    rolled = names_of.get(DATA)
-    if rolled and (is_near := is_like_rolled(scene)) is not False:
-        deciding = "yield_force", "reduced_radius"  # at the pair that was measured, and here
-        lows, highs = (with_bars(scene, rolled, end, deciding) for end in (at_least_measured, at_most_measured))
-        values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
-    return values
-
-
-def with_bars(
-    scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene], deciding: Sequence[str] = ()
-) -> dict[str, Any]:
-    """Return quantities of what is made of a scene, with their error bars. Sources that do not go together give none.
-
-    `deciding`: the quantities of the scene that decide on inputs of the other one, whose sources enter, too. Raises a
-    JkrollError for a scene of arrays of which some elements have no error bars.
-    """
-    values = dict.fromkeys(names) | alternative(scene).numbers(*names)
-    if not scene.uncertainties:
-        return values
-    from .uncertainty import Propagated, sources_of_results, uncertainties
-
-    try:
-        sources = sources_of_results(scene, [*names, *deciding]) if deciding else None
-        bars = uncertainties(scene, names, alternative, sources)
-    except JkrollError:
-        if scene.shape:
-            raise
-        return values
-    return values | {name: bar.uncertainty for name, bar in bars.items() if isinstance(bar, Propagated)}
-
-
-def _between(first: Any, second: Any, is_near: Any) -> Any:
-    """Return the range of two values with their error bars, where it is that of spheres like those that were rolled.
-
-    Two values that are the same are one.
-    """
-    if first is None or second is None:
-        return None
-    ends = (*ends_of(first), *ends_of(second))
-    low, high = reduce(at_most, ends), reduce(at_least, ends)
-    value = where(is_near, (middle(first) + middle(second)) / 2, nan)
-    return value if isinstance(low, NUMBER) and low == high else Interval.of(value, low=low, high=high)
+def has_code(error: JkrollError) -> bool:
+    """Return whether a code among the doubts says the same as an error."""
+    return is_end_of_meaning(error) and error.args[0] is not OF_ANOTHER_PAIR
 
 
 # --- Limits -----------------------------------------------------------------------------------------------------------
@@ -331,10 +205,12 @@ class Limit:
         conclusion: str = "",  # the name of what follows, if it is not that of the number
         # What is judged in place of the number: of laws and data the factor between answers.
         factor: Callable[[Scene, Collection[str]], Any] | None = None,
+        where: Callable[[Scene], Any] | None = None,  # the scenes, or elements of arrays, for which it is judged
+        is_told: bool = True,  # below an answer, and not in explanations alone
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
-        self.conclusion, self.factor = conclusion, factor
+        self.conclusion, self.factor, self.where, self.is_told = conclusion, factor, where, is_told
         self.threshold = next(iter(codes))  # the first one
 
     def is_beyond(self, number: Any, threshold: float) -> Any:
@@ -358,9 +234,11 @@ class Doubt:
     Both are numbers, or arrays for a scene of arrays.
     """
 
-    def __init__(self, limit: Limit, value: Any, judged: Any, error: MissingInput | None = None) -> None:
-        """`error`: why it could not be judged."""
-        self.limit, self.value, self.judged, self.error = limit, value, judged, error
+    def __init__(
+        self, limit: Limit, value: Any, judged: Any, error: JkrollError | None = None, unjudged: Any = False
+    ) -> None:
+        """`error`: why it could not be judged; `unjudged`: the elements of arrays that could not be."""
+        self.limit, self.value, self.judged, self.error, self.unjudged = limit, value, judged, error, unjudged
 
     @property
     def excess(self) -> Any:
@@ -387,10 +265,12 @@ class Doubt:
         """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
         if not self.is_exceeded:
             return "within the limit"
+        if self.limit.ends_meaning and self.limit.name in self.limit.touches:  # the number has no meaning
+            return self.limit.consequence
         number = amount(self.limit.name, self.value, Format(digits=3))
         return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number})"
 
-    @property
+    @cached_property
     def bits(self) -> Any:
         """The code as a bit: a whole number, or an array."""
         if self.error is not None:
@@ -398,7 +278,7 @@ class Doubt:
         bits: Any = 0
         for threshold, code in self.limit.codes.items():
             bits = where(self.limit.is_beyond(self.judged, threshold), BITS.get(code, 0), bits)
-        return bits
+        return where(self.unjudged, NOT_JUDGED, bits)
 
 
 # What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does
@@ -406,37 +286,46 @@ class Doubt:
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
+_PUSHED = frozenset({"yield_force", "yield_force_fixed_load", "yield_force_ratio"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
-IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 _PULLED = frozenset({"pull_off_force", "bond_number"})
 
 LAW_MATTERS = 1.05  # factor between the answers of two laws
 
 
-def _energy_over_sticking(scene: Scene, _: Collection[str]) -> Any:
-    """Return an energy over the largest that sticks; with a viscous time, over that of the speed that this leads to."""
-    if "viscous_time" not in scene.stated:
-        return scene["energy_over_sticking"]
-    known = scene.numbers("energy", "reduced_mass", "sticking_speed")
-    speed = known.get("sticking_speed", inf)  # without a value, they stick at every speed
-    return 2 * known["energy"] / known["reduced_mass"] / speed / speed
+SOFT = 1e8  # contact modulus below which solids, rubbers and gels, close over their roughness, in Pa
+RUBBERY = 0.49  # Poisson's ratio from which on a solid is stretched, and does not yield
 
 
-LAW = Limit(
-    "tabor_parameter", _ELASTICITY, ">",
-    {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
-    "another law differs",
-    factor=factor_of_law,
+def _may_be_rough(scene: Scene) -> Any:
+    """Return whether roughness can part two solids: not soft ones, nor mica from mica."""
+    if is_smooth(scene.material) and (scene.material2 is None or is_smooth(scene.material2)):
+        return False
+    return scene.numbers("contact_modulus").get("contact_modulus", INFINITY) >= SOFT
+
+
+def _is_rubbery(scene: Scene) -> Any:
+    """Return whether the softer of two bodies keeps its volume, as rubbers and gels do."""
+    known = scene.numbers("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
+    if len(known) < 4:
+        return False
+    is_second = known["youngs_modulus2"] < known["youngs_modulus"]
+    return where(is_second, known["poisson_ratio2"], known["poisson_ratio"]) >= RUBBERY
+
+
+def _is_not_rubbery(scene: Scene) -> Any:
+    """Return whether it does not."""
+    return where(_is_rubbery(scene), False, True)
+
+
+# What ends the meaning of results; then the law of attraction; then what makes results inexact.
+CONTACT_EXCEEDS_SPHERE = Limit(
+    "contact_over_sphere", _ELASTICITY | _DISPLACEMENT, ">", {1.0: "contact-exceeds-sphere"},
+    "the contact is wider than the smaller sphere; what matters then is the surface tension of the solid",
+    ends_meaning=True,
 )  # fmt: skip
-# The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
-LIMITS = (
-    LAW,
-    Limit(
-        "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
-        "only fixed grips hold this state",
-        lambda scene, _: not STATE_OR_LOAD.isdisjoint(scene.stated),
-        ends_meaning=True,
-    ),
+ENDING = (
+    CONTACT_EXCEEDS_SPHERE,
     Limit(
         "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "xi-over-limit"},
         "ξ is too large for the formula",
@@ -448,9 +337,50 @@ LIMITS = (
         ends_meaning=True,
     ),
     Limit(
-        "rolling_over_sliding", frozenset({"yield_force"}), ">=", {1.0: "slides-first"},
+        "rolling_over_sliding", _PUSHED, ">=", {1.0: "slides-first"},
         "the contact slides or peels off before it rolls",
         ends_meaning=True,
+    ),
+    Limit(
+        "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
+        "no chain bends within one of its spheres",
+        ends_meaning=True,
+    ),
+    Limit(
+        "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
+        "held out level, even one sphere rolls down; it falls off where Bo is below 1",
+        ends_meaning=True,
+    ),
+    *(
+        Limit(
+            "energy_over_yield", frozenset({turns}), "<=", {least: code},
+            f"{energy} of the energy cannot begin rolling",
+            ends_meaning=True,
+        )
+        for turns, least, code, energy in (
+            ("n_roll", 7 / 2, "does-not-roll-sliding", "2/7"),
+            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "5/7"),
+            ("n_roll_energy_balance", 1.0, "does-not-roll", "all"),
+        )
+    ),
+    Limit(
+        "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
+        "too fast to roll around body 2: it flies off",
+        ends_meaning=True,
+    ),
+)  # fmt: skip
+LAW = Limit(
+    "tabor_parameter", _ELASTICITY, ">",
+    {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
+    "another law differs",
+    factor=factor_of_law,
+)  # fmt: skip
+INEXACT = (
+    LAW,
+    Limit(
+        "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
+        "only fixed grips hold this state",
+        lambda scene, _: not STATE_OR_LOAD.isdisjoint(scene.stated),
     ),
     Limit(
         "yield_force_fixed_load", frozenset({"yield_force_fixed_load"}), ">", {1.0: "rolls-by-itself"},
@@ -466,35 +396,10 @@ LIMITS = (
         "angles are small in the model",
     ),
     Limit(
-        "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
-        "no chain bends within one of its spheres",
-        ends_meaning=True,
-    ),
-    Limit(
-        "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
-        "held out level, even one sphere rolls down; it falls off where Bo is below 1",
-        ends_meaning=True,
-    ),
-    *(
-        Limit(
-            "energy_over_yield", frozenset({turns}), "<=", {least: code},
-            f"{energy} of the energy cannot begin rolling, {turned} has no meaning",
-            ends_meaning=True,
-        )
-        for turns, turned, least, code, energy in (
-            ("n_roll", "n_roll", 7 / 2, "does-not-roll-sliding", "2/7"),
-            ("n_roll_after_impact", "n_imp", 7 / 5, "does-not-roll-after-impact", "5/7"),
-            ("n_roll_energy_balance", "n_bal", 1.0, "does-not-roll", "all"),
-        )
-    ),
-    Limit(
-        "energy_over_sticking", _TURNS, ">", {1.0: "bounces"},
-        "at this energy elastic spheres bounce off a held body 2: turns have no meaning; v_stick, e: of a free pair",
-        lambda scene, _: not IMPACT.isdisjoint(scene.stated) and (
-            "viscous_time" not in scene.stated or bool(scene.possible(["sticking_speed"]))
-        ),
-        ends_meaning=True,
-        factor=_energy_over_sticking,
+        "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
+        "head-on and free, they bounce if adhesion is the only loss; others let them stick at higher speeds",
+        lambda scene, _: "speed" in scene.stated,
+        is_told=False,  # e says it
     ),
     Limit(
         "hysteresis_ratio", frozenset({"yield_moment", "yield_force"}), ">", {1.0: "moment-unexplained"},
@@ -506,15 +411,16 @@ LIMITS = (
         conclusion="has_jump",
     ),
     Limit(
-        "viscosity_number", frozenset({"viscous_time"}), ">", {0.0: "fitted-elsewhere"},
+        "viscosity_number", frozenset({"viscous_time", "viscosity_number"}), ">", {0.0: "fitted-elsewhere"},
         "the viscous time was fitted at one size, and v_stick holds there alone; the speeds measured on silica mean "
         "23 ps for 0.6 µm and 7 ps for 0.25 µm, if γ is 25 mJ/m², and the damping is for T* well below 1",
     ),
     Limit(
         "radius", _PULLED, ">=", {1e-6: "rough-matters"},
-        "rough spheres had 1/2 to 1/100 of this",
+        "rough spheres of hard solids had 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda scene, _: at_most(scene["radius"], scene["radius2"]),
+        where=_may_be_rough,
     ),
     Limit(
         "filling_factor", frozenset({"tensile_strength"}), ">", {1.0: "filling-out-of-range"},
@@ -528,12 +434,19 @@ LIMITS = (
     Limit(
         "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
         "more pressure than even a solid without flaws bears; no plasticity is modelled",
+        where=_is_not_rubbery,
+    ),
+    Limit(
+        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "large-strain"},
+        "strains too large for linear elasticity",
+        where=_is_rubbery,
     ),
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
         "contact too wide for the formulas; their shape of a sphere is off by e_h at its edge",
     ),
 )  # fmt: skip
+LIMITS = (*ENDING, *INEXACT)
 
 # Of an answer about one pair alone, without a code: rows of several solids are judged together, and have no name.
 ASSUMED_DISPLACEMENT = Limit(
@@ -547,14 +460,19 @@ ASSUMED_DISPLACEMENT = Limit(
 UNCHECKED = "unchecked"
 CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
 BITS = {code: 1 << place for place, code in enumerate((*CODES, UNCHECKED))}
-ENDING_MEANING = sum(limit.bits for limit in LIMITS if limit.ends_meaning)
+ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
-# What is said beside codes: of those that take the meaning away, and of what was not judged.
-MEANINGS = {
-    code: limit.consequence.partition(";")[0] for limit in LIMITS if limit.ends_meaning for code in limit.codes.values()
-}
-MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
 EVERY_DOUBT = sum(BITS.values())
+# Beside the codes: results of identical spheres that were asked for by name of others. No column has a code of it.
+OF_IDENTICAL = 2 * NOT_JUDGED
+# The explanations of codes that end the meaning of results, which are the reasons of these, and of what is not judged.
+MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
+ENDS = {BITS[code]: EndOfMeaning(words, words) for code, words in MEANINGS.items()} | {OF_IDENTICAL: OF_ANOTHER_PAIR}
+MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
+# What no limit ends: the numbers by which limits are judged, unless a limit is that of a result, and w, of the solids.
+NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
+    *(limit.touches for limit in LIMITS if "work_of_adhesion" not in limit.touches)
+)
 
 
 def doubts(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
@@ -569,17 +487,27 @@ def doubts(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMIT
         value = values[limit.name]
         if isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
             every.append(Doubt(limit, nan, nan, value))
+        elif isinstance(value, JkrollError) and rests(value):
+            every.append(Doubt(limit, nan, nan, Failure(RESTS_ON_SPACING, next(iter(limit.codes.values())))))
         elif not isinstance(value, JkrollError):
             factor = value if limit.factor is None else where(value == value, limit.factor(scene, names), nan)  # noqa: PLR0124
-            every.append(Doubt(limit, value, factor))
+            if limit.where is not None:
+                factor = where(limit.where(scene), factor, 0.0)
+            every.append(Doubt(limit, value, factor, unjudged=scene.rests_on_spacing(limit.name)))
     return every
 
 
 def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
     """Return the limits that concern the answers to these names."""
-    used = taken_by(tuple(names), *scene.kind)
-    concerned = (limit for limit in limits if not limit.touches.isdisjoint(used))
-    return [limit for limit in concerned if limit.applies is None or limit.applies(scene, names)]
+    concerned = (limit for limit in limits if concerns(limit, scene, names))
+    return [limit for limit in concerned if limit.where is None or limit.where(scene) is not False]
+
+
+def concerns(limit: Limit, scene: Scene, names: Collection[str]) -> bool:
+    """Return whether a limit touches the answers to these names, and applies to them."""
+    if limit.touches.isdisjoint(taken_by(tuple(names), *scene.kind)):
+        return False
+    return limit.applies is None or limit.applies(scene, names)
 
 
 def bits_of(several: Iterable[Doubt]) -> Any:

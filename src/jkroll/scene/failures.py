@@ -99,6 +99,10 @@ class Kind:
         return hash(self.words)
 
 
+class EndOfMeaning(Kind):
+    """The words of results that have a number without a meaning, which bare output and `jkroll.solve` give."""
+
+
 BEYOND_PULL_OFF = Kind("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
 HELD_BY_MAUGIS = Kind(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load")
 BEYOND_FOLD = Kind(
@@ -111,6 +115,7 @@ RESTS_ON_SPACING = Kind("needs atomic_spacing", "rests on z0; give --z0 4angstro
 OF_IDENTICAL_SPHERES = Kind(
     "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
 )
+OF_ANOTHER_PAIR = EndOfMeaning("sphere 2 differs", "it is of identical spheres alone")
 NOT_HELD = Kind(  # between pull-off and the fold, where spheres do not hold together by themselves
     "held by grips alone", "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 )

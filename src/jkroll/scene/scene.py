@@ -211,6 +211,11 @@ class Scene:
         """The scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
         return self.replace(model=other_law(self.law.name))
 
+    @cached_property
+    def by_law_at_spacing(self) -> "Scene":
+        """The same, with its atomic spacing stated."""
+        return self.by_law.replace(atomic_spacing=self.by_law["atomic_spacing"])
+
     def _displacement_of_solid(self) -> Interval | None:
         """Return the yield displacement that the solid of both spheres has at these radii, unless it is stated."""
         material, radius = self.material, self.given.get("radius")
@@ -394,14 +399,19 @@ class Scene:
             if step.name not in self.values:
                 self.values[step.name] = self._result(step)
         value = self.values[plan.name]
-        if isinstance(value, JkrollError) or not self.may_rest_on_spacing(name):
+        if isinstance(value, JkrollError):
             return value
-        rests = self["transition_parameter"] < 1
+        rests = self.rests_on_spacing(name)
         return Failure(RESTS_ON_SPACING, name) if rests is True else where(rests, nan, value)
 
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
-        return name in self.law.by_spacing and self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
+        is_given = not self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
+        return not (is_given or self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name}))
+
+    def rests_on_spacing(self, name: str) -> Any:
+        """Return whether it does so here, element by element for arrays."""
+        return self.may_rest_on_spacing(name) and self["transition_parameter"] < 1
 
     def _result(self, step: Plan) -> Any:
         """Return what a step makes of the values of its arguments, or the error of the first that has none."""

@@ -1,0 +1,260 @@
+"""What may stand in place of results: those of the other law, and those that measured rolling forces mean."""
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import reduce
+from math import nan
+from operator import attrgetter
+from typing import Any
+
+from ..errors import JkrollError
+from ..materials.library import Displacement, Material
+from ..physics.elementary import NUMBER, at_least, at_most, quotient, where
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law
+from ..quantities.nomenclature import INFINITY, XI
+from ..quantities.values import Interval, ends_of, middle
+from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, Scene, takes
+from .wiring import depends_on, plan_for
+
+# --- By the other law -------------------------------------------------------------------------------------------------
+
+
+def at_half_spacing(scene: Scene) -> Scene:
+    """Return a scene whose atomic spacing is half as large, or the least that a scene takes."""
+    return scene.replace(atomic_spacing=at_least(scene["atomic_spacing"] / 2, LEAST))
+
+
+def by_law_at_spacing(scene: Scene, names: Iterable[str]) -> Scene:
+    """Return the scene under the other law, with its atomic spacing stated where that decides on some quantities."""
+    rests = any(map(scene.by_law.may_rest_on_spacing, names))
+    return scene.by_law_at_spacing if rests else scene.by_law
+
+
+def rolling(names: Iterable[str]) -> list[str]:
+    """Return those of some quantities that follow from the yield displacement, under every law the same."""
+    return [name for name in names if name != XI and XI in depends_on((name,))]
+
+
+def is_at_displacement(scene: Scene) -> bool:
+    """Return whether equal inputs are equal displacements, and not equal hystereses."""
+    return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
+
+
+def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
+    """Return a scene under another law with the other of equal displacement and hysteresis, or None."""
+    ours, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
+    if len(ours) < 2 or not theirs:
+        return None
+    displacement, without_contact = ours[XI], DEFAULTS[XI]
+    if is_at_displacement(scene):
+        displacement = displacement * (ours["hysteresis_ratio"] / theirs["hysteresis_ratio"])
+        without_contact = ours[XI]
+    displacement = where(takes(XI, displacement), displacement, without_contact)
+    return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
+
+
+def has_other_formulas(scene: Scene, name: str, law: str = DEFAULT_LAW) -> bool:
+    """Return whether a law has a quantity by other formulas than a scene, or does not have it."""
+    return scene.plan(name).steps.keys() != plan_for(name, *scene.kind[:2], law).steps.keys()
+
+
+def moved_by_law(scene: Scene, names: Iterable[str]) -> list[str]:
+    """Return those of some quantities that the other law has by formulas of its own, or alone."""
+    other = scene.by_law
+    return [name for name in other.possible(names) if has_other_formulas(scene, name, other.law.name)]
+
+
+def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
+    """Return how far the answers to these names are from those under the law that holds, as the factor of the farthest.
+
+    A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
+    law, too. The factor is infinite where only the law in use has an answer, or answers differ in sign.
+    """
+    if scene.law.name == BETWEEN:
+        return 1.0
+    ours = scene.numbers(*moved_by_law(scene, names))
+    other = by_law_at_spacing(scene, ours)
+    compared = [*other.evaluate([*ours]).items()]
+    rolled = rolling(ours)
+    if rolled and (reading := at_other_reading(scene, other)) is not None:
+        compared += reading.evaluate(rolled).items()
+    if "pull_off_force" in ours:
+        fit = scene.evaluate(["pull_off_force_lennard_jones"])
+        compared += (("pull_off_force", value) for value in fit.values())
+    return farthest((theirs, ours[name]) for name, theirs in compared)
+
+
+def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
+    """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
+
+    It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
+    """
+    ratios: list[Any] = [1.0]
+    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, ours, 1.0) for theirs, ours in answers)
+    least, most = reduce(at_most, ratios), reduce(at_least, ratios)
+    is_positive = least > 0
+    return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
+
+
+# --- By measured forces -----------------------------------------------------------------------------------------------
+
+SIO2, POLYSTYRENE, MICA = "SiO2", "polystyrene", "mica"
+# Rolling forces on pairs of SiO2 spheres, and these pairs: Heim et al. 1999, Blum & Wurm 2000, Gundlach et al. 2011.
+FORCES = 0.85e-9, 1.21e-9
+ROLLED = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
+_OF_POLYSTYRENE = Displacement(Interval(42e-9, 42e-9, 42e-9), 1e-5)  # spheres of 5 µm on a plane: Sümer & Sitti
+# The radii of identical pairs to which it is scaled, and the surface energies that these spheres may have.
+_NEAR = {SIO2: ((1e-7, 3e-6), (0.02, 0.025)), POLYSTYRENE: ((3e-6, 1e-4), (0.0, INFINITY))}
+
+
+def measured_solid(material: Material) -> str:
+    """Return the solid on which rolling was measured, if a material is of it.
+
+    The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
+    """
+    if SIO2 in material.aliases:
+        return SIO2
+    return POLYSTYRENE if material.name in (POLYSTYRENE, "polystyrene-glassy") else ""
+
+
+def assumes_displacement(scene: Scene) -> bool:
+    """Return whether the paper's displacement is assumed where rolling begins, under a law by which forces mean one."""
+    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE) and not scene.plan("yield_force").lacking
+
+
+def is_smooth(material: Material | None) -> bool:
+    """Return whether the surfaces of a material are smooth atom by atom: those of mica, which is cleaved."""
+    return material is not None and MICA in (material.name, *material.aliases)
+
+
+def solid_of_pair(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it."""
+    solid = scene.material
+    measured = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
+    return measured if scene.material2 in (None, solid) else ""
+
+
+def rolled_solid(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
+    solid = solid_of_pair(scene)
+    return solid if solid and assumes_displacement(scene) else ""
+
+
+def is_like_rolled(scene: Scene) -> Any:
+    """Return whether spheres have the solid, size and γ of those that were rolled, by element for arrays."""
+    solid = rolled_solid(scene)
+    if not solid:
+        return False
+    known = scene.numbers("work_of_adhesion", "reduced_radius")
+    (least, most), (low, high) = _NEAR[solid]
+    radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
+    return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
+
+
+def displacements_where_measured(scene: Scene) -> tuple[float, float]:
+    """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
+    ours = scene.numbers("work_of_adhesion", "contact_modulus") if rolled_solid(scene) == SIO2 else {}
+    given = {"radius": ROLLED["radius"], **ours} if len(ours) == 2 else ROLLED
+    spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
+    pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
+    low, high = (DEFAULTS[XI] * (force / pair["yield_force"]) for force in FORCES)
+    return low, high
+
+
+def measured_displacement(scene: Scene) -> Interval:
+    """Return the displacement that forces on the solid of a scene mean, scaled to its radii."""
+    displacement = _OF_POLYSTYRENE
+    if rolled_solid(scene) == SIO2:
+        low, high = displacements_where_measured(scene)
+        displacement = Displacement(Interval.of((low + high) / 2, low=low, high=high), ROLLED["radius"])
+    return displacement.scaled(2 * scene["reduced_radius"])
+
+
+def at_least_measured(scene: Scene) -> Scene:
+    """Return the scene with the least displacement that forces on the same solid mean."""
+    return scene.replace(**{XI: measured_displacement(scene).low})
+
+
+def at_most_measured(scene: Scene) -> Scene:
+    """Return the scene with the largest displacement that forces on the same solid mean."""
+    return scene.replace(**{XI: measured_displacement(scene).high})
+
+
+def at_full_hysteresis(scene: Scene) -> Scene:
+    """Return the scene with the displacement at which all of the work of adhesion is lost."""
+    return scene.replace(**{XI: scene[XI] / scene["hysteresis_ratio"]})
+
+
+def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
+    """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
+    factor = farthest((end, scene[XI]) for end in ends_of(measured_displacement(scene)))
+    return where(is_like_rolled(scene), factor, 1.0)
+
+
+# --- What may stand in place of results -------------------------------------------------------------------------------
+
+DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
+
+
+def names_with_alternatives(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, list[str]]:
+    """Return the quantities that have alternatives, by kind: the name of the other law, and DATA.
+
+    `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
+    """
+    others = {other_law(scene.law.name) for scene in scenes}
+    law = others.pop() if len(others) == 1 else BETWEEN
+    moved = {name for scene in scenes for name in moved_by_law(scene, names)}
+    rolled = {name for scene in scenes if assumes_displacement(scene) for name in rolling(names)}
+    return {law: [name for name in names if name in moved], DATA: [name for name in names if name in rolled]}
+
+
+def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
+    """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
+
+    `names_of`: the quantities of each kind. None stands for one that has no value. A kind that a scene does not have is
+    left out.
+    """
+    law, values = other_law(scene.law.name), {}
+    if moved := names_of.get(law):
+        values[law] = with_bars(scene, moved, attrgetter("by_law"))
+    rolled = names_of.get(DATA)
+    if rolled and (is_near := is_like_rolled(scene)) is not False:
+        deciding = "yield_force", "reduced_radius"  # at the pair that was measured, and here
+        lows, highs = (with_bars(scene, rolled, end, deciding) for end in (at_least_measured, at_most_measured))
+        values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
+    return values
+
+
+def with_bars(
+    scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene], deciding: Sequence[str] = ()
+) -> dict[str, Any]:
+    """Return quantities of what is made of a scene, with their error bars. Sources that do not go together give none.
+
+    `deciding`: the quantities of the scene that decide on inputs of the other one, whose sources enter, too. Raises a
+    JkrollError for a scene of arrays of which some elements have no error bars.
+    """
+    values = dict.fromkeys(names) | alternative(scene).numbers(*names)
+    if not scene.uncertainties:
+        return values
+    from .uncertainty import Propagated, sources_of_results, uncertainties
+
+    try:
+        sources = sources_of_results(scene, [*names, *deciding]) if deciding else None
+        bars = uncertainties(scene, names, alternative, sources)
+    except JkrollError:
+        if scene.shape:
+            raise
+        return values
+    return values | {name: bar.uncertainty for name, bar in bars.items() if isinstance(bar, Propagated)}
+
+
+def _between(first: Any, second: Any, is_near: Any) -> Any:
+    """Return the range of two values with their error bars, where it is that of spheres like those that were rolled.
+
+    Two values that are the same are one.
+    """
+    if first is None or second is None:
+        return None
+    ends = (*ends_of(first), *ends_of(second))
+    low, high = reduce(at_most, ends), reduce(at_least, ends)
+    value = where(is_near, (middle(first) + middle(second)) / 2, nan)
+    return value if isinstance(low, NUMBER) and low == high else Interval.of(value, low=low, high=high)

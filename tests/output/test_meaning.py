@@ -1,0 +1,304 @@
+"""Numbers without a meaning: no door shows one, but for those that have no place for a reason, and solve."""
+
+import csv
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import jkroll
+from harness import Run
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.rows.sweep import Sweep
+
+GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
+WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
+SLOW, SHORT = "2/7 of the energy cannot begin rolling", "held out level, even one sphere rolls down"
+XI = "ξ is too large for the formula"
+# Of each call with two values, the last of which ends the meaning of these results; None: of all.
+CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
+    "turns that do not begin": (
+        ("n-roll quartz 100nm", "--speed", "12cm/s,10cm/s"), {"n_roll"}, "does-not-roll-sliding", SLOW,
+    ),
+    "a sphere that flies off": (("n-roll quartz 1um", "--speed", "4.65m/s,4.66m/s"), None, "flies-off", FLIES),
+    "a contact wider than its sphere": (
+        (f"contact {GEL}".replace("--young2 3kPa ", ""), "--young2", "1MPa,3kPa"), None, "contact-exceeds-sphere", WIDE,
+    ),
+    "a pull-off force of it": (
+        (f"pull-off {GEL}".replace("--young2 3kPa ", ""), "--young2", "1MPa,3kPa"),
+        None,
+        "contact-exceeds-sphere",
+        WIDE,
+    ),
+    "a chain without a sphere": (("n-grav quartz", "", "1um,1mm"), {"n_grav"}, "no-chain", SHORT),
+    "a displacement beyond its limit": (("yield-force quartz", "", "100nm,2nm"), None, "xi-over-limit", XI),
+}  # fmt: skip
+
+
+def words_of(call: tuple[str, str, str], *, last: bool = False) -> str:
+    """Return the words of a list, or of its last row."""
+    words, option, values = call
+    return f"{words} {option} {values.split(',')[-1] if last else values}"
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
+    call, ended, code, phrase = CALLS[name]
+    rows = [*csv.DictReader(run(f"{words_of(call)} --csv").out.splitlines())]
+    heads = {head.partition(" ")[0]: head for head in rows[0] if head.partition(" ")[0] in NOMENCLATURE}
+    shown = {one["name"] for one in json.loads(run(f"{words_of(call, last=True)} --json").out)["results"]}
+    ended = shown if ended is None else ended
+    # A list as CSV: the first row has the values, the last one gaps with the reason.
+    assert all(rows[0][heads[each]] for each in ended)
+    assert {each for each in shown if not rows[1][heads[each]]} == ended
+    assert phrase in rows[1]["status"].split("; ")
+    assert code in rows[1]["doubt"].split()
+    for words in (words_of(call), words_of(call, last=True)):  # a list, and one pair
+        one = run(f"{words} --csv")
+        assert (one.code, "failed" in one.err) == (0, False)
+        assert (
+            list(csv.DictReader(one.out.splitlines()))[-1].items()
+            >= {key: cell for key, cell in rows[1].items() if key in one.out}.items()
+        )
+        # JSON, and what Python has of it
+        every = json.loads(run(f"{words} --json").out)
+        found = every[-1] if isinstance(every, list) else every
+        results = {each["name"]: each for each in found["results"]}
+        assert {each for each, result in results.items() if result["value"] is None} == ended
+        assert all(results[each]["reason"] == phrase for each in ended)
+        assert not ended & {each for law in found.get("laws", {}).values() for each in law}
+        # the terminal
+        table = run(words, terminal=True)
+        assert table.code == 0
+        assert phrase in " ".join((table.out + table.err).split())
+    for line in run(words_of(call, last=True), terminal=True).out.splitlines():
+        if any(f" {NOMENCLATURE[each].symbol} " in line and NOMENCLATURE[each].sentence in line for each in ended):
+            assert " –" in line
+            assert not re.search(r"\d{3}", line.split(" –", 1)[1]), line
+    # a file of rows
+    assert run(f"{words_of(call)} -o out.ndjson").code == 0
+    *_, last = map(json.loads, Path("out.ndjson").read_text(encoding="utf-8").splitlines())
+    assert all(last[heads[each]] is None for each in ended)
+    assert phrase in last["status"]
+    # Bare numbers and plain lines keep it, with the warning on stderr.
+    bare, plain = run(f"{words_of(call, last=True)} --bare"), run(words_of(call, last=True))
+    assert (bare.code, plain.code) == (0, 0)
+    assert f"warning: {phrase}" in plain.err
+    assert "warning: " in bare.err
+    assert "-" not in bare.out.split()
+    assert ended <= {line.split()[0] for line in plain.out.splitlines()}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_lists_and_tables_end_the_same_meanings(run: Run, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """By floats and by arrays, with doubts and without, with alternatives, which are not there either."""
+    (words, option, values), ended, _, phrase = CALLS[name]
+    command, *inputs = words.split()
+    floats = [*csv.DictReader(run(f"{words} {option} {values} --csv --alternatives").out.splitlines())]
+    monkeypatch.setattr(Sweep, "few", -1)
+    arrays = [*csv.DictReader(run(f"{words} {option} {values} --csv --alternatives").out.splitlines())]
+    material = ["--material", inputs.pop(0)] if inputs[0] == "quartz" else []
+    radii = [[inputs.pop(0)]] if option else []
+    head = {"--speed": "speed", "--young2": "youngs_modulus2", "": "radius"}[option]
+    heads = [*(["radius"] if option else []), head]
+    lines = [heads, *([*(radius for (radius,) in radii), value] for value in values.split(","))]
+    Path("in.csv").write_text("\n".join(map(",".join, lines)), encoding="utf-8")
+    for more in ([], ["--no-doubt"], ["--alternatives"]):
+        ran = run("batch", "in.csv", "-o", "out.csv", *material, *inputs, "--quantities", command, *more)
+        assert ran.code == 0, ran.err
+        assert phrase in " ".join(ran.err.split())
+        table = [*csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())]
+        for of_list, of_arrays, of_table in zip(floats, arrays, table, strict=True):
+            cells = {key for key in of_table if key in of_list and key not in heads and key != "radius2 [m]"}
+            assert len(cells) > len(ended or "")
+            for key in cells:
+                for other in (of_arrays, of_table):
+                    assert is_same(of_list[key], other[key]), key
+
+
+def is_same(cell: str, other: str) -> bool:
+    """Return whether cells have the same text, or numbers that differ by rounding."""
+    numbers = [each for each in (cell, other) if re.fullmatch(r"-?[\d.]+(e[-+]?\d+)?", each)]
+    return cell == other or (len(numbers) == 2 and math.isclose(*map(float, numbers), rel_tol=1e-12))
+
+
+def test_a_sphere_of_quartz_of_one_micron_flies_off_at_4_65_metres_a_second() -> None:
+    """From m v²/(R1 + R2) = P_c: v² = 1.1781e-7 N · 2 µm/1.0891e-14 kg = 21.635 m²/s²."""
+    speed = math.sqrt(1.5 * math.pi * 0.05 * 0.5e-6 * 2e-6 / (4 / 3 * math.pi * 1e-18 * 2600))
+    assert round(speed, 2) == 4.65
+    ratio = jkroll.solve("flight_ratio", material="quartz", radius=1e-6, speed=speed)
+    assert math.isclose(ratio, 1, rel_tol=1e-12)
+    assert jkroll.solve("flight_ratio", material="quartz", radius=1e-6, radius2=math.inf, speed=1e3) == 0  # on a plane
+    for radius2, more in ((1e-6, 1.0), (3e-6, 1.5 * 4 / 2)):  # P_c goes as R, which is 0.75 µm in place of 0.5 µm
+        found = jkroll.solve("flight_ratio", material="quartz", radius=1e-6, radius2=radius2, speed=speed)
+        assert math.isclose(found, 1 / more, rel_tol=1e-12)
+
+
+def test_a_speed_along_the_surface_is_not_judged_as_one_of_a_head_on_impact(run: Run) -> None:
+    """At 1 m/s spheres of quartz of 1 µm, which stick up to 0.087 m/s, bounce head-on, and roll along the surface."""
+    rolled = json.loads(run("n-roll quartz 1um --speed 1m/s --json").out)
+    assert [round(one["value"], 2) for one in rolled["results"]] == [13.14, 5.25, 18.39]
+    assert not {"bounces", "flies-off"} & {one["code"] for one in rolled["validity"]}
+    assert "bounce" not in run("n-roll quartz 1um --speed 1m/s").err
+    hit = json.loads(run("impact quartz 1um --speed 1m/s --json").out)
+    assert [one["name"] for one in hit["results"]] == ["restitution", "sticking_speed", "lost_energy"]
+    assert "bounces" in {one["code"] for one in hit["validity"]}
+    # 595.6 mm/s at 100 nm, of a free pair: the energy of one sphere would be twice that of their relative motion.
+    for speed, is_above in (("0.59m/s", False), ("0.60m/s", True)):
+        found = json.loads(run(f"impact quartz 100nm --speed {speed} --json").out)
+        assert ("bounces" in {one["code"] for one in found["validity"]}) is is_above
+        assert (found["results"][0]["value"] > 0) is is_above
+
+
+def test_what_rests_on_the_atomic_spacing_is_not_judged_without_it(run: Run) -> None:
+    """By Maugis' law U_stick of small, hard spheres rests on z0, and with it all that a speed is held against."""
+    row = run("impact quartz 100nm,1m --speed 1m/s --model maugis --csv")
+    small, large = csv.DictReader(row.out.splitlines())
+    assert ("unchecked" in small["doubt"].split(), small["status"]) == (True, "needs atomic_spacing")
+    assert ("unchecked" in large["doubt"].split(), "bounces" in large["doubt"].split()) == (False, True)
+    objects = json.loads(run("impact quartz 100nm,1m --speed 1m/s --model maugis --json").out)
+    assert any(text.startswith("not checked: bounces: rests on z0") for text in objects[0]["notes"])
+    for name in ("energy_over_sticking", "speed_over_sticking"):
+        with pytest.raises(jkroll.JkrollError, match="rests on z0"):
+            jkroll.solve(name, material="quartz", radius=1e-7, speed=1.0, model="maugis")
+
+
+def test_python_has_the_reason_and_solve_the_number() -> None:
+    """W0/(14πP_cξ), W0 = ½ · 1.0891e-17 kg · 0.01 m²/s², P_c = 11.781 nN."""
+    given: dict[str, Any] = {"material": "quartz", "radius": 1e-7, "speed": 0.1}
+    found = jkroll.answer("n-roll", **given)
+    assert (found["n_roll"].value, found["n_roll"].reason) == (None, SLOW)
+    assert str(found["n_roll"]) == f"no value: {SLOW}"
+    assert f"{found['n_imp'].value:.4g}" == "0.001314"
+    assert all("n_roll" not in values for values in found.alternatives.values())
+    assert f"{jkroll.solve('n_roll', **given):.5g}" == "0.00052546"
+
+
+def test_a_contact_wider_than_its_sphere_stands_first_and_ends_all(run: Run) -> None:
+    """By hand a0 = (9π · 0.071 · 15e-6²/(2 · 4000))^(1/3) = 38.36 µm, 2.5575 radii."""
+    said = run(f"report {GEL} --density 1g/cm3").err
+    warning, *others = [line for line in said.splitlines() if line.startswith(("warning: ", "note: "))]
+    assert warning.startswith(f"warning: {WIDE}; what matters then is the surface tension of the solid")
+    assert "(a/R_small = 2.56)" in warning
+    assert not any(re.search(r"\d (N|m|µm|nN|J)\b", line) for line in others)  # nothing is quoted
+    assert f"warning: {WIDE}" in run(f"report {GEL} --density 1g/cm3 --quiet").err
+    found = jkroll.answer("report", radius="15um", radius2="plane", work_of_adhesion="71mJ/m2", youngs_modulus="rigid",
+        youngs_modulus2="3kPa", poisson_ratio2=0.5, density="1g/cm3")  # fmt: skip
+    assert {result.value for result in found.values.values()} == {None}
+    assert found.doubts[0].code == "contact-exceeds-sphere"
+    assert round(found.doubts[0].value, 3) == 2.558
+    assert run(f"export lammps {GEL} --density 1g/cm3 --density2 1g/cm3").out.count(f"# warning: {WIDE}") == 1
+
+
+def test_a_load_widens_a_contact_beyond_its_sphere(run: Run) -> None:
+    """Without load a0 is 11.7 µm; by Hertz 1.2 µN presses a sphere of 15 µm to a = R, and adhesion helps."""
+    soft = "15um --radius2 plane --work-of-adhesion 2mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
+    few, many = csv.DictReader(run(f"contact {soft} --load 0N,2uN --csv").out.splitlines())
+    assert math.isclose(float(few["contact_radius_at_load [m]"]), 11.67e-6, rel_tol=1e-3)
+    assert (many["contact_radius_at_load [m]"], many["status"]) == ("", WIDE)
+    curve = run(f"contact {soft} --curve --load 0N:2uN --csv")
+    radii = [row["contact_radius_at_load [m]"] for row in csv.DictReader(curve.out.splitlines())]
+    assert curve.code == 0
+    assert radii[0]
+    assert not radii[-1]
+    assert max(float(radius) for radius in radii if radius) <= 15e-6
+    assert WIDE in " ".join(curve.err.split())
+
+
+def test_an_inferred_value_ends_with_the_meaning_of_what_was_measured(run: Run) -> None:
+    """5 µN at pull-off mean w = 71 mJ/m² of a sphere of 15 µm, on which the contact finds no place."""
+    measured = "--measured pull_off_force=5.0187uN"
+    words = f"infer work_of_adhesion 15um --radius2 plane --young rigid --young2 3kPa --poisson2 0.5 {measured}"
+    [result] = json.loads(run(f"{words} --json").out)["results"]
+    assert (result["value"], result["reason"]) == (None, WIDE)
+    [row] = csv.DictReader(run(f"{words} --csv").out.splitlines())
+    assert (row["work_of_adhesion [J/m^2]"], row["status"]) == ("", WIDE)
+    assert run(f"{words} --bare").out.startswith("0.0710")
+    Path("in.csv").write_text("radius,pull_off_force\n15um,5.0187uN\n15um,5e-9 N\n", encoding="utf-8")
+    options = "--radius2 plane --young rigid --young2 3kPa --poisson2 0.5 --infer work_of_adhesion"
+    assert run(f"batch in.csv -o out.csv {options} --measured pull_off_force").code == 0
+    first, second = csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())
+    assert (first["work_of_adhesion [J/m^2]"], first["status"]) == ("", WIDE)
+    assert math.isclose(float(second["work_of_adhesion [J/m^2]"]), 5e-9 / (1.5 * math.pi * 15e-6), rel_tol=1e-6)
+
+
+def test_a_result_of_identical_spheres_has_no_number_for_others(run: Run) -> None:
+    words = "frequencies quartz 100nm --radius2 200nm --quantities rolling_frequency_as_printed,vertical_frequency"
+    printed, vertical = json.loads(run(f"{words} --json").out)["results"]
+    assert (printed["value"], printed["reason"]) == (None, "it is of identical spheres alone")
+    assert vertical["value"] > 0
+    [row] = csv.DictReader(run(f"{words} --csv").out.splitlines())
+    assert (row["rolling_frequency_as_printed [Hz]"], row["status"]) == ("", "sphere 2 differs")
+    assert run(f"{words} --csv").code == 0
+
+
+# --- Doubts that end nothing ------------------------------------------------------------------------------------------
+
+
+def test_a_state_beyond_pull_off_that_grips_hold_has_its_numbers(run: Run) -> None:
+    """At δ = −0.5δ0 the contact is that of the force curve: 3y⁴ − 2y = −0.5, y = √â = 0.6916… or 0.2641…."""
+    found = json.loads(run("contact quartz 100nm --approach -53.1pm --quantities contact_radius_at_load --json").out)
+    assert found["results"][0]["value"] > 0
+    said = run("contact quartz 100nm --approach -60pm").err
+    assert "note: only fixed grips hold this state" in said
+    assert "warning" not in said
+
+
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        ("contact pdms 1um", "large-strain"),
+        ("contact 10um --gamma 30mJ/m2 --young 100kPa --poisson 0.49", "large-strain"),
+        ("contact 10um --gamma 30mJ/m2 --young 300kPa --poisson 0.45", "may-yield"),
+        ("contact 1um --radius2 plane --gamma 20mJ/m2 --young 70GPa --poisson 0.2 --young2 2MPa --poisson2 0.5",
+         "large-strain"),  # the softer body decides
+        ("contact iron 100nm", "may-yield"),
+    ],
+)  # fmt: skip
+def test_rubber_is_strained_and_does_not_yield(run: Run, words: str, code: str) -> None:
+    codes = [
+        one["code"] for one in json.loads(run(f"{words} --json").out)["validity"] if one["name"].startswith("hertz")
+    ]
+    assert codes == [code]
+    told = "strains too large for linear elasticity" if code == "large-strain" else "a solid without flaws"
+    assert told in run(f"{words} --explain").out
+    assert ("solid without flaws" in run(f"{words} --explain").out) is (code == "may-yield")
+
+
+def test_what_touches_the_headline_is_said_before_what_does_not(run: Run) -> None:
+    """2a/(πR) = 2 · 16.61/(π · 50) = 0.2115: the load presses the solid; energies that it does not enter come later."""
+    notes = [line for line in run("contact quartz 100nm --load 3uN").err.splitlines() if line.startswith("note: ")]
+    assert notes[0].startswith("note: more pressure than even a solid without flaws bears")
+    assert "(p_H/E* = 0.212)" in notes[0]
+    assert notes[1].startswith("note: energies and speeds are rough here")
+
+
+@pytest.mark.parametrize(
+    ("words", "is_rough"),
+    [
+        ("pull-off quartz 10um", True),
+        ("pull-off polystyrene 10um", True),
+        ("pull-off iron 10um --material2 mica", True),  # the other one is rough
+        ("pull-off mica 10um", False),
+        ("pull-off mica 10um --radius2 plane", False),
+        ("pull-off pdms 10um", False),
+        ("pull-off 10um --gamma 30mJ/m2 --young 20kPa --poisson 0.5", False),
+        ("pull-off quartz 10um --radius2 plane --material2 pdms --work-of-adhesion 80mJ/m2", False),
+        ("pull-off 10um --gamma 30mJ/m2", True),  # nothing is known of the solid
+    ],
+)
+def test_what_was_measured_on_rough_glass_is_said_of_hard_solids(run: Run, words: str, *, is_rough: bool) -> None:
+    ran = run(f"{words} --explain").out
+    assert ("on smooth glass" in ran) is is_rough
+    [row] = csv.DictReader(run(f"{words} --csv").out.splitlines())
+    assert ("rough-matters" in row["doubt"].split()) is is_rough
+
+
+def test_rows_of_several_solids_are_rough_as_each_by_itself(run: Run) -> None:
+    Path("in.csv").write_text("material,radius\nquartz,10um\nmica,10um\npdms,10um\n", encoding="utf-8")
+    assert run("batch in.csv -o out.csv --quantities pull_off_force").code == 0
+    rows = list(csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines()))
+    assert ["rough-matters" in row["doubt"].split() for row in rows] == [True, False, False]
