@@ -2,6 +2,7 @@
 
 import csv
 import gzip
+import json
 import math
 import re
 import shlex
@@ -11,6 +12,7 @@ from unittest.mock import patch
 import pytest
 
 from harness import Ran, Run
+from jkroll.answers.questions import QUESTIONS
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows.infer import Problems
@@ -18,6 +20,7 @@ from jkroll.rows.sweep import Sweep
 from jkroll.scene.wiring import formula_of
 from jkroll.text import spelled
 from relative import approx
+from tables import read_rows
 
 INFERENCES = [
     "infer gamma quartz,gold 2um --radius2 plane,1um --measured pull_off_force=300nN,3N,1nN:1uN:4",
@@ -185,3 +188,59 @@ def test_rows_without_a_result_are_a_table_too(run: Run, line: str, head: str) -
     assert ran.out.startswith(head)
     assert "need" in ran.err
     assert "None" not in ran.out + run(f"{line} --csv").out
+
+
+COMMANDS = [name for name in QUESTIONS if name != "impact"]  # which takes a speed besides
+RADII = [1e-8, 1e-7, 1e-6] * 2
+
+
+def listed(run: Run, way: str, line: str) -> list[dict[str, str]]:
+    """Return the rows of a list as they are written: as text in a pipe, by --csv, into a file, or as JSON."""
+    if way == "json":
+        return [{**each["inputs"]} for each in json.loads(run(f"{line} --json").out)]
+    if way in ("ndjson", "parquet", "tsv"):
+        assert run(f"{line} -o rows.{way}").code == 0
+        return read_rows(f"rows.{way}")
+    return [*csv.DictReader(run(f"{line} {way}").out.splitlines(), delimiter="," if way else "\t")]
+
+
+@pytest.mark.parametrize("way", ["", "--csv", "tsv", "ndjson", "parquet", "json"])
+@pytest.mark.parametrize("command", COMMANDS)
+def test_what_was_listed_stands_in_each_row(run: Run, command: str, way: str) -> None:
+    """Q of JKR has no radius, 6πγξ, but that of Maugis, what was measured, and the doubts have one."""
+    if way == "parquet":
+        pytest.importorskip("pyarrow")
+    rows = listed(run, way, f"{command} quartz,iron 10nm,100nm,1um --quantities Q")
+    name = "radius" if way == "json" else "radius [m]"
+    assert [float(row[name]) for row in rows] == RADII
+    if way != "json":
+        assert [float(row["yield_force [N]"]) for row in rows] == approx(
+            [6 * math.pi * 0.025 * 2e-10] * 3 + [6 * math.pi * 3 * 2e-10] * 3
+        )
+
+
+@pytest.mark.parametrize(
+    ("line", "head", "values"),
+    [
+        ("pull-off quartz 1um --young 5GPa,50GPa", "youngs_modulus [Pa]", [5e9, 5e10]),  # on which doubts rest
+        ("pull-off quartz 1um --young 5GPa,rigid", "youngs_modulus [Pa]", [5e9, "rigid"]),
+        ("pull-off quartz 1um --z0 0.2nm:0.4nm:2", "atomic_spacing [m]", [2e-10, 4e-10]),
+        ("yield-force quartz --quantities Q --radius 100nm±5nm,1um", "radius [m]", [1e-7, 1e-6]),
+        ("yield-force quartz 1um --quantities Q --radius2 1um,plane", "radius2 [m]", [1e-6, "plane"]),
+        ("infer xi quartz 10nm,1um --measured yield_force=30pN", "radius [m]", [1e-8, 1e-6]),
+    ],
+)
+def test_what_only_doubts_rest_on_stands_in_each_row(
+    run: Run, monkeypatch: pytest.MonkeyPatch, line: str, head: str, values: list[float | str]
+) -> None:
+    for ran in in_both_ways(run, monkeypatch, *line.split(), "--csv"):
+        cells = [row[head] for row in csv.DictReader(ran.out.splitlines())]
+        assert [cell if cell.isalpha() else approx(float(cell)) for cell in cells] == values
+
+
+def test_a_list_on_a_terminal_has_its_radii(run: Run) -> None:
+    for command in COMMANDS:
+        lines = run(f"{command} quartz,iron 10nm,100nm,1um --quantities Q --quiet", terminal=True).out.splitlines()
+        first = next(place for place, line in enumerate(lines) if line.startswith("quartz "))
+        assert lines[first - 2].split()[1:3] == ["R1", "[nm]"]
+        assert [line.split()[1] for line in lines[first : first + 6]] == ["10", "100", "1000"] * 2

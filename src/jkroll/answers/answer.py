@@ -192,7 +192,7 @@ class Answer(Evaluation):
 
     @cached_property
     def measures(self) -> "Mapping[str, float | str | Uncertain]":
-        """The inputs on which the results depend, as they were understood, with their error bars."""
+        """The inputs that were stated or enter the results, as they were understood, with their error bars."""
         return {name: in_words(name, value) for name, value in self.inputs_of([*self.outcomes]).items()}
 
     @cached_property

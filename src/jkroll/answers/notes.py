@@ -204,7 +204,7 @@ def about_left_out(*every: "Sources | None") -> list[Note]:
 
 def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
     """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
-    has_spread = answer.sources is not None and "load" in answer.inputs
+    has_spread = answer.sources is not None and "load" in answer.scene.inputs_used([*answer.outcomes])
     forces = answer.scene.numbers("load", "pull_off_force") if has_spread else {}
     if len(forces) < 2 or any(isinstance(bar, JkrollError) for bar in answer.bars.values()):
         return

@@ -203,7 +203,7 @@ class Answered:
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str | Uncertain]:
-        """The inputs on which the results depend, in SI units, with their error bars."""
+        """The inputs that were stated or enter the results, in SI units, with their error bars."""
         return self._answer.measures
 
     @cached_property

@@ -86,7 +86,7 @@ class Sweep:
         return [self.scene(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str], *, keeps_all: bool = False) -> "Wanted":
-        """Return the columns of the rows: the inputs that enter some row, and the quantities that concern some.
+        """Return the columns of the rows: the inputs that were stated or enter a row, and the quantities for it.
 
         `keeps_all`: whether numbers without a meaning stay. Raises a Failure where no quantity concerns a row.
         """

@@ -60,7 +60,7 @@ class Evaluation:
         return {name: error for name, error in self.errors.items() if not has_code(error)}
 
     def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the inputs on which quantities depend, as they were understood, with their error bars."""
+        """Return the inputs that were stated or enter quantities, as they were understood, with their error bars."""
         inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names))
         if self.sources is not None:
             inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}

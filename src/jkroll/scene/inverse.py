@@ -226,7 +226,7 @@ class Problem:
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
         """Return inputs as they were understood, and the measured values."""
-        return {**self.filled.echo(used), **self.levels}
+        return {**self.scene.echo(self.scene.known.intersection(used)), **self.levels}
 
     # --- Scenes with values of the unknowns ---
 

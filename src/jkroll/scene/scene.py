@@ -328,7 +328,11 @@ class Scene:
         return self.inputs_of(*possible) if possible else depends_on(tuple(names)) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
-        """Return the inputs that are used, as they were understood: the materials, the law and SI values by name."""
+        """Return the inputs that are used or were stated, as understood: the materials, the law and SI values by name.
+
+        What was stated may decide on doubts and on values by other laws, and tells the rows of a list apart.
+        """
+        used = {*used, *(self.stated.keys() & self.given.keys())}
         echoed: dict[str, Any] = {of_sphere(sphere, "material"): solid.name for solid, sphere in self.materials}
         if self.stated_model is not None:
             echoed["model"] = self.stated_model
