@@ -156,3 +156,69 @@ def test_names_of_samples_are_labels_where_nothing_is_needed_of_them(run: Run, n
     assert ran.code == 0, ran.err
     found = [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")]
     assert found == approx([2e-7 / (1.5 * math.pi * 1e-6)] * 2)
+
+
+# --- Rows of statistics -----------------------------------------------------------------------------------------------
+
+DATA = [["a", "2", "300", ""], ["b", "2", "310", ""], ["c", "2", "320", ""]]
+# γ = P_c/3πR of 2 µm on a plane: of the median, and the standard deviation of three, that of the forces, 10 nN.
+SUMMARY = "surface_energy: 3 of {} rows; median 16.446 mJ/m², "
+SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
+
+
+@pytest.mark.parametrize("end", ENDS)
+@pytest.mark.parametrize(
+    "labels",
+    [
+        ["Mean", "SD", "N"],
+        ["N", "Average:", "St. dev. (n-1)"],
+        ["mean ± SD"],
+        ["Median"],
+        ["count", "mean", "std", "min", "25%", "50%", "75%", "max"],
+        ["", "Total", "Mittelwert", "Standardabweichung"],
+    ],
+)
+def test_rows_of_statistics_are_none_of_the_data(run: Run, end: str, labels: list[str]) -> None:
+    """Their status says so, and the rest is counted without them."""
+    rows = [*DATA, *([label, "2", "50", ""] for label in labels if label)]
+    path = write_rows([dict(zip(HEAD, row, strict=True)) for row in rows], f"forces.{end}")
+    ran = run(f"batch {path} -o out.{end} {WORDS}")
+    said = ran.err.replace("\n  ", " ")
+    assert (ran.code, SUMMARY.format(len(rows)) in said, SCATTER in said) == (1, True, True)
+    cells = [(row["surface_energy [J/m^2]"], row["status"]) for row in results(f"out.{end}")]
+    assert [float(value) for value, _ in cells[:3]] == approx(
+        [force * 1e-9 / (3 * math.pi * 2e-6) for force in (300, 310, 320)]
+    )
+    assert cells[3:] == [("", "row of statistics")] * (len(rows) - 3)
+
+
+def test_a_label_that_may_be_a_statistic_is_a_row(run: Run) -> None:
+    """N is one beside others alone; where all data are means, or an option says so, these are data."""
+    force, other = 300e-9 / (3 * math.pi * 2e-6), 320e-9 / (3 * math.pi * 2e-6)
+    cases = {
+        ("Y", "N"): "",
+        ("mean", "mean"): "",
+        ("a", "mean"): "--column probe=",
+        ("min", "max"): "",
+        ("Se", "CV"): "",
+    }
+    for labels, option in cases.items():
+        path = table([[labels[0], "2", "300", ""], [labels[1], "2", "320", ""]])
+        assert run(f"batch {path} -o out.csv {WORDS} {option}").code == 0
+        assert [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")] == approx([force, other])
+
+
+def test_a_spread_is_no_contact_in_any_table(run: Run) -> None:
+    """The mean of radii is one by itself, as of a size class."""
+    for labels, status in ((["Mean"], [""]), (["Mean", "SD", "N"], ["row of statistics"] * 3)):
+        rows = [{"grain": name, "radius [nm]": "100"} for name in ["a", "b", *labels]]
+        write_rows(rows, "grains.csv")
+        run("batch grains.csv -o out.csv --material quartz --quantities pull_off_force --no-doubt")
+        assert [row["status"] for row in results("out.csv")] == ["", "", *status]
+        assert [bool(row["pull_off_force [N]"]) for row in results("out.csv")][2:] == [not text for text in status]
+
+
+def test_an_unknown_material_may_be_a_statistic(run: Run) -> None:
+    write_rows([{"material": name, "radius [nm]": "100"} for name in ("quartz", "Mean", "SD")], "grains.csv")
+    assert run("batch grains.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --no-doubt").code == 1
+    assert [row["status"] for row in results("out.csv")] == ["", *["row of statistics"] * 2]

@@ -33,7 +33,7 @@ from ..rows.cells import cell_of, cells_of
 from ..rows.columns import BLOCK
 from ..rows.header import is_input, meaning_of
 from ..rows.table import Records, Table
-from ..rows.words import MATERIALS
+from ..rows.words import is_of_text
 from ..text import ending, quoted, say
 
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
@@ -471,7 +471,7 @@ def has_decimal_commas(columns: Iterable[Iterable[str]], separator: str) -> bool
 
 def _with_decimal_points(records: Records) -> Records:
     """Return records with decimal points in place of commas. A number with a point spoils its row."""
-    cells = {name: column for name, column in records.cells.items() if name not in MATERIALS}
+    cells = {name: column for name, column in records.cells.items() if not is_of_text(name)}
     odd = dict(records.odd)
     for column in cells.values():
         for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:

@@ -111,8 +111,18 @@ class Arrow:
 
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""
-        cells = {name: cells_of(_values(batch.column(place))) for name, place in table.places.items()}
+        cells = {name: cells_of(_values(batch.column(place))) for name, place in table.columns.places.items()}
+        for name, place in table.labels.items():
+            column = batch.column(place)
+            cells[name] = cells_of(column.to_pylist()) if _has_texts(column.type) else [b""] * batch.num_rows
         return Records(batch, cells, {}, range(batch.num_rows), batch.num_rows)
+
+
+def _has_texts(kind: Any) -> bool:
+    """Return whether the values of a type are texts."""
+    types = pyarrow.types
+    kind = kind.value_type if types.is_dictionary(kind) else kind
+    return bool(types.is_string(kind) or types.is_large_string(kind) or types.is_string_view(kind))
 
 
 def _values(column: Any) -> Any:

@@ -22,7 +22,7 @@ from ..text import quoted
 from .cells import LABEL, Indices, Lookup, Numbers
 from .columns import BAD, SIDES, Wanted, groups
 from .header import Header, is_input, stated_meanings, typed
-from .words import MATERIALS
+from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Sources
@@ -62,7 +62,9 @@ class Table:
 
     def __init__(self, columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> None:
         """`rows`: the first ones. Raises BadTable, or an error of the options."""
-        self.columns, self.places, self.asked = columns, columns.places, asked
+        self.columns, self.asked = columns, asked
+        self.labels = _labels(columns, rows, asked)
+        self.places = {**columns.places, **self.labels}
         inputs, known = asked.inputs, asked.known
         self.spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
         self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
@@ -183,6 +185,18 @@ class Table:
         return [*filter(None, sources)]
 
 
+def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:
+    """Return the names and places of columns that may label rows of statistics: no inputs, nor what `--column` names.
+
+    Where all of the first rows are of means, these are the data.
+    """
+    inputs, stated = {place for column in columns.inputs for place in column.places.values()}, asked.stated
+    places = [place for place, text in enumerate(columns.texts) if place not in inputs and typed(text) not in stated]
+    return {
+        f"{LABEL_OF}{place}": place for place in places if not are_kinds_of_data([row[place].encode() for row in rows])
+    }
+
+
 def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
     """Return names, the first one among them, without those that it or an earlier one excludes."""
     chosen: set[str] = set()
@@ -217,7 +231,12 @@ class TableBlock:
         }
         self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
         are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
-        are_rows[[*self.odd]] = BAD
+        self.statistics = {
+            row: label
+            for label in table.labels
+            for row in rows_of_statistics(self.cells[label], alone=bool(table.asked.infer))
+        }
+        are_rows[[*self.odd, *self.statistics]] = BAD
         kinds = [table.lookups[name].kinds(indices) for name, indices in self.indices.items()]
         self.size = len(are_rows)
         self.kinds: Sequence[Any] = [are_rows, *kinds]
@@ -234,6 +253,12 @@ class TableBlock:
         """Return the scene of a row by itself. Raises BadRequest, the error of a cell, or one of the scene."""
         if row in self.odd:
             raise BadRequest(self.odd[row])
+        if row in self.statistics:
+            label = self.statistics[row]
+            text = quoted(self.cells[label][row].decode(errors="replace").strip())
+            head = typed(self.table.columns.texts[self.table.labels[label]])
+            remedy = f"--column {quoted(f'{head}=')} if it is a label"
+            raise BadRequest(f"{text}: a row of statistics is no contact; {remedy}", "row of statistics")
         table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
         given: dict[str, Any] = {}
         for column in table.columns.inputs:

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
+from itertools import groupby
 from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, SYNONYMS
@@ -228,3 +229,66 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
 def headed(name: str, unit_text: str = "UNIT") -> str:
     """Return the header of an input, with its unit, or the place of it, if it needs one."""
     return f"{name} [{unit_text}]" if NOMENCLATURE[name].unit not in ("", "1") else name
+
+
+# --- Rows of statistics -----------------------------------------------------------------------------------------------
+
+LABEL_OF = "label of column "  # and its index: the name of its cells
+MEANS = {*"mean average avg median meansd meanstd meanstdev meansem mittelwert moyenne".split()}
+SPREADS = {
+    *"""sd stdev stddev standarddeviation stdeviation sem stderr stderror standarderror rsd variance
+    standardabweichung écarttype ecarttype""".split()
+}
+
+# Statistics beside others, and else labels of data.
+_BESIDE = {*"n count number se std cv var ci iqr min max minimum maximum sum total range error".split()}
+_STATISTICS = MEANS | SPREADS | _BESIDE
+_PERCENTILE = re.compile(r"\d[\d.]*\s*%|q[1-3]")
+# The beginning of a line with a mean or a spread, which few tables have.
+_MAY_NAME = re.compile(rb"\n[^\na-z0-9]*(?:mean|average|avg|median|mittel|moyenne|rsd|s\W?d|st|s\W?e\W?m|var|cart)")
+
+
+def is_of_text(name: str) -> bool:
+    """Return whether the cells of a column, by their name in a table, are no numbers."""
+    return name in MATERIALS or name.startswith(LABEL_OF)
+
+
+def statistic(cell: bytes) -> str:
+    """Return the statistic that a cell names, in small letters alone; "" for any other cell.
+
+    >>> statistic(b"Mean:"), statistic(b"Std. dev. (n=5)"), statistic(b"75%"), statistic(b"grain 5")
+    ('mean', 'stddev', 'percentile', '')
+    """
+    plain = cell.decode(errors="replace").strip().casefold()
+    if _PERCENTILE.fullmatch(plain):
+        return "percentile"
+    bare = re.sub(r"\(.*\)|\[.*\]|^[\d.]+\s*%", "", plain)
+    word = re.sub(r"[\s_.:=±+/-]", "", bare)
+    return word if word in _STATISTICS else ""
+
+
+def _may_name(cells: Sequence[bytes]) -> bool:
+    """Return whether some cells may name a mean or a spread: most columns have none, which is found fast."""
+    return _MAY_NAME.search(b"\n" + b"\n".join(cells).lower()) is not None
+
+
+def are_kinds_of_data(cells: Sequence[bytes]) -> bool:
+    """Return whether all cells name statistics other than spreads: the data are means, or the least and the largest."""
+    names = {statistic(cell) for cell in cells if cell.strip()} if _may_name(cells) else {""}
+    return "" not in names and names.isdisjoint(SPREADS)
+
+
+def rows_of_statistics(cells: Sequence[bytes], *, alone: bool) -> list[int]:
+    """Return the rows whose cells name statistics, as SD does, or a mean beside others or `alone`.
+
+    Words such as N, which may be labels, are statistics beside one of these.
+    """
+    if not _may_name(cells):
+        return []
+    names, rows = [*map(statistic, cells)], list[int]()
+    for is_named, run in groupby(range(len(names)), lambda row: bool(names[row])):
+        places = [*run]
+        found = {names[row] for row in places}
+        if is_named and (found & SPREADS or (found & MEANS and (alone or len(found) > 1))):
+            rows += places
+    return rows
