@@ -2,10 +2,11 @@
 
 import csv
 import datetime
+import io
 import math
 import sys
 from pathlib import Path
-from unittest.mock import Mock
+from unittest.mock import Mock, PropertyMock, patch
 
 import pytest
 
@@ -16,6 +17,8 @@ from tables import random_table
 
 pyarrow = pytest.importorskip("pyarrow")
 parquet = pytest.importorskip("pyarrow.parquet")
+
+from jkroll.batch.parquet import Batches  # noqa: E402
 
 
 def write(columns: dict[str, list[object]], name: str = "grains.parquet") -> str:
@@ -230,3 +233,27 @@ def test_a_table_without_columns_is_refused(run: Run) -> None:
     pyarrow.parquet.write_table(pyarrow.table({}), "none.parquet")
     ran = run("batch none.parquet -o out.parquet")
     assert (ran.code, "no column is an input" in ran.err) == (2, True)
+
+
+def test_each_batch_is_measured_once() -> None:
+    """Else the time grows as the square of the batches of a group: small row groups of an input are many."""
+    batches, sizes = [Mock() for _ in range(500)], [PropertyMock(return_value=1) for _ in range(500)]
+    for batch, size in zip(batches, sizes, strict=True):
+        type(batch).nbytes = size
+    with patch("jkroll.batch.parquet.pyarrow") as arrow, patch("jkroll.batch.parquet.BYTES", 10):
+        with Batches().sink(io.BytesIO(), Mock(schema=[])) as write:
+            for batch in batches:
+                write(batch)
+        written = arrow.parquet.ParquetWriter().__enter__().write_table
+    assert {size.call_count for size in sizes} == {1}
+    assert written.call_count == 50
+
+
+def test_a_column_with_a_dictionary_in_small_groups(run: Run) -> None:
+    kinds = [f"kind {row % 500}" for row in range(2000)]
+    columns = {"radius [nm]": [100.0 + row for row in range(2000)], "kind": pyarrow.array(kinds).dictionary_encode()}
+    name = write(columns)
+    assert run("batch", name, "-o", "out.parquet", *"--material quartz --quantities pull_off_force".split()).code == 0
+    found = parquet.read_table("out.parquet").to_pydict()
+    assert found["kind"] == kinds
+    assert found["pull_off_force [N]"] == approx([3 * math.pi * 0.025 * (100 + row) * 0.5e-9 for row in range(2000)])

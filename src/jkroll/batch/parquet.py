@@ -51,6 +51,7 @@ class Batches:
         """Return the function that writes batches behind the header, in groups of rows of about the same size."""
         texts = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
         group: list[Any] = []
+        size = 0  # of its rows, of which each batch is measured once: what it shares with others counts with each
         with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=texts) as file:
 
             def flush() -> None:
@@ -58,9 +59,12 @@ class Batches:
                 group.clear()
 
             def write(batch: Any) -> None:
+                nonlocal size
                 group.append(batch)
-                if sum(each.nbytes for each in group) >= BYTES:
+                size += batch.nbytes
+                if size >= BYTES:
                     flush()
+                    size = 0
 
             yield write
             if group:
