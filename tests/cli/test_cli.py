@@ -689,3 +689,31 @@ def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Ru
     assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err
     listed = run("contact quartz 100nm,10um --curve --csv")
     assert re.search(r"law-off-25% \d+", listed.err)
+
+
+@pytest.mark.parametrize(
+    "line", ["pull-off gold 100nm", "pull-off gold,iron 100nm --material2 gold", "r-min 100nm gold"]
+)
+def test_a_known_material_outranks_a_file_of_its_name(run: Run, line: str) -> None:
+    expected = run(line)
+    for name in ("gold", "iron", "100nm"):
+        Path(name).touch()
+    assert run(line) == expected
+    assert expected.code == 0
+    inferred = run("infer gamma gold 100nm --measured pull_off_force=3nN --bare").out
+    assert float(inferred) == approx(3e-9 / (3 * math.pi * 0.5e-7))  # P_c = 3πγR of the reduced radius
+
+
+@pytest.mark.parametrize("name", ["grains.csv", "./grains.csv", "x\x1b[31m.csv"])
+def test_a_file_is_said_to_be_one(run: Run, name: str) -> None:
+    """Unless a material has its name; what it is called moves no cursor."""
+    Path(name).touch()
+    safe = name.replace("\x1b", "?")
+    assert run("pull-off", name, "100nm").err == f"jkroll: '{safe}' is a file; jkroll batch {safe} reads tables\n"
+    assert f"jkroll batch {safe} --infer" in run("infer", "gamma", name, "--measured", "pull_off_force=3nN").err
+
+
+@pytest.mark.parametrize("gap", ["\x0b", "\x1c", "\x85", "\u2028", "\u00a0"])
+def test_blanks_in_a_value_are_shown_as_one(run: Run, gap: str) -> None:
+    head = run("pull-off", "quartz", f"100{gap}nm", terminal=True).out.partition("\n")[0]
+    assert head == "quartz (γ = 25 mJ/m² per surface), R1 = R2 = 100 nm"

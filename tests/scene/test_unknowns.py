@@ -385,7 +385,7 @@ def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
         (f"{COMMAND} --young 1GPa", 2, "youngs_modulus is given and asked for"),
         (COMMAND.replace("young", "work_of_adhesion"), 2, "surface_energy and work_of_adhesion exclude each other"),
         (COMMAND.replace(",young", ""), 2, "infer needs a measured quantity for each input, 1 in all: "),
-        (COMMAND.replace("quartz", "grains.csv"), 2, "infer reads no tables; jkroll batch grains.csv"),
+        (COMMAND.replace("quartz", "grains.csv"), 2, "'grains.csv' is a file; jkroll batch grains.csv --infer INPUT"),
         (COMMAND.replace("1kN", "1TN"), 1, "surface_energy,youngs_modulus: no pair of values gives "),
         ("batch grains.csv --infer gamma,young --measured P_c", 2, "batch infers one input"),
         ("batch grains.csv --infer gamma --measured P_c --measured stiffness", 2, "batch infers one input"),

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..answers.questions import QUESTIONS, quantity_named
 from ..errors import BadRequest, JkrollError
-from ..materials.library import Material, Materials, materials_of_user
+from ..materials.library import Material, Materials, UnknownMaterial, materials_of_user
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
@@ -18,7 +18,7 @@ from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
 from ..rows.sweep import Pair, Sweep
 from ..scene.failures import MissingInput
 from ..scene.scene import check_exclusive, check_range
-from ..text import ending, quoted, say_wrapped
+from ..text import ending, quoted, say_wrapped, shown
 
 if TYPE_CHECKING:
     from ..answers.curve import Loads
@@ -104,6 +104,9 @@ class Call:
         """The texts of inputs that are numbers, by name; the radii among the words are one of them."""
         texts = {name: text for name, text in self.inputs.items() if name not in ("material2", "model")}
         if radii := [word for word in self.words if not _is_material(word)]:
+            for word in radii:
+                if not word[:1].isdigit():
+                    self._refuse_file(word)
             texts["radius"] = ",".join(radii)
         check_exclusive(texts, lambda name: NOMENCLATURE[name].option or "a radius")
         return texts
@@ -171,9 +174,21 @@ class Call:
             for mistake in self.materials.mistakes:
                 say_wrapped(f"note: left out: {mistake}", sys.stderr)
             return [*self.materials.materials.values()]
-        for word in filter(os.path.isfile, text.split(",")):
-            raise BadRequest(f"{quoted(word)} is a file; jkroll batch {word} reads tables")
-        return [self.materials[word] for word in text.split(",")]
+        return [*map(self._material, text.split(","))]
+
+    def _material(self, word: str) -> Material:
+        """Return the material of a name. One that is unknown may be the name of a table."""
+        try:
+            return self.materials[word]
+        except UnknownMaterial:
+            self._refuse_file(word)
+            raise
+
+    def _refuse_file(self, word: str) -> None:
+        """Raise BadRequest for the name of a file, which `batch` reads."""
+        if os.path.isfile(word):
+            asked = " --infer INPUT --measured QUANTITY" if self.command == "infer" else ""
+            raise BadRequest(f"{quoted(word)} is a file; jkroll batch {shown(word)}{asked} reads tables")
 
     # --- Format of the output -----------------------------------------------------------------------------------------
 

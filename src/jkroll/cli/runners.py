@@ -3,7 +3,6 @@
 Each imports by itself what only it hands a call to, so that a call pays for its own only.
 """
 
-import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -315,8 +314,6 @@ def run_infer(call: Call) -> int:
     names = inputs_named(call.subject.split(","))
     if call.alternatives:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
-    for word in filter(os.path.isfile, call.words):
-        raise BadRequest(f"infer reads no tables; jkroll batch {word} --infer INPUT --measured QUANTITY does")
     check_format(call)
     problems = Problems(names, _measured(call, names), call.sweep)
 

@@ -356,7 +356,7 @@ def as_typed(text: str) -> str:
     >>> as_typed("25±5mJ/m2"), as_typed("25(5)mJ/m2"), as_typed("100nm +/- 5%"), as_typed("20 to 30 mJ/m2")
     ('25 ± 5 mJ/m²', '25(5) mJ/m²', '100 nm ± 5 %', '20 to 30 mJ/m²')
     """
-    text = normalized_value(text)
+    text = normalized_value(" ".join(text.split()))
     for typed, as_written in _AS_WRITTEN.items():
         text = re.sub(typed, as_written, text)
     return re.sub(_TYPED_POWER, lambda power: power[1].translate(RAISED), text)
