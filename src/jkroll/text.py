@@ -202,6 +202,26 @@ def shown(text: str, limit: int = MAX_QUOTED) -> str:
     return "".join(character if character.isprintable() else "?" for character in text)
 
 
+def for_terminal(text: str) -> str:
+    r"""Return lines of others for a terminal, without characters that move the cursor or reverse the line.
+
+    Tabs, ends of lines and blanks of any width stay.
+
+    >>> for_terminal("a\tb\r\nc\u00a0\x1b[31m\u202e\n")
+    'a\tb\nc\xa0?[31m?\n'
+    """
+    text = text.replace("\r\n", "\n")
+    if text.replace("\n", "").replace("\t", "").isprintable():
+        return text
+    return "".join(letter if letter in "\n\t" or letter.isprintable() or _is_blank(letter) else "?" for letter in text)
+
+
+def _is_blank(letter: str) -> bool:
+    from unicodedata import category
+
+    return category(letter) == "Zs"
+
+
 def listed(texts: Iterable[str]) -> str:
     """Return texts as an enumeration.
 

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from harness import Run
+from harness import Run, captured
 from jkroll.batch import files
 from jkroll.output.manual import page
 from jkroll.quantities.values import QuantityError, unit_of
@@ -458,6 +458,37 @@ def test_empty_cells_are_no_formulas(run: Run) -> None:
     safe = Path("out.tsv").read_bytes()
     assert run(words).code == 0
     assert safe == Path("out.tsv").read_bytes().replace(b'"=1+1"', b"'=1+1")
+
+
+def test_a_formula_behind_what_a_spreadsheet_drops(run: Run) -> None:
+    """A line feed, a NUL, blanks, or in full width. Numbers stay."""
+    names = ["\n=1+1", "\nx", "\0=1", " =1+1", "  @x", "＝1+1", "＋x", "－x", "＠x"]
+    kept = [" -5", "-5", "+1e3", "x=1", "", " x"]
+    cells = [{"name": name, "radius": "1 um"} for name in [*names, *kept]]
+    words = "--material quartz --quantities r_min -o out.csv --excel-safe"
+    assert run(f"batch {write_rows(cells, 'grains.csv')} {words}").code == 0
+    assert [row["name"] for row in rows(Path("out.csv").read_bytes().decode())] == [
+        *(f"'{name}" for name in names),
+        *kept,
+    ]
+
+
+HOSTILE = "\x1b[31m\x07\x08\x7f\x9b\u202e"
+
+
+@pytest.mark.parametrize("end", ["csv", "tsv", "ndjson"])
+def test_cells_move_no_cursor_of_a_terminal(end: str) -> None:
+    """A pipe and a file have their bytes."""
+    hostile = "\x7f\x9b\u202e" if end == "ndjson" else HOSTILE  # JSON has no others
+    text = "radius [nm]{0}name\n100{0}{1}\n" if end != "ndjson" else '{{"radius [nm]":100,"name":"{1}"}}\n'
+    mark = "\t" if end == "tsv" else ","
+    name = table(text.format(mark, f"a{hostile}\u00a0石"), f"grains.{end}")
+    words = f"batch {name} --material quartz --quantities r_min --quiet".split()
+    shown, piped = captured(words, terminal=True), captured(words)
+    assert (shown.code, piped.code) == (0, 0)
+    assert f"a{hostile}\u00a0石" in piped.out
+    assert shown.out == piped.out.replace(hostile, "".join(c if c.isprintable() else "?" for c in hostile))
+    assert all(letter.isprintable() or letter in "\n\t\u00a0" for letter in shown.out)
 
 
 @pytest.mark.parametrize("end", ENDS)

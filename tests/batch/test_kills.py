@@ -167,6 +167,26 @@ def test_a_lost_process_is_noticed() -> None:
     assert not begun("out.csv")
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
+def test_what_a_lost_process_has_begun_goes() -> None:
+    """A file of another run stays."""
+    Path("grains").mkdir()
+    Path("forces").mkdir()
+    Path("forces/.0.csv.0123456789abcdef").write_text("another's", encoding="utf-8")
+    for place in range(4):
+        Path(f"grains/{place}.csv").write_text(random_table(5_000, place), encoding="utf-8")
+    with in_two_processes("grains/*.csv", "forces/") as process:
+        workers = started_by(process)
+        wait_until(lambda: len([*Path("forces").glob(".*.csv.*")]) == 3, process)
+        os.kill(int(workers[0]), signal.SIGKILL)
+        _, message = process.communicate()
+    assert (process.returncode, message) == (
+        1,
+        "jkroll: a worker process was ended from outside; its table was not written\n",
+    )
+    assert [path.name for path in Path("forces").glob(".*")] == [".0.csv.0123456789abcdef"]
+
+
 def test_an_interrupt_of_many_tables_leaves_whole_ones_only() -> None:
     Path("grains").mkdir()
     for place in range(30):

@@ -1,5 +1,6 @@
 """Many tables: one after the other, or by workers that may be killed."""
 
+import errno
 import gzip
 import os
 import re
@@ -7,7 +8,9 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
@@ -173,11 +176,18 @@ def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
 def scheduler() -> Iterator[str]:
     """A Dask scheduler."""
     pytest.importorskip("distributed")
+    with cluster() as (_, address):
+        yield address
+
+
+@contextmanager
+def cluster() -> "Iterator[tuple[subprocess.Popen[str], str]]":
+    """A Dask scheduler, and its address."""
     words = "-m distributed.cli.dask_scheduler --port 0 --host 127.0.0.1 --no-dashboard".split()
     process = subprocess.Popen([sys.executable, *words], stderr=subprocess.PIPE, text=True)
     assert process.stderr is not None
     address = next(match[0] for line in process.stderr if (match := re.search(r"tcp://[\d.]+:\d+", line)))
-    yield address
+    yield process, address
     process.terminate()
     process.communicate()
 
@@ -210,7 +220,71 @@ def test_two_dask_workers_write_what_one_process_writes(
         for process in workers:
             process.kill()
             process.wait()
-    found = whole("forces")
-    begun = [name for name in found if name.startswith(".")]  # by the one that was killed
-    assert len(begun) <= kill
-    assert {name: text for name, text in found.items() if name not in begun} == whole("whole")
+    assert whole("forces") == whole("whole")  # and nothing that the one has begun that was killed
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
+@pytest.mark.parametrize("lost", ["scheduler", "workers"])
+def test_a_cluster_that_is_lost_is_said_in_a_line(run: Run, grains: list[str], lost: str, number: int) -> None:
+    """What it has begun goes, and --resume makes what is missing."""
+    pytest.importorskip("distributed")
+    for place, name in enumerate(grains):
+        Path(name).write_text(random_table(1000, place), encoding="utf-8")
+    with cluster() as (process, address):
+        workers = [worker(address)]
+        try:
+            batch = subprocess.Popen(
+                [sys.executable, "-m", "jkroll", "batch", "grains/*.csv", "-o", "forces/", "--dask", address],
+                stderr=subprocess.PIPE,
+                text=True,
+            )
+            while not [*Path("forces").glob(".part-*")]:
+                assert batch.poll() is None
+            for each in [process] if lost == "scheduler" else workers:
+                each.send_signal(number)
+            _, message = batch.communicate()
+        finally:
+            for each in workers:
+                each.kill()
+                each.wait()
+    said = {
+        "scheduler": "was lost; --resume makes the files that are missing",
+        "workers": "has no worker left; each needs this version of jkroll",
+    }
+    assert message == f"jkroll: --dask: the scheduler at '{address}' {said[lost]}\n"
+    assert batch.returncode == 1
+    assert not [*Path("forces").glob(".*")]
+    assert run("batch", "grains/*.csv", "-o", "forces/", "--resume", "--quiet").code == 1
+    assert len([*Path("forces").glob("part-*.csv")]) == PARTS
+
+
+def test_a_scheduler_that_cannot_be_reached_is_said_in_a_line(run: Run, grains: list[str]) -> None:
+    """TLS has no certificates here."""
+    pytest.importorskip("distributed")
+    ran = run("batch", "grains/*.csv", "-o", "forces/", "--dask", "tls://127.0.0.1:1")
+    said = "jkroll: --dask: the scheduler at 'tls://127.0.0.1:1' cannot be reached: TLS expects a `ssl_context` "
+    assert (ran.code, ran.err.count("\n")) == (2, 1)
+    assert ran.err.startswith(said)
+    assert len(grains) == PARTS
+
+
+def test_the_errors_of_other_processes_are_told(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
+    Path("own.toml").write_text('[materials.own]\nsurface_energy = "25 kg"\n', encoding="utf-8")
+    monkeypatch.setattr(command, "LITTLE", 1)
+    ran = run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2", *"--materials own.toml --material own".split())
+    said = "own: surface_energy: '25 kg' is a mass; expected a surface energy such as 25mJ/m2"
+    lines = [f"jkroll: {name!r}: materials file 'own.toml': {said}" for name in grains]
+    assert (ran.code, ran.err.splitlines()) == (2, lines)
+
+
+def test_processes_that_do_not_start_are_said_in_a_line(
+    run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]
+) -> None:
+    monkeypatch.setattr(command, "LITTLE", 1)
+    problem = OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
+    with patch("multiprocessing.context.SpawnProcess.start", side_effect=problem):
+        ran = run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2")
+    said = "jkroll: processes cannot be started: Resource temporarily unavailable; --jobs 1 needs none\n"
+    assert (ran.code, ran.err) == (1, said)
+    assert len(grains) == PARTS

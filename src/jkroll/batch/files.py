@@ -52,6 +52,8 @@ _MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text stands behind it"
 _CARRIAGE_RETURN = "a carriage return stands outside quotes: lines end in line feeds"
+# The beginnings of formulas, in full width too, and what a spreadsheet drops before them.
+_BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(_BYTES) for letter in "＝＋－＠"))
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 # --- Formats ----------------------------------------------------------------------------------------------------------
@@ -423,7 +425,7 @@ def _problem(error: str) -> str:
 
 def _is_formula(cell: str) -> bool:
     """Return whether a spreadsheet may take a cell of text for a formula."""
-    return cell.startswith(("=", "+", "-", "@", "\t", "\r")) and not _NUMBER.fullmatch(cell)
+    return cell.lstrip(" ").startswith(_BEGIN_FORMULAS) and not _NUMBER.fullmatch(cell.strip(" "))
 
 
 def tabbed(block: bytes) -> bytes:

@@ -14,18 +14,18 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import closing
 from functools import partial
 from itertools import chain, islice
-from time import monotonic
+from time import monotonic, sleep
 from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
-from ..output.writers import WRITERS, result_columns, whole_file, written
+from ..output.writers import WRITERS, remove_begun, result_columns, whole_file, written
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.columns import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
 from ..rows.header import check_inputs, understood
 from ..rows.table import Asked, Table, TableBlock
 from ..scene.doubts import EVERY_DOUBT
-from ..text import quoted, say, say_wrapped
+from ..text import quoted, say, say_wrapped, shown
 from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, output_format, table_of_lines
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
@@ -35,6 +35,8 @@ WIDTH = 60  # of the line of progress, in characters
 MAX_NOTES = 6  # about rows, or about many tables, at the end
 LITTLE = 1 << 19  # bytes of files that a process converts in the time in which another one starts
 DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
+DASK_CHECK = 2.0  # seconds between looks whether it still has one
+DASK_STEP = 0.02  # seconds between looks whether a table is converted
 
 
 class Job(NamedTuple):
@@ -50,6 +52,7 @@ class Job(NamedTuple):
     excel_safe: bool = False
     dask: str = ""
     quiet: bool = False
+    mark: str = ""  # in the names of files that the processes of this run begin
 
     @property
     def processes(self) -> int:
@@ -187,7 +190,7 @@ def convert_one(path: str, job: Job) -> Tally:
         table = Table(header, form.sample, asked)
         about = [*_about(table)]
         job.say(about)
-        with whole_file(job.target) as output:
+        with whole_file(job.target, job.mark) as output:
             convert = Converter(form, table, wanted.compression, strict=job.strict)
             return _convert(file, blocks, convert, output, job)._replace(said=(reading, *about))
 
@@ -257,8 +260,12 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
     """Convert the tables that a pattern names; return the counts, and the highest exit code of a table."""
     pairs = _pairs(job.target, path)
     left = [pair for pair in pairs if not (job.resume and _is_newer(pair))]
-    task = partial(_outcome, job._replace(jobs=1, quiet=True))
-    outcomes = [*(_on_cluster(job.dask, task, left) if job.dask else _by_processes(job.processes, task, left))]
+    mark = os.urandom(4).hex()
+    task = partial(_outcome, job._replace(jobs=1, quiet=True, mark=mark))
+    try:
+        outcomes = [*(_on_cluster(job.dask, task, left) if job.dask else _by_processes(job.processes, task, left))]
+    finally:
+        remove_begun((target for _, target in left), mark)  # by processes that were killed
     tally = Tally()
     for (table, _), (of_table, _) in zip(left, outcomes, strict=True):
         tally = tally.plus(of_table, f"{quoted(table)}: ")
@@ -321,31 +328,54 @@ def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome
 
 
 def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
-    """Iterate over the outcomes of tables that the workers of a Dask cluster convert. Raises BadTable.
+    """Iterate over the outcomes of tables that the workers of a Dask cluster convert.
 
-    The tables of a worker that is lost go to others.
+    The tables of a worker that is lost go to others. Raises BadTable where there is no cluster, and LostWorker where
+    its scheduler or all of its workers are lost.
     """
     import logging
 
     from .workers import LostWorker
 
     with missing_extra("dask"):
+        from concurrent.futures import CancelledError
+
         from distributed import Client, KilledWorker
-    for name in ("distributed", "distributed.worker", "distributed.scheduler", "tornado"):
-        logging.getLogger(name).setLevel(logging.CRITICAL)
+    logging.disable()  # what it logs is said here
+    scheduler = f"--dask: the scheduler at {quoted(address)}"
     try:
         client = Client(address, timeout=DASK_WAIT)
         client.wait_for_workers(1, timeout=DASK_WAIT)
     except (OSError, ValueError):
         raise BadTable(f"--dask: no scheduler with a worker answers at {quoted(address)}") from None
+    except Exception as error:  # of the library of a protocol
+        raise BadTable(f"{scheduler} cannot be reached: {shown(str(error))}") from None
     with closing(client):
         # A worker opens a relative path in a directory of its own.
         futures = [client.submit(task, tuple(map(os.path.abspath, pair)), pure=False) for pair in pairs]
         for future in futures:
             try:
+                _await(future, client)
+            except OSError:
+                if client.status == "running":
+                    raise LostWorker(f"{scheduler} has no worker left; each needs this version of jkroll") from None
+            try:
                 yield future.result()
             except KilledWorker as error:
                 yield Tally(), LostWorker(f"its worker ended {error.allowed_failures + 1} times")
+            except CancelledError:
+                raise LostWorker(f"{scheduler} was lost; --resume makes the files that are missing") from None
+
+
+def _await(future: Any, client: Any) -> None:
+    """Wait until a table is converted or given up. Raises OSError if there are no workers for a while."""
+    checked = monotonic()
+    while not future.done():
+        sleep(DASK_STEP)
+        if monotonic() - checked > DASK_CHECK:
+            if client.status == "running":  # else the future ends
+                client.wait_for_workers(1, timeout=DASK_WAIT)
+            checked = monotonic()
 
 
 # --- Lists and ranges -------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from io import TextIOWrapper
+from io import BufferedWriter, TextIOWrapper
 from math import isnan
 from typing import Any, BinaryIO, TextIO, cast
 
@@ -20,7 +20,7 @@ from ..quantities.nomenclature import INFINITY, header
 from ..quantities.values import middle
 from ..rows.columns import DOUBT, Columns, Wanted, as_list
 from ..scene.doubts import codes
-from ..text import json_text, quoted, say, spelled, write_texts
+from ..text import for_terminal, json_text, quoted, say, spelled, write_texts
 
 STRIP = 256  # rows written at once: their text stays in the cache, and is no large piece of memory
 
@@ -274,11 +274,14 @@ _STREAMS = ("/dev/stdin", "/dev/stdout", "/dev/stderr")
 
 
 @contextmanager
-def whole_file(path: str) -> Iterator[BinaryIO]:
-    """Open a temporary file that replaces `path` when it is complete; or stdout, a device, a pipe or an open file."""
+def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
+    """Open a temporary file that replaces `path` when it is complete; or stdout, a device, a pipe or an open file.
+
+    `mark`: by which `remove_begun` finds the temporary file.
+    """
     if path == "-":
         sys.stdout.flush()
-        with open(os.dup(sys.stdout.fileno()), "wb") as stream:
+        with _opened(os.dup(sys.stdout.fileno()), is_terminal=sys.stdout.isatty()) as stream:
             yield stream
         return
     if os.path.isdir(path):
@@ -288,12 +291,12 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
         descriptor = _descriptor(path)
         if descriptor is not None or (os.path.exists(path) and not os.path.isfile(path)):
             sys.stdout.flush()  # it may be the same
-            with open(path if descriptor is None else os.dup(descriptor), "wb") as stream:
+            with _opened(path if descriptor is None else os.dup(descriptor)) as stream:
                 yield stream
             return
         place = os.path.realpath(path)
         folder, name = os.path.split(place)
-        temporary = os.path.join(folder, f".{name[:MAX_KEPT]}.{os.urandom(4).hex()}")
+        temporary = os.path.join(folder, f".{name[:MAX_KEPT]}.{mark}{os.urandom(4).hex()}")
         with _removed_at_last(temporary) as begun:
             with begun:
                 yield begun
@@ -332,6 +335,30 @@ def _removed_at_last(path: str) -> Iterator[BinaryIO]:
         with suppress(ValueError):
             for number in ending:
                 signal.signal(number, signal.SIG_DFL)
+
+
+class _Terminal(BufferedWriter):
+    """A terminal, on which the cells of a table are written as they are read, but move no cursor."""
+
+    def write(self, lines: Any) -> int:
+        """Write whole lines."""
+        super().write(for_terminal(bytes(lines).decode(errors="replace")).encode())
+        return len(lines)
+
+
+def _opened(file: str | int, *, is_terminal: bool = False) -> BufferedWriter:
+    """Open a file or a descriptor that is written as it is, unless it is a terminal."""
+    stream = open(file, "wb")
+    return _Terminal(stream.detach()) if is_terminal or stream.isatty() else stream
+
+
+def remove_begun(paths: Iterable[str], mark: str) -> None:
+    """Remove the temporary files with a mark that `whole_file` made for some paths, in processes that are lost."""
+    for folder in {os.path.dirname(os.path.realpath(path)) for path in paths}:
+        with suppress(OSError):
+            for name in os.listdir(folder):
+                if re.fullmatch(rf"\..+\.{mark}[0-9a-f]{{8}}", name, re.DOTALL):
+                    os.unlink(os.path.join(folder, name))
 
 
 def _descriptor(path: str) -> int | None:
