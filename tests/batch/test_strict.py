@@ -124,6 +124,25 @@ def test_a_cell_is_read_or_refused_with_the_true_reason(cell: str) -> None:
         assert found == expected
 
 
+@pytest.mark.parametrize(
+    ("head", "cells", "values"),
+    [
+        ("viscous_time [ps]", ["1.25d1", "1.25e1", "1.25D+01"], [None, 1.25e-11, None]),  # and no 1.25 days
+        ("radius [nm]", ["5m1", "5 m", "1.5D-07", "5Q2"], [None, 5.0, None, None]),
+    ],
+)
+def test_a_letter_and_digits_directly_behind_a_number_are_no_unit(
+    head: str, cells: list[str], values: list[float | None]
+) -> None:
+    """However many cells are read together."""
+    (column,) = understood([head]).inputs
+    numbers = column.numbers({column.name: [cell.encode() for cell in cells]})
+    assert [*numbers.odd] == [place for place, value in enumerate(values) if value is None]
+    assert [numbers.values[place] for place, value in enumerate(values) if value is not None] == approx(
+        [value for value in values if value is not None], rel=1e-15
+    )
+
+
 def test_per_cent_behind_an_error_bar_may_be_of_the_value_where_the_column_is_in_per_cent_too() -> None:
     (column,) = understood(["filling_factor [%]"]).inputs
     with pytest.raises(QuantityError, match="has a % that can be read in two ways"):

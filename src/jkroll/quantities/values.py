@@ -12,7 +12,7 @@ from math import isnan, nan
 from typing import Any, Self, TypeGuard
 
 from ..errors import BadRequest, JkrollError
-from ..text import quoted
+from ..text import quoted, shown
 from .nomenclature import INFINITY, NOMENCLATURE
 from .units import (
     MAX_TEXT,
@@ -194,6 +194,7 @@ def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 _Decimal = tuple[int, int]  # an integer and a power of ten
 _UnitIn = Callable[[str], Unit]  # the unit that a text means; for an empty text that of texts without one
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
+_LETTER_AND_DIGITS = re.compile(r"([^\W\d_])([+-]?[0-9]+)")  # as in 1.25d1: never a unit
 _SECOND = re.compile(r" ?(?:[-–—…] ?)+[0-9]| ?([^-–—…]+?) ?[-–—…] ?[0-9.]+ ?\1$")  # 5-6 nm, 5nm-6nm
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
 
@@ -277,12 +278,12 @@ def unit_of(text: str, name: str) -> Unit:
     Raises a `QuantityError`; a unit of another dimension is not an error.
     """
     try:
-        return _unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
+        return unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
     except BadUnit as error:
         raise _error_about(name, text, error) from None
 
 
-def _unit_meant(text: str, dimension: Dimension) -> Unit:
+def unit_meant(text: str, dimension: Dimension) -> Unit:
     """Read a unit. Of an acceleration, g is standard gravity and not the gram."""
     return parse_unit("standard_gravity" if text == "g" and dimension == dimension_of("m/s^2") else text)
 
@@ -293,7 +294,7 @@ def _unit_in(text: str, dimension: Dimension, otherwise: Unit | None = None) -> 
         return otherwise
     if not text and any(dimension):
         raise BadUnit(NO_UNIT)
-    unit = _unit_meant(text, dimension)
+    unit = unit_meant(text, dimension)
     if unit[2] != dimension:
         raise BadUnit(f"is {kind_of(unit[2])}")
     return unit
@@ -331,8 +332,13 @@ def split_number(text: str) -> tuple[_Decimal, str]:
     if _SECOND.match(rest):
         remedy = "20 to 30 mJ/m2 is any value between; 20nm:100nm:9 a list, on a command line"
         raise BadUnit("has two numbers", remedy)
-    if exponent and re.match("[eE][+-]?[0-9]", rest):
-        raise BadUnit("has two powers of ten", "write one, as in (25±5)e-3 J/m2")
+    if power := _LETTER_AND_DIGITS.match(rest):
+        if exponent:
+            raise BadUnit("has two powers of ten", "write one, as in (25±5)e-3 J/m2")
+        remedy = "write e for a power of ten, or a space before a unit"
+        if power[1] in "dDqQ":  # of Fortran
+            remedy = f"write e for a power of ten, as in {text[: match.end()]}e{power[2]}"
+        raise BadUnit(f"has {shown(power[0])} directly behind the number", remedy)
     if exponent and len(exponent.lstrip("+-")) > 3:
         raise BadUnit("has an exponent of more than 3 digits")
     return (int(sign + digits), int(exponent or 0) - len(fraction or "")), rest.removeprefix(" ")
