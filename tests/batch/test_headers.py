@@ -559,7 +559,7 @@ def test_commas_are_those_of_columns_of_numbers(run: Run) -> None:
         (["800\t25\t12,31", "900\t25\t14,7"], ["800", "900"]),
         (["800\t25\t1,200", "900\t25\t12,345"], ["800", "900"]),
         (["1.200\t25", "1.300\t25"], ["1.2", "1.3"]),
-        (["1.200\t25\t1.234,5", "800\t25\t3"], ["1.2", "800"]),
+        (["800\t25\t1.234,5", "1.20\t25\t3"], ["800", "1.2"]),
         (["1,234,567\t25", "800\t25"], ["", "800"]),
         # as decimal commas, with one of thousands that fails
         (["850,5\t25", "1.200\t25"], ["850,5", ""]),
@@ -594,6 +594,34 @@ def test_marks_in_a_column_that_is_not_read_decide_nothing(run: Run, label: str)
     assert row == f"100;25;{label};1.1780972450961723e-8;"
     Path("x.csv").write_text(f"R1 (nm);gamma (mJ/m2);n\n1.200;25;{label}\n", encoding="utf-8")
     assert run(words) == (2, "", "jkroll: '1.200' may be 1.200 or 1200: write 1.2000 or 1200\n")
+
+
+@pytest.mark.parametrize(("word", "mark", "end"), [("semicolon", ";", "csv"), ("tab", "\t", "tsv")])
+def test_a_point_behind_the_first_rows_may_be_one_of_thousands(run: Run, word: str, mark: str, end: str) -> None:
+    """Radii from 800 to 999 nm, then 1.000, and decimal commas in a column that passes through."""
+    rows = [f"{800 + place};25;0,5" for place in range(200)] + ["1.000;25;0,5", "1.000 nm;25;0,5", "1000.5;25;0,5"]
+    text = "\n".join(["R1 (nm);gamma (mJ/m2);n", *rows, ""]).replace(";", mark)
+    Path("x.tsv").write_text(text, encoding="utf-8")
+    assert run(f"batch x.tsv -o out.{end} --delimiter {word} --quantities pull_off_force --no-doubt").code == 1
+    cells = [line.split(mark) for line in Path(f"out.{end}").read_text(encoding="utf-8").splitlines()[1:]]
+    assert [row for row, found in enumerate(cells) if not found[3]] == [200, 201]
+    assert cells[200][4] == "'1.000' may be 1.000 or 1000: write 1.0000 or 1000"
+    assert float(cells[202][3]) == approx(1.5 * pi * 0.025 * 1000.5e-9)
+    rows[0] = "1.000;25;0,5"
+    Path("x.tsv").write_text("\n".join(["R1 (nm);gamma (mJ/m2);n", *rows, ""]).replace(";", mark), encoding="utf-8")
+    ran = run(f"batch x.tsv -o out.{end} --delimiter {word} --quantities pull_off_force --no-doubt")
+    assert (ran.code, "'1.000' may be 1.000 or 1000" in ran.err) == (2, True)
+
+
+@pytest.mark.parametrize("header", ["radius / Å", "radius / Å,à", "à,radius / Å", "radius / Å,x\xa0"])
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_a_header_may_end_in_any_letter(run: Run, header: str, end: str) -> None:
+    """Of Å, à and a blank, UTF-8 has the bytes 85 and A0, which are blanks elsewhere."""
+    cells = ",".join("1000" for _ in header.split(","))
+    Path("x.csv").write_text(f"{header}{end}{cells}{end}", encoding="utf-8", newline="")
+    assert run("batch x.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --no-doubt").code == 0
+    lines = Path("out.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[1].split(",")[-2] == "1.1780972450961723e-8"
 
 
 def test_commas_in_a_column_that_is_not_read_decide_nothing_between_tabs(run: Run) -> None:

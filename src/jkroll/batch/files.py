@@ -23,6 +23,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import chain, compress, islice, takewhile
+from operator import not_
 from typing import Any, BinaryIO, NamedTuple
 
 import orjson
@@ -47,6 +48,7 @@ MAX_RECORD = 1 << 24  # bytes
 SAMPLE = 200  # rows that decide how a table is read
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
 _BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
+_BLANKS = " \t\r\n"  # of these; `str.strip` takes bytes of Å and à as well
 _COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
 _MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
 _OPEN = "a quote is not closed"
@@ -257,7 +259,7 @@ class Delimited:
     def __init__(self, separator: str, *, excel_safe: bool = False) -> None:
         """`excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula."""
         self.separator, self.excel_safe = separator, excel_safe
-        self.blanks = " \t\r\n".replace(separator, "")  # a line of these is no record
+        self.blanks = _BLANKS.replace(separator, "")  # a line of these is no record
 
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
@@ -311,8 +313,13 @@ class Delimited:
         self.lines = self.preamble + stop
         whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
         self.sample = [[*map(_text, row)] for row in whole]
-        read = compress(zip(*self.sample, strict=True), map(is_read, self.names))
-        self.has_decimal_commas = has_decimal_commas(read, self.separator)
+        are_read = [*map(is_read, self.names)]
+        columns = [*zip(*self.sample, strict=True)]
+        passed = compress(columns, map(not_, are_read))
+        is_doubtful = self.separator == ";" or (self.separator != "," and any(map(_have_decimal_commas, passed)))
+        self.decimal_mark = decimal_mark(compress(columns, are_read), self.separator, points_may_group=is_doubtful)
+        self.has_decimal_commas = self.decimal_mark == ","
+        self.is_open = not self.decimal_mark and is_doubtful
         if self.has_decimal_commas:
             if self.separator == ",":
                 raise BadTable("decimal commas between commas: write decimal points, or semicolons between columns")
@@ -337,7 +344,7 @@ class Delimited:
         """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
-        text, *names = map(_text, (line.strip(), *(cells or [line])))
+        text, *names = map(_text, (line.strip(_BLANKS), *(cells or [line])))
         if "\0" in text or "\ufffd" in text:  # which stands for what is not UTF-8
             remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
             raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
@@ -360,7 +367,9 @@ class Delimited:
     def read(self, text: bytes, table: Table) -> Records:
         """Return whole records, taken apart."""
         records = self._cut(text, table.places) or self._read(text, table.places)
-        return _with_decimal_points(records) if self.has_decimal_commas else records
+        if self.has_decimal_commas:
+            return _with_decimal_points(records)
+        return _without_unclear(records) if self.is_open else records
 
     def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
         """Cut lines without quotes that have the right width at their separators; None if there are others."""
@@ -442,16 +451,19 @@ _NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an e
 _MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
 _UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
 _POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
+_OF_THOUSANDS = re.compile(rb"(?<![\d.,])[1-9]\d{0,2}\.\d{3}(?![\d.,eE])")
+_WITH_COMMA = re.compile(r"[-+]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+")
+_WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
 
 
-def has_decimal_commas(columns: Iterable[Iterable[str]], separator: str) -> bool:
-    """Return whether the numbers of columns have decimal commas. Raises BadTable for those that may be of thousands.
+def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
+    """Return the decimal mark of the numbers of columns; "" if none of them decides.
 
-    A mark that stands in a number more than once is of thousands or of a list, and decides nothing. Where nothing
-    decides, points are decimal, but may be of thousands between semicolons.
+    A mark that stands in a number more than once is of thousands or of a list, and decides nothing. `points_may_group`:
+    whether a point may be of thousands where nothing decides. Raises BadTable for a number that has such a mark.
 
-    >>> has_decimal_commas([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
-    True
+    >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
+    ','
     """
     marks, unclear = Counter[str](), list[str]()
     for cells in columns:
@@ -461,14 +473,35 @@ def has_decimal_commas(columns: Iterable[Iterable[str]], separator: str) -> bool
             elif mark not in whole:
                 marks[mark] += 1
     if marks[","] != marks["."]:
-        return marks[","] > marks["."]
+        return max(marks, key=marks.__getitem__)
     for number in unclear:
-        if separator == ";" or ("," in number and separator != ","):
-            digits = number.replace(",", "").replace(".", "")
-            raise BadTable(
-                f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
-            )
-    return False
+        if points_may_group or ("," in number and separator != ","):
+            raise BadTable(_two_readings(number))
+    return ""
+
+
+def _have_decimal_commas(cells: Iterable[str]) -> bool:
+    """Return whether any cell is a number with a decimal comma, and none is one with a decimal point."""
+    numbers = [cell.strip() for cell in cells]
+    return any(map(_WITH_COMMA.fullmatch, numbers)) and not any(map(_WITH_POINT.fullmatch, numbers))
+
+
+def _two_readings(number: str) -> str:
+    """Return what is wrong with a number whose mark may be of thousands."""
+    digits = number.replace(",", "").replace(".", "")
+    return f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
+
+
+def _without_unclear(records: Records) -> Records:
+    """Return records of a table whose decimal mark is open. A point that may be of thousands spoils its row."""
+    odd = dict(records.odd)
+    for name, column in records.cells.items():
+        if name in MATERIALS or b"." not in b"".join(column):
+            continue
+        for row, cell in enumerate(column):
+            if number := _OF_THOUSANDS.search(cell):
+                odd.setdefault(row, _two_readings(number[0].decode()))
+    return records._replace(odd=odd)
 
 
 def _with_decimal_points(records: Records) -> Records:
