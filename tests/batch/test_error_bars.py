@@ -143,6 +143,30 @@ def test_two_sides_of_which_one_has_a_unit_are_refused(run: Run) -> None:
     assert found()[0]["status"] == "bad surface_energy"
 
 
+@pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
+@pytest.mark.parametrize("others", [{}, {"radius_err [nm]": "10"}])
+def test_a_row_whose_error_bar_lacks_a_side_has_none(run: Run, others: dict[str, str], end: str) -> None:
+    """The other side is not 0, and the error bars of other inputs would be those of the result."""
+    bars = [("4", "6"), ("", "6"), ("4", " "), ("", ""), ("0", "6")]
+    rows = [
+        {"radius [nm]": "100", **others, "gamma [mJ/m2]": "25", "gamma_minus": minus, "gamma_plus": plus}
+        for minus, plus in bars
+    ]
+    ran = run(f"batch {written(rows, end)} -o out.{end} --quantities pull_off_force --no-doubt")
+    assert (ran.code, "its error bar lacks a side, and the row has none" in ran.err.replace("\n  ", " ")) == (0, True)
+    of_radius = FORCE / 10 if others else 0.0
+    both, no_minus, no_plus, neither, zero = found(end)
+    assert [row["pull_off_force [N]"] for row in found(end)] == close([FORCE] * 5)
+    sides = [math.hypot(of_radius, part / 25 * FORCE) for part in (4, 6)]
+    assert [both[name] for name in SIDES[1:]] == close(sides)
+    for row in (no_minus, no_plus):
+        assert [row[name] for name in SIDES[1:]] == [None, None]
+        assert row["status"] == "half an error bar"
+    assert [neither[name] for name in SIDES[1:]] == (close([of_radius] * 2) if others else [None, None])
+    assert zero["pull_off_force_plus [N]"] == close(sides[1])
+    assert both["status"] is neither["status"] is zero["status"] is None
+
+
 @pytest.mark.parametrize("cells", ["25,nan", "25,N/A", "nan,5", "NaN,nan"])
 def test_an_error_bar_that_is_no_number_is_told_as_such(run: Run, cells: str) -> None:
     Path("x.csv").write_text(f"radius [nm],gamma [mJ/m2],gamma_err\n100,25,5\n100,{cells}\n", encoding="utf-8")

@@ -152,7 +152,10 @@ class Converter(NamedTuple):
         """Return a block with the results in each row. Raises BadRow."""
         table = self.table
         records = self.form.read(block, table)
-        columns = evaluated(table.wanted, TableBlock(table, records))
+        rows = TableBlock(table, records)
+        columns = evaluated(table.wanted, rows)
+        columns.leave_out_bars(rows.half_bars)
+        del rows
         records = records._replace(cells={})  # as much memory as all else, which writing takes again
         if self.strict and columns.failed:
             first = min(columns.failed)

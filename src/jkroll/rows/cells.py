@@ -30,6 +30,7 @@ PLAIN = b"0123456789.eE+-, "
 MAX_KEPT = 10_000  # texts whose meaning is remembered
 _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
 _CELL = re.compile(rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*")  # 1.25d1 has no unit
+_NUMBER_FIRST = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _POWER = rb"e([+-]?[0-9]{1,3})"
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
 _HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
@@ -48,6 +49,7 @@ class Column(NamedTuple):
     unit: Unit | None
     sides: tuple[tuple[str, int], ...] = ()  # the parts of the uncertainty, as `Reading` has them, and their places
     error_unit: str = ""  # of the cells of ±; an empty text where it is that of the values
+    coverage: float = 1.0  # the uncertainties of the cells in standard ones, as in k = 2
 
     @property
     def places(self) -> dict[str, int]:
@@ -70,6 +72,8 @@ class Column(NamedTuple):
             is_single = float(first) == float(others[0])  # 25 and 25.0
         if is_single:
             return first
+        if self.coverage != 1:
+            others = [_NUMBER_FIRST.sub(self._standard, cell) for cell in others]
         is_bare = not self.error_unit and not any(map(_HAS_UNIT.search, (first, *others)))
         if not is_bare:
             first = _in_unit(first, self.unit_text)
@@ -78,8 +82,20 @@ class Column(NamedTuple):
             return f"({first}±{others[0]})" if is_bare else f"{first}±{others[0]}"
         if self.is_range:
             return f"{first or '?'} to {others[0] or '?'}"
-        minus, plus = others[0].removeprefix("-") or "0", others[1].removeprefix("+") or "0"
+        if not all(others):
+            return first  # and `half_bars` has the row
+        minus, plus = others[0].removeprefix("-"), others[1].removeprefix("+")
         return f"{first} +{plus}/-{minus}"
+
+    def half_bars(self, columns: Mapping[str, Sequence[bytes]]) -> list[int]:
+        """Return the rows of a block in which one side of the error bar is empty and the other is not."""
+        cells = [columns[f"{self.name}_{part}"] for part, _ in self.sides if part in ("minus", "plus")]
+        rows = enumerate(zip(*cells, strict=True))
+        return [row for row, (minus, plus) in rows if bool(minus.strip()) != bool(plus.strip())]
+
+    def _standard(self, number: re.Match[str]) -> str:
+        """Return the number of an expanded uncertainty as that of a standard one."""
+        return repr(float(number[0]) / self.coverage)
 
     @property
     def exponent(self) -> int | None:

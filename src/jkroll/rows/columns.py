@@ -294,6 +294,17 @@ class Columns:
                 again |= is_known & numpy.isnan(width)
         return again
 
+    def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
+        """Empty the error bars of rows that have values. `rows`: the reasons, by row."""
+        others = (key for name in self.wanted.names for key in (name, *self.wanted.alternatives_of(name).values()))
+        keys = [side for key in others if not key.endswith(DATA) for side in self.wanted.sides_of(key).values()]
+        for row, reason in rows.items():
+            reasons = self.reasons.get(row, _NONE)
+            if lack(reasons) is None:
+                self.reasons[row] = {**reasons, UNCERTAINTY: reason}
+                for key in keys:
+                    self.column(key)[row] = nan
+
     @cached_property
     def distinct_reasons(self) -> dict[int, Reasons]:
         """The reasons that differ, by their identities: many rows share theirs."""

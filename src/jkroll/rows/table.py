@@ -241,6 +241,13 @@ class TableBlock:
         self.size = len(are_rows)
         self.kinds: Sequence[Any] = [are_rows, *kinds]
 
+    @property
+    def half_bars(self) -> dict[int, JkrollError]:
+        """The rows that have one side of an error bar, which is left out, with the reason."""
+        rows = [(column.name, row) for column in self.table.columns.inputs for row in column.half_bars(self.cells)]
+        problem = "its error bar lacks a side, and the row has none"
+        return {row: BadRequest(f"{name}: {problem}", "half an error bar") for name, row in rows}
+
     def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the scene of the inputs of rows that are alike."""
         solids = {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
