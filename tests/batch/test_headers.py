@@ -56,9 +56,11 @@ load 1e-12: load_pN | loadPN | load P (pN)
 hamaker 1e-18: hamaker_aJ | Hamaker constant A (aJ)
 hamaker 1e-21: A (zJ) | hamaker_zJ | Hamaker constant (zJ)
 gravity 1: g [m/s2]
+gravity 9.80665: gravity [g] | g [g]
 atomic_spacing 1e-9: z0 (nm)
 approach_at_load 1e-9: δ [nm]
 contact_modulus 1e9: E* [GPa] | E_r (GPa) | reduced modulus (GPa) | Effective Young's modulus [GPa]
+contact_modulus 1e9: Reduced Young Modulus [GPa] | Reduced Young's modulus (GPa) | E_red [GPa] | E_red_GPa
 reduced_radius 1e-9: reduced_radius [nm]
 radius 1e-9: radius【nm】 | radius–nm | radius = nm | radius R (nm)
 youngs_modulus 1e9: E-Modul [GPa] | E · GPa | E1 – GPa | Elastic Modulus E (GPa) | Young's modulus E1 [GPa]
@@ -105,18 +107,27 @@ REFUSED = {
     "radius (sphere 2) [nm]": "or --column 'radius (sphere 2) [nm]=radius2 [UNIT]'",
     "loadpN": "'loadpN=load [UNIT]'",  # no N
     # maxLoad (µN) and load P (N) among them
-    **dict.fromkeys("maxLoad___N_|load_p_n|Load.P..N.|load_uncertanty [nN]|load_micro_N".split("|"), "=load [UNIT]'"),
+    **dict.fromkeys(("load_p_n", "Load.P..N.", "load_micro_N"), "=load [UNIT]'"),
+    # of another quantity, or of a spread
+    "maxLoad___N_": "Write a column load [UNIT] in place of 'maxLoad___N_', or",
+    "load_uncertanty [nN]": "Write a column load [UNIT] in place of 'load_uncertanty [nN]', or",
     **dict.fromkeys(("Hamaker.A.J.", "hamaker_a_j"), "=hamaker [UNIT]'"),
     "mean\u2009load\n[nN]": "'mean load [nN]=load [nN]'",
-    "Young's E (mean $x$) [GPa]": '"Young\'s E (mean \\$x\\$) [GPa]=youngs_modulus [UNIT]"',
+    "Young's E (mean $x$) [GPa]": '"Young\'s E (mean \\$x\\$) [GPa]="',
     "E (Young's modulus) [GPa]": "it may be youngs_modulus",
     "gamma' [mJ/m2]": "it may be surface_energy",
-    "surface energy (polar) [mJ/m2]": "surface_energy [UNIT]' or --column",
+    "surface energy (polar) [mJ/m2]": "a column surface_energy [UNIT] in place of",
     "gama [mJ/m2]": "=surface_energy [mJ/m2]'",
     "gama": "=surface_energy [UNIT]'",
     "surface_energy in GPa": "what stands behind surface_energy is not its unit",
     "log radius [nm]": "Write a column radius [UNIT] in place of 'log radius [nm]', or --column",
-    "radius_stderr [nm]": "column radius [UNIT] in place of 'radius_stderr [nm]', or --column",
+    "radius_cv [nm]": "Write a column radius [UNIT] in place of 'radius_cv [nm]', or --column",
+    **{
+        f"{word} [nm]": f"'{word} [nm]=radius [nm]' or --column '{word} [nm]=reduced_radius [nm]', or"
+        for word in ("Equivalent radius", "harmonic mean radius", "combined radius")
+    },
+    "Reduced Young Modulus": "'Reduced Young Modulus=contact_modulus [UNIT]', or",
+    "gravity (g)": "what stands behind gravity is not its unit",  # g may be its symbol
     "DMT modulus (MPa)": "it may be Young's modulus, or E* of the contact",
     **dict.fromkeys(("radius*1e9", "radius (×10⁻⁶ m)", "E [1e9 Pa]", "A (10^-20 J)", "density¹ [kg/m³]"), _FACTOR),
     "work_of_adhesion_mJ": "what stands behind work_of_adhesion is not its unit",
@@ -132,10 +143,16 @@ REFUSED = {
     **dict.fromkeys(("applied tip load [nN]", "laod [nN]", "Indentation load (nN)"), "=load [nN]'"),
     "Particle radius (µm)": "=radius [",
     "radius_max [nm]": "alone is no uncertainty of radius",
-    **dict.fromkeys(("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]"), _FACTOR),
+    **dict.fromkeys(
+        ("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]", "w=2γ [mJ/m2]", "2γ", "radius (nm) x 10"), _FACTOR
+    ),
+    **dict.fromkeys(
+        ("radius [nm] * 1e3", "radius (nm) ×10⁻³", "load [nN]/2", "γ+", "γ-", "load-", "E- [GPa]"), _FACTOR
+    ),
+    **dict.fromkeys(("γ- [mJ/m2]", "γ⁺ (mJ/m²)", "γ⁻ (mJ/m²)", "gamma- [mJ/m2]", "$\\gamma^{-}$ [mJ/m2]"), _FACTOR),
 }
 PASSING = (
-    "E | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | R_min | v_c | w | radius_in | load_case | "
+    "E | E- | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | v_c | w | radius_in | load_case | "
     "material_3 | velocity_x (m/s) | bulk modulus (GPa) | 1/radius [1/nm] | T [K] | "
     "gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
@@ -350,9 +367,20 @@ PARTS = {
     ("gamma (mJ/m2)=25", "+/-=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_err_percent=20"): "25±5 mJ/m2",
     ("gamma=25 mJ/m2", "gamma_err=5 mJ/m2"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_stderr [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Std. Error=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "standard uncertainty of gamma [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "RSD [%]=20"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_cv [%]=20"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "relative error of gamma (%)=20"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "U(γ) [mJ/m2] (k=2)=10"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_err (k = 2.0)=10"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "expanded uncertainty (k=2) [J/m2]=0.01"): "25±5 mJ/m2",
+    ("gamma=25 mJ/m2", "± (k=2)=10 mJ/m2"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_minus (k=2)=-8", "gamma_plus (k=2)=12"): "25 +6/-4 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_minus [mJ/m2]=4", "gamma_plus [mJ/m2]=6"): "25 +6/-4 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_minus=-4", "gamma_plus=+6"): "25 +6/-4 mJ/m2",
-    ("gamma [mJ/m2]=25", "gamma_minus=", "gamma_plus=6"): "25 +6/-0 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_minus=0", "gamma_plus=6"): "25 +6/-0 mJ/m2",
     ("gamma_min [mJ/m2]=20", "gamma_max [mJ/m2]=30"): "20 to 30 mJ/m2",
     ("gamma_lower (mJ/m2)=20", "gamma_upper (mJ/m2)=30"): "20 to 30 mJ/m2",
     ("gamma_mJ_m2_low=20", "gamma_mJ_m2_high=30"): "20 to 30 mJ/m2",
@@ -363,7 +391,8 @@ PARTS = {
 def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
     header = understood(["label", "±", "R1 [nm]", "note", "gamma [mJ/m2]", "+/-"])
     assert header.places == {"radius": 2, "surface_energy": 4, "surface_energy_both": 5}
-    assert not understood(["gamma [mJ/m2]", "error"]).inputs[0].sides  # it may be that of the measurement, or a code
+    coded = understood(["gamma [mJ/m2]", "error"], [["25", "E07"]])
+    assert not coded.inputs[0].sides
 
 
 def test_the_word_of_what_was_measured_is_that_of_no_other_column() -> None:
@@ -376,7 +405,7 @@ def test_the_word_of_what_was_measured_is_that_of_no_other_column() -> None:
 @pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])
 @pytest.mark.parametrize("columns", PARTS)
 def test_columns_of_an_uncertainty_say_what_a_cell_does(run: Run, columns: tuple[str, ...], ending: str) -> None:
-    texts = dict(column.split("=") for column in columns)
+    texts = dict(column.rsplit("=", 1) for column in columns)
     results = []
     for cells in (texts, {"gamma": PARTS[columns]}):
         rows = [{**cells, "R1 (nm)": "100"}, {**dict.fromkeys(cells, ""), "R1 (nm)": "100"}]
@@ -411,16 +440,13 @@ def converted(run: Run, rows: list[dict[str, str]], ending: str) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("header", "passing"),
-    [
-        ("radius [nm],gamma_err [mJ/m2]", "gamma_err [mJ/m2]"),
-        ("radius [nm],R_min [m]", "R_min [m]"),
-        ("radius [nm],R_min [m],R_max [m]", "R_min [m], R_max [m]"),
-        ("radius [nm],load_minus [nN]", "load_minus [nN]"),
-    ],
+    "other", ["gamma_err [mJ/m2]", "load_minus [nN]", "gamma_cv [%]", "U(γ) [mJ/m2]", "E_std [GPa]"]
 )
-def test_half_an_uncertainty_passes_and_is_named(header: str, passing: str) -> None:
-    assert understood(header.split(",")).reading() == f"read: radius [nm]; passed through: {passing}"
+def test_an_uncertainty_of_what_is_not_read_passes_or_is_refused(other: str) -> None:
+    try:
+        assert understood(["radius [nm]", other]).reading() == f"read: radius [nm]; passed through: {other}"
+    except BadTable as error:
+        assert "surface_energy" in str(error)
 
 
 def test_an_uncertainty_says_where_it_is_read_from() -> None:
@@ -432,11 +458,84 @@ def test_an_uncertainty_says_where_it_is_read_from() -> None:
     assert "load [nN] from P [nN] − P_minus [nN] + P_plus [nN]" in said
 
 
-def test_a_range_and_a_second_uncertainty_beside_an_uncertainty_pass() -> None:
-    said = understood(["radius [nm]", "radius_err", "radius_min", "radius_max"]).reading()
-    assert said == "read: radius [nm] ± radius_err; passed through: radius_min, radius_max"
-    said = understood(["radius [nm]", "radius_err", "radius_minus", "radius_plus"]).reading()
-    assert said == "read: radius [nm] ± radius_err; passed through: radius_minus, radius_plus"
+# What may be an uncertainty of γ or says more of it, and is not read: the result's ± would be without it.
+_UNREAD = """
+gamma_err_low | gamma_err_high [mJ/m2] | gamma_var | gamma_variance | gamma_cv | gamma_ci | gamma 95% CI | gamma_95ci |
+gamma_sigma | gamma_iqr | gamma_q1 | gamma_mad [mJ/m2] | gamma_rel_err | gammaErr [mJ/m2] | gammaerr | std_γ_fit | SE |
+error | σ | 95% CI | CI | lower | upper (95%) | variance | RSD | CV | ± (95% CI) | uncertainty (95%) | SD (95% CI) |
+std (10%) | gamma ± (95% CI) | gamma_std (10 %) | uncertainty (95 percent) | U(γ) | U(γ) [mJ/m2] |
+expanded uncertainty | gamma_minus | gamma_plus [mJ/m2] | gamma_min | gamma_max [mJ/m2] | gamma_lower |
+gamma_minus [%] | gamma- | gamma+ [mJ/m2] | Δγ | Δγ [mJ/m2] | delta gamma | d_gamma [mJ/m2] | u_γ [mJ/m2] | gamma_mean |
+gamma_median [mJ/m2] | gamma_n | gamma_old | gamma (fit) [mJ/m2] | gamma (k=2)
+"""
+
+
+@pytest.mark.parametrize("other", " ".join(_UNREAD.split()).split(" | "))
+def test_what_says_more_of_an_input_that_is_read_does_not_pass_unread(other: str) -> None:
+    for heads in (["radius [nm]", "gamma [mJ/m2]", other], ["gamma [mJ/m2]", other, "radius [nm]", "radius_err"]):
+        with pytest.raises(BadTable, match=re.escape(f"--column '{other}=' to pass it through")):
+            understood(heads, [["25"] * len(heads)])
+        header = understood(heads, [["25"] * len(heads)], stated_meanings([f"{other}="]))
+        assert header.reading().replace('"', "").endswith(f"; passed through: {other}")
+
+
+@pytest.mark.parametrize(
+    ("heads", "other"),
+    [
+        (["R1 (nm)", "R_err"], "R_min"),
+        (["E [J]", "E_err"], "E_max"),
+        (["speed [m/s]"], "v_cv"),
+        (["radius [nm]", "radius_err"], "radius_sd"),
+        (["radius [nm]", "radius_err"], "radius_plus"),
+        (["radius_min [nm]", "radius_max [nm]"], "radius_err"),
+        (["tip [um]"], "tip_std [um]"),
+        (["tip [um]"], "tip_95ci"),
+    ],
+)
+def test_a_second_uncertainty_does_not_pass_unread(heads: list[str], other: str) -> None:
+    stated = stated_meanings(["tip [um]=radius [um]"] if "tip [um]" in heads else [])
+    understood(heads, [], stated)
+    with pytest.raises(BadTable, match=re.escape(f"--column '{other}='")):
+        understood([*heads, other], [], stated)
+
+
+def test_an_uncertainty_of_a_symbol_is_of_the_input_that_is_read() -> None:
+    (column,) = understood(["E [J]", "E_err"]).inputs
+    assert (column.name, column.sides) == ("energy", (("both", 1),))
+
+
+def test_a_coverage_factor_is_asked_for_and_read() -> None:
+    heads = ["gamma [mJ/m2]", "U(γ)"]
+    with pytest.raises(BadTable, match=re.escape("--column 'U(γ)=surface_energy_err [mJ/m2] (k=K)', or")):
+        understood(heads)
+    (column,) = understood(heads, [], stated_meanings(["U(γ)=surface_energy_err [mJ/m2] (k=2)"])).inputs
+    for cell in ("10", "1e1", "+10.0"):
+        assert column.read(column.joined("25", cell)) == Measured(0.025, 0.005, 0.005)
+    (column,) = understood(["gamma [mJ/m2]", "U(γ) [%] (k=1,96)"]).inputs
+    found = column.read(column.joined("25", "39.2"))
+    assert isinstance(found, Measured)
+    assert [found.value, found.minus] == approx([0.025, 0.005], rel=1e-15)
+    with pytest.raises(BadTable, match="must have the same coverage factor"):
+        understood(["gamma [mJ/m2]", "gamma_minus (k=2)", "gamma_plus"])
+
+
+def test_per_cent_is_no_unit_of_a_length() -> None:
+    """A range in % is none of a radius; of a ratio it is one."""
+    for given in ([], ["radius"]):
+        with pytest.raises(BadTable, match=re.escape("'radius_min [%]': ")):
+            understood(["radius_min [%]", "radius_max [%]", "gamma [mJ/m2]"], given=given)
+    (column,) = understood(["filling_factor_min [%]", "filling_factor_max [%]"]).inputs
+    assert column.read(column.joined("10", "20")) == Interval(0.15, 0.1, 0.2)
+
+
+def test_two_columns_of_one_name_pass_and_two_of_one_input_do_not() -> None:
+    assert understood(["a", "radius [nm]", "a"]).reading() == "read: radius [nm]; passed through: a"
+    with pytest.raises(
+        BadTable, match=re.escape("one must go. Write --column 'R1 (um)=' or --column 'radius [nm]=' to")
+    ):
+        understood(["radius [nm]", "R1 (um)"])
+    with pytest.raises(BadTable, match="one must go: rename it"):
+        understood(["radius [nm]", "radius [nm]"])
 
 
 def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:

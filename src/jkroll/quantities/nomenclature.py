@@ -501,7 +501,8 @@ def _plain_spelling(symbol: str) -> str:
 # them.
 _WORDS_OF_OTHERS = {
     "approach_at_load": "? indentation overlap penetration",
-    "contact_modulus": "e_star reduced_modulus reduced_youngs_modulus effective_youngs_modulus",
+    "contact_modulus": """e_star reduced_modulus reduced_youngs_modulus reduced_young_modulus
+        effective_youngs_modulus effective_young_modulus""",
     "density": "mass_density dichte",
     "disruption_speed": "fragmentation_speed fragmentation_velocity fragmentation v_frag",
     "energy": "impact_energy collision_energy",

@@ -17,7 +17,7 @@ from ..errors import BadRequest, BadTable
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.nomenclature import header as header_of
-from ..quantities.units import is_in_table
+from ..quantities.units import PREFIXES, is_in_table
 from ..quantities.values import NO_UNIT, QuantityError, unit_of, value_of
 from ..scene.scene import EXCLUSIVE
 from ..text import ascii_text, composed, first_of, listed, quoted, shown
@@ -31,10 +31,15 @@ class Reading(NamedTuple):
 
     name: str = ""  # where there is a problem, of the input that it may be; "" for ± alone
     unit_text: str = ""
-    part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", or the "low" or "high" end of a range
+    part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", the "low" or "high" end, or UNREAD
     is_symbol: bool = False  # without a unit: an input only if its cells have units
     problem: str = ""  # why the header is refused unless columns give what it may be
     meant: Sequence[str] = ()  # the headers that would be read, where that is certain
+    names: Sequence[str] = ()  # the inputs that it may be of
+    of: str = ""  # the header without what it says of the spread of a value
+    otherwise: "Reading | None" = None  # of an UNREAD part: the meaning where that value is not read
+    has_suffix: bool = False  # what stands behind the word of the input is not read
+    coverage: float = 1.0  # the uncertainty in standard ones
     is_stated: bool = False  # by an option
     place: int = 0  # in a table
     text: str = ""  # the header, and the first cell below it that is not empty
@@ -47,17 +52,25 @@ class Reading(NamedTuple):
 
 
 class _Split(NamedTuple):
-    """A header as a word and what may be its unit; `is_explicit` if brackets, a mark or "in" says so."""
+    """A header as a word and what may be its unit."""
 
     word: str
     unit: str
-    is_explicit: bool = True
+    mark: str = "["  # the brackets, the mark or the "in" between them; empty where there is but a gap
     is_mangled: bool = False  # signs, or letters such as µ, may have become _ or .
+
+    @property
+    def is_explicit(self) -> bool:
+        """True if a mark says that a unit follows."""
+        return bool(self.mark)
 
 
 _SPELT = str.maketrans(
     "’‘“”″∕⁄₀₁₂Ø⌀【〔「⟨«‹】〕」⟩»›\\", '\'\'"""//012DD[[[[[[]]]]]] ', "$\u00ad\u200b\u200c\u200d\u200e\u200f\ufeff"
 )
+UNREAD = "unread"
+_SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")  # behind a word, as in γ+ and γ- [mJ/m2]
+_PLUS_MINUS = re.compile(r"\+\s?/?\s?[-−]")
 _LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m], with the marks above
 # Where a unit may begin: behind a mark, which is the first group, or behind a gap.
 _CUT = re.compile(
@@ -68,6 +81,12 @@ _PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
 _QUOTED = r"^([\"'])\s*(.*?)\s*\1$"
 _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
+_FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²³⁴⁵⁶⁷⁸⁹⁻−-]*\)?$"  # as in radius (nm) x 10
+_FACTOR_INSIDE = r"(?<![\w.^])\d[\d.]*[*·×]?(?=[^\W\d_])"  # as in w=2γ
+_FACTOR = "a sign or a factor stands beside the word or its unit"
+_SPREAD = "it may be an uncertainty of {0}, of which the columns are {0}_err, or {0}_minus and {0}_plus"
+_NO_FACTOR = "it is an expanded uncertainty, and its coverage factor k is missing"
+_NOT_USED = "a value has one column of ±, or two, of minus and plus; a range has those of its ends alone"
 _FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
 _LONGEST = 120  # letters of a header that can be one
 
@@ -81,28 +100,45 @@ def reading_of(text: str, measured: str = "") -> Reading:
     """
     if len(text) > _LONGEST:
         return Reading()
+    text = _plain(text)
+    if (unsigned := _SIGNS.sub("", text)) != text and (reading := reading_of(unsigned, measured)).is_input:
+        otherwise = Reading() if reading.is_symbol or reading.part else Reading(reading.name, problem=_FACTOR)
+        return Reading(
+            reading.name, part=UNREAD, problem=_FACTOR, names=reading.names, of=unsigned, otherwise=otherwise
+        )
     known = words.meanings(measured)
     splits = [*_splits(text)]
     exact = next(filter(None, (_exact(split, known) for split in splits)), None)
-    return exact or _of_part(splits[0].word, measured) or _refused(splits, known) or Reading()
+    if exact is not None:
+        return exact
+    of_part = _of_part(text, measured)
+    if of_part.part not in ("", UNREAD):
+        return of_part
+    otherwise = _scaled(text, measured) or _refused(splits, known) or Reading()
+    return of_part._replace(otherwise=otherwise) if of_part.part else otherwise._replace(of=of_part.of)
+
+
+def _plain(text: str) -> str:
+    """Return a header with one spelling of marks, blanks and brackets."""
+    for mark, plain in _LATEX.items():
+        text = re.sub(mark, plain, text)
+    text = re.sub(_QUOTED, r"\2", " ".join(composed(text).translate(_SPELT).split()))
+    return _PLUS_MINUS.sub("±", text)
 
 
 def _splits(text: str) -> Iterator[_Split]:
     """Iterate over words and what may be their units: none, and what stands behind each place where one may begin."""
-    for mark, plain in _LATEX.items():
-        text = re.sub(mark, plain, text)
-    text = re.sub(_QUOTED, r"\2", " ".join(composed(text).translate(_SPELT).split()))
     yield _Split(text.strip(" _."), "")
     for cut in reversed([*_CUT.finditer(text)]):
         word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")
         if word and (unit or cut[1]) and not re.search(r"[\[({<][^\])}>]*$", word):  # in brackets there may be none
             is_mangled = not cut[1] and (text[-1] in "_." or not _PLAIN_GAP.fullmatch(cut[0]))
-            yield _Split(word, unit, bool(cut[1]), is_mangled)
+            yield _Split(word, unit, cut[1] or "", is_mangled)
 
 
 def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
-    word, unit, is_explicit, is_mangled = split
+    word, unit, is_explicit, is_mangled = split.word, split.unit, split.is_explicit, split.is_mangled
     meaning = known.get(key(word))
     stem, _, symbol = word.rpartition(" ")
     if meaning is None and is_explicit and (named := known.get(key(stem))):  # as in Young's modulus E
@@ -120,29 +156,76 @@ def _exact(split: _Split, known: Mapping[str, Meaning]) -> Reading | None:
     is_of_capitals = unit.istitle() or f"{word}{unit}".isupper()  # mm may have become Mm, and pN PN
     if is_of_capitals and not is_symbol and unit_text != unit_for(unit, name):
         return None
+    if unit == NOMENCLATURE[name].symbol and "[" not in split.mark:  # gravity (g) may be of any unit
+        return None
     alike = [each for each in meaning.names if NOMENCLATURE[each].unit == NOMENCLATURE[name].unit]
     is_open = meaning.has_remedy and (meaning.problem or len(alike) > 1)
     meant = [headed(each, unit_text or "UNIT") for each in alike] if is_open else ()
     is_symbol = is_symbol and not unit and not meaning.problem and name not in words.RATIOS
-    return Reading(name, unit_text, "", is_symbol, meaning.problem, meant)
+    return Reading(name, unit_text, "", is_symbol, meaning.problem, meant, alike if is_open else ())
 
 
-def _of_part(text: str, measured: str) -> Reading | None:
-    """Return the meaning of a header of a part of an uncertainty, without a name if it is ± alone, if it is one."""
-    plain = re.sub(words.PERCENT, "", text)
-    share = "%" if plain != text else ""
-    if (mark := re.search(words.PART, plain)) is None:
-        return None
+def _of_part(text: str, measured: str) -> Reading:
+    """Return the meaning of a header that tells of the spread of a value, without a name if that is at its left.
+
+    What is no certain form of an uncertainty is UNREAD. Of any other header, the reading has no part.
+    """
+    factor = re.search(words.COVERAGE, text)
+    plain = re.sub(words.COVERAGE, "", text)
+    bare = re.sub(words.PERCENT, "", plain)
+    share = "%" if bare != plain else ""
+    mark = re.search(words.PART, bare)
+    if mark is None or re.search(words.LEVEL, plain):
+        return _of_spread(text, measured)
     word = mark[0].strip(" _.").casefold()
     part = words.PARTS.get(word, "both")
-    rest = (plain[: mark.start()] + (mark[1] or "") + plain[mark.end() :]).strip(" _.")
+    rest = (bare[: mark.start()] + (mark[1] or "") + bare[mark.end() :]).strip(" _.")
+    coverage = float(factor[1].replace(",", ".")) if factor else 1.0
+    if not coverage or (re.search(words.EXPANDED, bare) and not factor):
+        return _unread(_without_spread(rest), measured)._replace(problem=_NO_FACTOR)
+    is_certain = bool(share) or not re.fullmatch(words.RELATIVE, word, re.IGNORECASE)
     if rest[:1] in ("", "[", "("):
         unit = share or rest[1:-1].strip()
-        is_alone = part == "both" and word not in ("σ", "sigma", "se") and (unit or not word.startswith("err"))
-        return Reading(unit_text=unit, part=part) if is_alone else None
+        is_certain &= part == "both" and word not in ("σ", "sigma", "se") and bool(unit or not word.startswith("err"))
+        return Reading(unit_text=unit, part="both", coverage=coverage) if is_certain else _unread(rest, measured)
     reading = reading_of(rest, measured)
-    is_value = reading.is_input and not reading.part and reading.name not in MATERIALS
-    return Reading(reading.name, share or reading.unit_text, part) if is_value else None
+    is_certain &= reading.is_input and not reading.part and reading.name not in MATERIALS
+    if not is_certain or (share and part != "both" and not fits(share, reading.name)):
+        return _unread(_without_spread(rest), measured)
+    of_symbol = words.symbols().get(spelt_out(rest), Meaning())
+    return Reading(reading.name, share or reading.unit_text, part, names=of_symbol.names, of=rest, coverage=coverage)
+
+
+def _of_spread(text: str, measured: str) -> Reading:
+    """Return the meaning of a header that tells of the spread of a value in a way that is not read."""
+    rest = re.sub(words.DIFFERENCE, "", text)
+    if re.search(words.SPREAD, rest) is None and rest == text:
+        return Reading()
+    return _unread(_without_spread(rest), measured)
+
+
+def _without_spread(text: str) -> str:
+    """Return a header without the words that tell of the spread of a value."""
+    rest = re.sub(words.OF_SPREAD, "", re.sub(words.SPREAD, "", text))
+    return re.sub(r"[\[(][\s_.,;%-]*[\])]", "", rest).strip(" _.,;:%-")
+
+
+def _unread(rest: str, measured: str) -> Reading:
+    """Return the meaning of a header that tells of the spread of the value that the rest of it names, if it is one."""
+    if rest[:1] in ("", "[", "(") or is_in_table(rest):
+        return Reading(unit_text=rest.strip("[]() "), part=UNREAD, problem=_SPREAD)
+    reading = reading_of(rest, measured)
+    if not reading.is_input or reading.part or reading.name in MATERIALS:
+        return Reading(of=rest)
+    names = words.symbols().get(spelt_out(rest), Meaning()).names
+    return Reading(reading.name, reading.unit_text, UNREAD, problem=_SPREAD, names=names, of=rest)
+
+
+def _scaled(text: str, measured: str) -> Reading | None:
+    """Return the refusal of a header of an input with a factor behind it, as in radius (nm) x 10; None for others."""
+    reading = reading_of(whole, measured) if (whole := re.sub(_FACTOR_BEHIND, "", text)) != text else Reading()
+    is_input = reading.is_input and not reading.is_symbol
+    return Reading(reading.name, problem=_FACTOR, has_suffix=True) if is_input else None
 
 
 def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading | None:
@@ -151,7 +234,7 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
         unit = re.sub(_FACTOR_OF_UNIT, "", split.unit) or split.unit
         bare = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
         if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
-            return Reading(reading.name, problem="a sign or a factor stands beside the word or its unit")
+            return Reading(reading.name, problem=_FACTOR)
         word, is_slip = _word_in(split.word, known, split.unit)
         word = word or (words.with_index(split.word) if split.unit else "")
         if not word:
@@ -167,16 +250,55 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
             is_other = is_shared and not unit_for(split.unit.casefold(), name)
             if meaning.problem or ((is_label or is_other) and not split.is_explicit):
                 return None
-            meant = [*map(headed, names if split.is_explicit else names[:1])] if split.unit[0].isalpha() else []
-            return Reading(name, problem=f"what stands behind {name} is not its unit", meant=meant)
+            of_body = names if split.is_explicit else names[:1]
+            meant = [*map(headed, of_body)] if split.unit[0].isalpha() and all(map(words.is_like_unit, tail)) else []
+            problem = f"what stands behind {name} is not its unit"
+            return Reading(name, problem=problem, meant=meant, names=of_body, has_suffix=True)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
-            is_beside = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
-            is_open = meaning.has_remedy and words.FUNCTIONS.isdisjoint(re.findall(r"[a-z]+", split.word.casefold()))
-            meant = [headed(each, (is_beside and unit_text) or "UNIT") for each in names if is_open]
-            return Reading(name, problem=meaning.problem or f"it may be {name}", meant=meant)
+            return _doubtful(split, word, meaning, names, unit_text, is_slip=is_slip)
     return None
+
+
+def _doubtful(
+    split: _Split, word: str, meaning: Meaning, names: Sequence[str], unit_text: str, *, is_slip: bool
+) -> Reading:
+    """Return the refusal of a header in which the word of an input stands beside others, or with a slip.
+
+    What may make another quantity of it is no advice.
+    """
+    name, others = names[0], _beside(split.word, word)
+    if re.search(_FACTOR_INSIDE, split.word):
+        return Reading(name, problem=_FACTOR)
+    problem, of_pair = meaning.problem or f"it may be {name}", words.PAIRS.get(name, "")
+    has_suffix = bool(others) and key(split.word).startswith(word)
+    is_neutral = others <= {
+        *words.NEUTRAL,
+        *PREFIXES,
+        spelt_out(NOMENCLATURE[name].symbol.removesuffix("1")).casefold(),
+    }
+    if of_pair and not words.OF_PAIR.isdisjoint(others):
+        names, problem, is_neutral = [name, of_pair], f"it may be {name} or {of_pair}", True
+    if not meaning.has_remedy or not words.FUNCTIONS.isdisjoint(others):
+        names = []
+    is_whole = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
+    meant = [headed(each, (is_whole and unit_text) or "UNIT") for each in names if is_neutral]
+    return Reading(name, problem=problem, meant=meant, names=names, has_suffix=has_suffix)
+
+
+def _beside(text: str, word: str) -> set[str]:
+    """Return the tokens of a text beside those of a word in it, or behind the first one, if that is its symbol."""
+    tokens = _tokens(text)
+    for first, last in combinations(range(len(tokens) + 1), 2):
+        if "".join(tokens[first:last]) == word:
+            return {*tokens[:first], *tokens[last:]}
+    return {*tokens[1:]}
+
+
+def _tokens(text: str) -> list[str]:
+    """Return the words in a text, in small letters."""
+    return re.findall(r"[a-z]+[12]?", _CUT.sub(" ", ascii_text(text).replace("'", "")).casefold())
 
 
 def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:
@@ -187,7 +309,7 @@ def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, b
     letters = key(text)
     if letters in known:
         return letters, False
-    tokens = re.findall(r"[a-z]+[12]?", _CUT.sub(" ", ascii_text(text).replace("'", "")).casefold())
+    tokens = _tokens(text)
     if words.OTHERS.isdisjoint(tokens):
         runs = ("".join(tokens[first:last]) for first, last in combinations(range(len(tokens) + 1), 2))
         if every := sorted((run for run in runs if run in known), key=len):
@@ -202,6 +324,7 @@ def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, b
 _MAX_SAID = 60  # columns that pass through and are named
 _OF_DIRECTIONS = r"(?i)\s*((G|nu|ν)_?(12|13|23|xy|xz|yz)|E_?3)(?![^\W_])"
 _MARKS = {"both": "± ", "minus": "− ", "plus": "+ ", "low": "from ", "high": "to "}
+_HEADER_AND_INPUT = r"(.*)(?<!\(k)(?<!\(k )=(.*)"  # but for (k=2)
 _ENDS = ("low", "high")
 _SHAPES = (("", "both"), ("", "minus", "plus"), ("",), _ENDS)  # of the columns of a value, by part
 _VALUE, _UNIT, _NO_UNIT = "value", "unit", "neither has a unit"  # kinds of cells
@@ -261,8 +384,9 @@ def stated_meanings(texts: Iterable[str], measured: str = "") -> dict[str, str]:
     """
     meanings: dict[str, str] = {}
     for text in texts:
-        head, is_pair, meaning = map(typed, text.rpartition("="))
-        if not is_pair or not head:
+        pair = re.fullmatch(_HEADER_AND_INPUT, text, re.DOTALL)
+        head, meaning = map(typed, pair.groups() if pair else ("", ""))
+        if not head:
             raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
         reading = reading_of(meaning, measured)
         if meaning and (not reading.is_input or reading.is_symbol or reading.meant):
@@ -287,32 +411,58 @@ def understood(
     columns have besides inputs. Raises BadTable.
     """
     for text in stated.keys() - {*map(typed, texts)}:
-        known = first_of([*map(_easy, texts)], _MAX_SAID)
-        raise BadTable(f"--column: the table has no column {quoted(text)}; it has {known}")
+        columns_of_table = first_of([*map(_easy, texts)], _MAX_SAID)
+        raise BadTable(f"--column: the table has no column {quoted(text)}; it has {columns_of_table}")
     heads = [meaning_of(text, [row[place] for row in rows], stated, measured) for place, text in enumerate(texts)]
     heads = [head._replace(place=place) for place, head in enumerate(_beside_others(heads, given))]
     inputs: dict[str, dict[str, Reading]] = {}  # by the part of the uncertainty, "" for the values
     for head in heads:
-        name, part = (head.name, head.part) if head.is_input else ("", head.text)
-        other = inputs.setdefault(name, {}).setdefault(part, head)
-        if other is not head and head.text.strip():
-            raise BadTable(f"header: of the columns {quoted(other.text)} and {quoted(head.text)} one must go")
-    inputs.pop("", None)
+        if head.is_input and (other := inputs.setdefault(head.name, {}).setdefault(head.part, head)) is not head:
+            raise _twice(other, head)
     used = {name: parts for name, group in inputs.items() if (parts := _used(name, group))}
     values = [head for parts in used.values() for part, head in parts.items() if part in ("", *_ENDS)]
     # A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
-    groups = [names for names in EXCLUSIVE if "work_of_adhesion" not in names and not used.keys().isdisjoint(names)]
-    held = {*used, *chain(*groups)}
+    groups = [each for each in EXCLUSIVE if "work_of_adhesion" not in each and not used.keys().isdisjoint(each)]
+    held, known = {*used, *chain(*groups)}, {*used, *given}
+    refused = [head for head in heads if head.problem and not _may_pass(head, held, known)]
     refused = [
-        head for head in heads
-        if head.problem and (head.name not in held or not {meant.split()[0] for meant in head.meant} <= {*held, *given})
-    ]  # fmt: skip
+        head._replace(meant=(), part=head.part or UNREAD) if head.has_suffix and head.name in used else head
+        for head in refused
+    ]
     refused += [head for head in map(_with_problem, values) if head.problem]
+    refused += [
+        head._replace(problem=_NOT_USED, meant=())
+        for name, parts in inputs.items()
+        for part, head in parts.items()
+        if name in known and part not in used.get(name, ())
+    ]
     if refused:
         raise _refusal(sorted(refused, key=lambda head: head.place))
     columns = [_column(name, parts) for name, parts in used.items()]
     materials = tuple(column for column in columns if column.name in MATERIALS)
     return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials)
+
+
+def _may_pass(head: Reading, held: Collection[str], known: Collection[str]) -> bool:
+    """Return whether a column that is not read may pass through, beside columns and options that give inputs.
+
+    It may where these decide on what it may be. What tells more of a value that is read may not.
+    """
+    return head.name in held and not _says_more(head, known) and {*head.names} <= {*held, *known}
+
+
+def _says_more(head: Reading, known: Collection[str]) -> bool:
+    """Return whether a column that is not read says more of an input that is known."""
+    return head.part == UNREAD or (head.has_suffix and head.name in known)
+
+
+def _twice(first: Reading, second: Reading) -> BadTable:
+    """Return the error of two columns that say the same."""
+    problem = f"header: of the columns {quoted(first.text)} and {quoted(second.text)} one must go"
+    if typed(first.text) == typed(second.text):
+        return BadTable(f"{problem}: rename it")
+    options = " or ".join(_option(head.text, "") for head in (second, first))
+    return BadTable(f"{problem}. Write {options} to pass it through")
 
 
 def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measured: str) -> Reading:
@@ -350,21 +500,71 @@ def _with_problem(head: Reading) -> Reading:
 
 
 def _beside_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator[Reading]:
-    """Iterate over heads as the others make them mean. ± alone is of the column at its left."""
+    """Iterate over heads as the others make them mean."""
     is_of_two = "radius2" in given or any(head.is_input and head.name == "radius2" for head in heads)
     moduli = [head for head in heads if head.name in ("youngs_modulus", "youngs_modulus2")]
     direction = next((head.text for head in heads if moduli and re.match(_OF_DIRECTIONS, head.text)), None)
-    for left, head in zip([Reading(), *heads], heads, strict=False):
-        if head.part and not head.name:
-            is_value = left.is_input and not left.part and left.name not in MATERIALS
-            is_of_left = is_value and (head.unit_text in ("", "%") or fits(head.unit_text, left.name))
-            yield head._replace(name=left.name if is_of_left else "")
+    values = {head.name: head for head in heads if head.is_input and not head.part}
+    ends = [head for head in heads if head.is_input and head.part in _ENDS and values.keys().isdisjoint(head.names)]
+    values = {head.name: head for head in ends} | values
+    left = Reading()
+    for head in heads:
+        left = left if head.part else head
+        if head.part or (head.of and not head.is_input):
+            yield _of_value(head, left, values, given)
         elif direction is not None and head in moduli and not head.is_stated:
             yield head._replace(problem=f"{quoted(direction)} beside it says that it is along a direction", meant=())
-        elif head.is_input and head.meant and not head.part and not is_of_two:
+        elif head.is_input and head.meant and not is_of_two:
             yield head._replace(problem="R may be the radius of a sphere or the reduced radius")
+        elif other := _uncertain_instead(head, values):
+            yield Reading(other, part=UNREAD, problem=_SPREAD.format(other), text=head.text, cell=head.cell)
         else:
             yield head
+
+
+def _of_value(head: Reading, left: Reading, values: Mapping[str, Reading], given: Collection[str]) -> Reading:
+    """Return a head that tells of the spread of a value, with the name of the input that the value is of.
+
+    Without a name, it is of the column at its left. A symbol may be that of several inputs, of which one is read; and a
+    column may have the name of another one, of which an option says what it means, with more behind it.
+    """
+    name, part = head.name, head.part
+    if not head.of and not name:
+        is_value = left.is_input and left.name not in MATERIALS and (part != UNREAD or is_number(head.cell or "0"))
+        name = left.name if is_value and (head.unit_text in ("", "%") or fits(head.unit_text, left.name)) else ""
+    elif name not in {*values, *given} and not head.is_stated:
+        others = [each for each in head.names if each in values]
+        name = others[0] if len(others) == 1 else name
+        stems = _stems(head.of)
+        for value in values.values():
+            if value.is_stated and not stems.isdisjoint(_stems(value.text)):
+                name, part = value.name, UNREAD
+    if part != UNREAD:
+        return head._replace(name=name)
+    if name not in {*values, *given}:
+        return (head.otherwise or Reading())._replace(text=head.text, cell=head.cell)
+    meant = [f"{_error_column(name, values)} (k=K)"] if head.problem == _NO_FACTOR and name in values else ()
+    return head._replace(name=name, part=part, problem=(head.problem or _SPREAD).format(name), meant=meant)
+
+
+def _error_column(name: str, values: Mapping[str, Reading]) -> str:
+    """Return the header of the uncertainty of an input, in the unit of its values."""
+    return headed(name, values[name].unit_text or "UNIT").replace(name, f"{name}_err", 1)
+
+
+def _stems(text: str) -> set[str]:
+    """Return the letters and digits of a header, and of what stands before its unit."""
+    splits = [
+        split for split in _splits(_plain(text)) if not split.unit or split.is_explicit or is_in_table(split.unit)
+    ]
+    return {re.sub(r"[\W_]+", "", split.word) for split in splits} - {""}
+
+
+def _uncertain_instead(head: Reading, values: Mapping[str, Reading]) -> str:
+    """Return the input whose uncertainty a head may be, as of Δγ, where it excludes the one that is read; else ""."""
+    text = _plain(head.text)
+    own = reading_of(text[1:]).name if text[:1] in "Δ∆" and head.is_input and not head.is_stated else ""
+    return own if own in values and any({own, head.name} <= {*names} for names in EXCLUSIVE) else ""
 
 
 def _used(name: str, heads: Mapping[str, Reading]) -> dict[str, Reading]:
@@ -375,7 +575,7 @@ def _used(name: str, heads: Mapping[str, Reading]) -> dict[str, Reading]:
     shape = next((shape for shape in _SHAPES if heads.keys() >= {*shape}), ())
     others = [head for part, head in heads.items() if part not in shape]
     is_end = "" not in heads and not heads.keys().isdisjoint(_ENDS)
-    if others and (is_end or any(head.is_stated for head in others)):
+    if others and ((is_end and not shape) or any(head.is_stated for head in others)):
         raise BadTable(
             f"header: {quoted(others[0].text)} alone is no uncertainty of {name}: values have a column of ± beside "
             "them, or two, of minus and plus; a range has low and high alone"
@@ -387,15 +587,18 @@ def _column(name: str, parts: Mapping[str, Reading]) -> Column:
     """Return the column of an input; without a unit its cells carry their own, or they are a ratio. Raises BadTable."""
     of_ratio = ("1", "-") if NOMENCLATURE[name].unit == "1" else ()
     units = {part: "" if head.unit_text in of_ratio else head.unit_text for part, head in parts.items()}
+    factors = {head.coverage for part, head in parts.items() if part}
     error_unit = units.pop("both", "")
     unit_text = next(filter(None, units.values()), "")
-    if not {*units.values()} <= {"", unit_text}:
+    if not {*units.values()} <= {"", unit_text} or len(factors) > 1:
         columns = listed(quoted(head.text) for head in parts.values())
-        raise BadTable(f"header: the columns {columns} must have the same unit")
+        what = "coverage factor" if len(factors) > 1 else "unit"
+        raise BadTable(f"header: the columns {columns} must have the same {what}")
     unit = unit_of(unit_text, name) if unit_text else None
     sides = tuple((part, head.place) for part, head in parts.items() if part)
     first = next(iter(parts.values()))
-    return Column(first.place, name, unit_text, unit, sides, error_unit if error_unit != unit_text else "")
+    error_unit = error_unit if error_unit != unit_text else ""
+    return Column(first.place, name, unit_text, unit, sides, error_unit, max(factors, default=1.0))
 
 
 # --- What is refused --------------------------------------------------------------------------------------------------
@@ -403,19 +606,23 @@ def _column(name: str, parts: Mapping[str, Reading]) -> Column:
 
 def _refusal(heads: Sequence[Reading]) -> BadTable:
     """Return the error of columns that may be inputs and cannot be read."""
-    ways = [
-        " or ".join(_option(head.text, meant) for meant in head.meant)
-        or f"a column {headed(head.name)} in place of {quoted(head.text)}"
-        for head in heads if head.name
-    ]  # fmt: skip
+    ways = [*filter(None, map(_way, heads))]
     if any(head.problem == _UNIT for head in heads):
         return BadTable(f"header: the first row has units. Delete it, and write {' '.join(ways)}")
     cells = [f" (first cell {quoted(head.cell)})" if head.cell else "" for head in heads]
     problems = [f"{quoted(head.text)}{cell}: {head.problem}" for head, cell in zip(heads, cells, strict=True)]
     passing = f"{' '.join(_option(head.text, '') for head in heads)} to pass {'them' if heads[1:] else 'it'} through"
-    mark = " " if all(len(head.meant) == 1 for head in heads) else "; "  # options that can be typed together
+    mark = " " if all(len(head.meant) < 2 for head in heads) else "; "  # options that can be typed together
     remedies = ", or ".join(filter(None, [mark.join(ways), passing]))
     return BadTable(f"header: {'; '.join(problems)}. Write {remedies}")
+
+
+def _way(head: Reading) -> str:
+    """Return what to write for a column that may be an input; "" where nothing is certain."""
+    if head.meant:
+        return " or ".join(_option(head.text, meant) for meant in head.meant)
+    is_value = head.name and not head.part and head.problem != _FACTOR
+    return f"a column {headed(head.name)} in place of {quoted(head.text)}" if is_value else ""
 
 
 def _option(text: str, meaning: str) -> str:

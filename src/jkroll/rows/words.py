@@ -7,13 +7,21 @@ from itertools import groupby
 from typing import NamedTuple
 
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, SYNONYMS
-from ..quantities.units import SUPERSCRIPTS, BadUnit, dimension_of, is_in_table
+from ..quantities.units import PREFIXES, SUPERSCRIPTS, BadUnit, dimension_of, is_in_table
+from ..quantities.values import unit_meant
 from ..text import ascii_text
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
 SYMBOLS_TOO = {"E": "energy", "Er": "contact_modulus", "W": "work_of_adhesion"}  # what symbols mean besides
-SYMBOLS_TOO |= {"SFE": "surface_energy", "rad": "radius", "vimp": "speed", "YM": "youngs_modulus", "AH": "hamaker"}
+SYMBOLS_TOO |= {
+    "SFE": "surface_energy",
+    "rad": "radius",
+    "Ered": "contact_modulus",
+    "vimp": "speed",
+    "YM": "youngs_modulus",
+    "AH": "hamaker",
+}
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
@@ -60,17 +68,22 @@ OTHERS = {
     storage loss dynamic complex flexural bending section rupture resilience polar dispersive water liquid
     hydrodynamic pore crater capillary meniscus kelvin""".split()
 }
-# Beside a word they make it a function or a statistic of the quantity: log radius, radius change.
-FUNCTIONS = {*"""log ln lg exp inv inverse reciprocal sqrt delta change difference relative normalized variance cv std
-    stdev stderr sd sem se err error unc uncertainty sigma deviation residual fit ci""".split()}  # fmt: skip
+# Beside a word they leave it what it is: of which body it is, and the mean of several.
+NEUTRAL = {*"""mean average avg nominal measured applied indentation particle particles sphere spheres grain grains bead
+    beads monomer monomers tip probe indenter sample surface wall substrate plate body solid target projectile first
+    second s""".split()}  # fmt: skip
+# Beside a word they make it a function of the quantity.
+FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
+# Beside a word they make it that of the pair.
+OF_PAIR = {*"equivalent effective reduced combined composite harmonic".split()}
+PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
     family label tag index step count counts cell rank source ref reference url doi note notes comment comments desc
     description quality flag status unit units method model formula cost price date color colour grade out
     ratio lit dft calc""".split()}  # fmt: skip
 INDICES = ("in", "bar")  # in no brackets they may mean inside and mean
-_ERRORS = "err error std stdev sd sem se unc uncertainty".split()  # words of an uncertainty to both sides
-# Words of its other parts: of one side, and of the ends of a range.
+# Parts of an uncertainty besides both sides: one side, and the ends of a range.
 PARTS = {
     "minus": "minus",
     "plus": "plus",
@@ -78,11 +91,34 @@ PARTS = {
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
 # Forms of an uncertainty in a header. The patterns are made when one is first held against them: most tables need none.
-PERCENT = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"  # of the value
-_ERROR = "|".join([r"(?:standard|std?)[\s_.]*dev(?:iation)?\.?", *_ERRORS])
+PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # of the value
+LEVEL = r"\d\s*(?:%|percent|pct)"  # of confidence
+COVERAGE = r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"  # the factor of an expanded one
+EXPANDED = r"^U(?![^\W_])|(?i:expanded)"
+_ERROR = "|".join([
+    r"(?:standard|std?)[\s_.]*(?:dev(?:iation)?|err(?:or)?|unc(?:ertainty)?)\.?", r"(?:expanded[\s_.]+)?uncertainty",
+    *"stderr error err stdev std sd sem se unc".split(),
+])  # fmt: skip
+RELATIVE = (
+    rf"rsd|cv|coefficient[\s_.]of[\s_.]variation|rel(?:ative|\.)?[\s_.]+(?:{_ERROR})"  # in percent, if that is said
+)
 PART = (
-    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
-    rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
+    rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
+    rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
+)
+# What else says something of the spread of a value, and, beside that or beside the value, belongs to it.
+_SPREADS = "errors stdv dev deviation uncert sigma var variance ci iqr mad rmse".split()
+_OF_SPREADS = """of the rel relative delta change difference lo hi minimum maximum neg pos standard expanded coverage
+    confidence credible interval level limit limits bound bounds half full width range spread scatter tolerance tol
+    accuracy precision resolution residual fit rms quartile quantile percentile th u""".split()
+_SPREAD = "|".join([RELATIVE, _ERROR, *sorted([*_SPREADS, *PARTS], key=len, reverse=True)])
+SPREAD = (
+    rf"(?i)(?:(?<![^\W_])\d+)?(?:(?<![^\W\d_])(?:{_SPREAD})|(?:{_SPREAD})(?![^\W\d_]))\d*"
+    r"|\d+(?:\.\d+)?\s*(?:%|percent|pct|σ)|[±σ]|\+/?-"
+)
+OF_SPREAD = rf"(?i)(?<![^\W\d_])(?:{'|'.join(_OF_SPREADS)}|[qp]\d+)(?![^\W\d_])|(?<![^\W_])k\s*=\s*[\d.,]+"
+DIFFERENCE = (
+    r"^(?:(?i:delta|d|u)(?=[\s_(])|[Δδ]\s*(?=[^\W\d_])|d(?=[^\W\d_]))"  # before a symbol, mostly its uncertainty
 )
 
 _WORD = re.compile(r"[^\W\d_](?:[\w\s.'-]*[\w\s.-])?")
@@ -202,7 +238,8 @@ def fits(unit_text: str, name: str) -> bool:
     if unit == "1" and unit_text in ("1", "-"):
         return True
     try:
-        return bool(unit and unit_text) and dimension_of(unit_text) == dimension_of(unit)
+        dimension = dimension_of(unit)
+        return bool(unit and unit_text) and unit_meant(unit_text, dimension)[2] == dimension
     except BadUnit:
         return False
 
@@ -224,6 +261,11 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
         is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.removesuffix("1").casefold()
         units = [unit for unit in units if unit == text or not (is_symbol or unit[1:2].islower())]
     return next((unit for unit in units if fits(unit, name)), "")
+
+
+def is_like_unit(token: str) -> bool:
+    """Return whether a word in small letters may be of a unit or a symbol, or says of which body a quantity is."""
+    return token in NEUTRAL or token in PREFIXES or any(unit.startswith(token) for unit in units_by_letters())
 
 
 def headed(name: str, unit_text: str = "UNIT") -> str:
