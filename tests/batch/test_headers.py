@@ -152,7 +152,7 @@ REFUSED = {
     **dict.fromkeys(("γ- [mJ/m2]", "γ⁺ (mJ/m²)", "γ⁻ (mJ/m²)", "gamma- [mJ/m2]", "$\\gamma^{-}$ [mJ/m2]"), _FACTOR),
 }
 PASSING = (
-    "E | E- | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | v_c | w | radius_in | load_case | "
+    "E | E- | v | rho | g | N | phi | R [kOhm] | E_bar | R_m | v_c | w | load_case | "
     "material_3 | velocity_x (m/s) | bulk modulus (GPa) | 1/radius [1/nm] | T [K] | "
     "gamma_err [mJ/m2] | F (nN) | P [MPa] | pull_off_force [N] | material_name | "
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
@@ -461,12 +461,15 @@ def test_an_uncertainty_says_where_it_is_read_from() -> None:
 # What may be an uncertainty of γ or says more of it, and is not read: the result's ± would be without it.
 _UNREAD = """
 gamma_err_low | gamma_err_high [mJ/m2] | gamma_var | gamma_variance | gamma_cv | gamma_ci | gamma 95% CI | gamma_95ci |
-gamma_sigma | gamma_iqr | gamma_q1 | gamma_mad [mJ/m2] | gamma_rel_err | gammaErr [mJ/m2] | gammaerr | std_γ_fit | SE |
+gamma_sigma | gamma_iqr | gamma_q1 | gamma_mad [mJ/m2] | gamma_rel_err | relative error of gamma |
+rel. std of gamma [mJ/m2] | gammaErr [mJ/m2] | gammaerr | std_γ_fit | SE |
 error | σ | 95% CI | CI | lower | upper (95%) | variance | RSD | CV | ± (95% CI) | uncertainty (95%) | SD (95% CI) |
 std (10%) | gamma ± (95% CI) | gamma_std (10 %) | uncertainty (95 percent) | U(γ) | U(γ) [mJ/m2] |
 expanded uncertainty | gamma_minus | gamma_plus [mJ/m2] | gamma_min | gamma_max [mJ/m2] | gamma_lower |
 gamma_minus [%] | gamma- | gamma+ [mJ/m2] | Δγ | Δγ [mJ/m2] | delta gamma | d_gamma [mJ/m2] | u_γ [mJ/m2] | gamma_mean |
-gamma_median [mJ/m2] | gamma_n | gamma_old | gamma (fit) [mJ/m2] | gamma (k=2)
+gamma_median [mJ/m2] | gamma_n | gamma_old | gamma_in | gamma_u | gamma_3 [mJ/m2] | se(gamma) |
+stderr(γ), mJ/m2 | deviation of gamma | errors_gamma | range of gamma | accuracy (gamma) % | gamma-error [mJ/m2] |
+ gamma (fit) [mJ/m2] | gamma (k=2)
 """
 
 
@@ -519,10 +522,19 @@ def test_a_coverage_factor_is_asked_for_and_read() -> None:
         understood(["gamma [mJ/m2]", "gamma_minus (k=2)", "gamma_plus"])
 
 
+def test_a_relative_error_in_per_cent_of_what_is_in_per_cent_is_refused() -> None:
+    """It may be 5 % of 40 %, or 40 ± 5 %."""
+    for other in ("filling_factor_rsd [%]", "relative error (%)", "CV of filling_factor [%]"):
+        with pytest.raises(BadTable, match=re.escape(f"--column '{other}='")):
+            understood(["filling_factor [%]", other])
+    (column,) = understood(["filling_factor", "filling_factor_rsd [%]"]).inputs
+    assert column.read(column.joined("0.4", "5")) == Measured(0.4, 0.02)
+
+
 def test_per_cent_is_no_unit_of_a_length() -> None:
     """A range in % is none of a radius; of a ratio it is one."""
     for given in ([], ["radius"]):
-        with pytest.raises(BadTable, match=re.escape("'radius_min [%]': ")):
+        with pytest.raises(BadTable, match=re.escape("'radius_min [%]' and 'radius_max [%]': ")):
             understood(["radius_min [%]", "radius_max [%]", "gamma [mJ/m2]"], given=given)
     (column,) = understood(["filling_factor_min [%]", "filling_factor_max [%]"]).inputs
     assert column.read(column.joined("10", "20")) == Interval(0.15, 0.1, 0.2)

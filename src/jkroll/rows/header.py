@@ -38,7 +38,7 @@ class Reading(NamedTuple):
     names: Sequence[str] = ()  # the inputs that it may be of
     of: str = ""  # the header without what it says of the spread of a value
     otherwise: "Reading | None" = None  # of an UNREAD part: the meaning where that value is not read
-    has_suffix: bool = False  # what stands behind the word of the input is not read
+    is_relative: bool = False  # of a part: it is of the value, even where that is in % itself
     coverage: float = 1.0  # the uncertainty in standard ones
     is_stated: bool = False  # by an option
     place: int = 0  # in a table
@@ -69,6 +69,7 @@ _SPELT = str.maketrans(
     "’‘“”″∕⁄₀₁₂Ø⌀【〔「⟨«‹】〕」⟩»›\\", '\'\'"""//012DD[[[[[[]]]]]] ', "$\u00ad\u200b\u200c\u200d\u200e\u200f\ufeff"
 )
 UNREAD = "unread"
+_SUFFIXES = ("", "%", "u", "in", "min")  # which are no units behind a word: a share, an uncertainty, inside, a minimum
 _SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")  # behind a word, as in γ+ and γ- [mJ/m2]
 _PLUS_MINUS = re.compile(r"\+\s?/?\s?[-−]")
 _LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m], with the marks above
@@ -84,6 +85,7 @@ _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)
 _FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²³⁴⁵⁶⁷⁸⁹⁻−-]*\)?$"  # as in radius (nm) x 10
 _FACTOR_INSIDE = r"(?<![\w.^])\d[\d.]*[*·×]?(?=[^\W\d_])"  # as in w=2γ
 _FACTOR = "a sign or a factor stands beside the word or its unit"
+_LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # where words were taken away
 _SPREAD = "it may be an uncertainty of {0}, of which the columns are {0}_err, or {0}_minus and {0}_plus"
 _NO_FACTOR = "it is an expanded uncertainty, and its coverage factor k is missing"
 _NOT_USED = "a value has one column of ±, or two, of minus and plus; a range has those of its ends alone"
@@ -177,55 +179,67 @@ def _of_part(text: str, measured: str) -> Reading:
     mark = re.search(words.PART, bare)
     if mark is None or re.search(words.LEVEL, plain):
         return _of_spread(text, measured)
-    word = mark[0].strip(" _.").casefold()
+    word = re.sub(r"\s+of$", "", mark[0].strip(" _.").casefold())
     part = words.PARTS.get(word, "both")
     rest = (bare[: mark.start()] + (mark[1] or "") + bare[mark.end() :]).strip(" _.")
     coverage = float(factor[1].replace(",", ".")) if factor else 1.0
     if not coverage or (re.search(words.EXPANDED, bare) and not factor):
-        return _unread(_without_spread(rest), measured)._replace(problem=_NO_FACTOR)
-    is_certain = bool(share) or not re.fullmatch(words.RELATIVE, word, re.IGNORECASE)
-    if rest[:1] in ("", "[", "("):
-        unit = share or rest[1:-1].strip()
+        return _unread(rest, measured)._replace(problem=_NO_FACTOR)
+    is_relative = re.fullmatch(words.RELATIVE, word, re.IGNORECASE) is not None
+    is_certain = bool(share) or not is_relative
+    in_brackets = re.fullmatch(r"[\[(](.*)[\])]|", rest)
+    if in_brackets and _is_unit(unit := (in_brackets[1] or "").strip()):
+        unit = share or unit
         is_certain &= part == "both" and word not in ("σ", "sigma", "se") and bool(unit or not word.startswith("err"))
-        return Reading(unit_text=unit, part="both", coverage=coverage) if is_certain else _unread(rest, measured)
+        reading = Reading("", unit, "both") if is_certain else Reading("", unit, UNREAD, problem=_SPREAD)
+        return reading._replace(coverage=coverage, is_relative=is_relative)
     reading = reading_of(rest, measured)
     is_certain &= reading.is_input and not reading.part and reading.name not in MATERIALS
     if not is_certain or (share and part != "both" and not fits(share, reading.name)):
-        return _unread(_without_spread(rest), measured)
+        return _unread(rest, measured)
     of_symbol = words.symbols().get(spelt_out(rest), Meaning())
-    return Reading(reading.name, share or reading.unit_text, part, names=of_symbol.names, of=rest, coverage=coverage)
+    read = Reading(reading.name, share or reading.unit_text, part, names=of_symbol.names, of=rest)
+    return read._replace(coverage=coverage, is_relative=is_relative)
 
 
 def _of_spread(text: str, measured: str) -> Reading:
     """Return the meaning of a header that tells of the spread of a value in a way that is not read."""
-    rest = re.sub(words.DIFFERENCE, "", text)
-    if re.search(words.SPREAD, rest) is None and rest == text:
-        return Reading()
-    return _unread(_without_spread(rest), measured)
+    if re.search(words.SPREAD, text):
+        return _unread(text, measured, text)
+    is_beside = re.search(words.SPREAD_BESIDE, text) or re.search(words.DIFFERENCE, text)
+    reading = _unread(re.sub(words.DIFFERENCE, "", text), measured, text) if is_beside else Reading()
+    return reading if reading.name else Reading()
 
 
-def _without_spread(text: str) -> str:
-    """Return a header without the words that tell of the spread of a value."""
-    rest = re.sub(words.OF_SPREAD, "", re.sub(words.SPREAD, "", text))
-    return re.sub(r"[\[(][\s_.,;%-]*[\])]", "", rest).strip(" _.,;:%-")
+def _unread(text: str, measured: str, whole: str = "") -> Reading:
+    """Return the meaning of a header with words of a spread: UNREAD, of the input that the rest of it means.
+
+    `whole`: the header itself, which is no rest of it.
+    """
+    rest = text
+    for pattern in (words.SPREAD, words.SPREAD_BESIDE, words.FILLER, words.SHARE):
+        rest = re.sub(_LEFT_OVER, " ", re.sub(pattern, " ", rest)).strip(" _.,;:-")
+        for inner in (rest, rest.replace("(", "", 1).replace(")", "", 1)):  # as in SE(γ)
+            reading = reading_of(inner, measured) if inner != whole else Reading()
+            if reading.is_input and not reading.part and reading.name not in MATERIALS:
+                names = words.symbols().get(spelt_out(inner), Meaning()).names
+                return Reading(reading.name, reading.unit_text, UNREAD, problem=_SPREAD, names=names, of=inner)
+    unit = rest.removeprefix("in ").strip("[]()/ ")
+    if _is_unit(unit):
+        return Reading(unit_text=unit, part=UNREAD, problem=_SPREAD)
+    return Reading(of=rest)
 
 
-def _unread(rest: str, measured: str) -> Reading:
-    """Return the meaning of a header that tells of the spread of the value that the rest of it names, if it is one."""
-    if rest[:1] in ("", "[", "(") or is_in_table(rest):
-        return Reading(unit_text=rest.strip("[]() "), part=UNREAD, problem=_SPREAD)
-    reading = reading_of(rest, measured)
-    if not reading.is_input or reading.part or reading.name in MATERIALS:
-        return Reading(of=rest)
-    names = words.symbols().get(spelt_out(rest), Meaning()).names
-    return Reading(reading.name, reading.unit_text, UNREAD, problem=_SPREAD, names=names, of=rest)
+def _is_unit(text: str) -> bool:
+    """Return whether a text may be the unit of a column whose header names no input, or is none."""
+    return text.strip() in ("", "1", "-") or is_in_table(text.strip())
 
 
 def _scaled(text: str, measured: str) -> Reading | None:
     """Return the refusal of a header of an input with a factor behind it, as in radius (nm) x 10; None for others."""
     reading = reading_of(whole, measured) if (whole := re.sub(_FACTOR_BEHIND, "", text)) != text else Reading()
     is_input = reading.is_input and not reading.is_symbol
-    return Reading(reading.name, problem=_FACTOR, has_suffix=True) if is_input else None
+    return Reading(reading.name, problem=_FACTOR) if is_input else None
 
 
 def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading | None:
@@ -253,7 +267,7 @@ def _refused(splits: Sequence[_Split], known: Mapping[str, Meaning]) -> Reading 
             of_body = names if split.is_explicit else names[:1]
             meant = [*map(headed, of_body)] if split.unit[0].isalpha() and all(map(words.is_like_unit, tail)) else []
             problem = f"what stands behind {name} is not its unit"
-            return Reading(name, problem=problem, meant=meant, names=of_body, has_suffix=True)
+            return Reading(name, problem=problem, meant=meant, names=of_body)
         unit_text = unit_for(split.unit, name, is_explicit=split.is_explicit and is_in_table(split.unit))
         is_telling = is_slip and len(word) > 4 and name not in MATERIALS and not split.unit
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
@@ -272,7 +286,6 @@ def _doubtful(
     if re.search(_FACTOR_INSIDE, split.word):
         return Reading(name, problem=_FACTOR)
     problem, of_pair = meaning.problem or f"it may be {name}", words.PAIRS.get(name, "")
-    has_suffix = bool(others) and key(split.word).startswith(word)
     is_neutral = others <= {
         *words.NEUTRAL,
         *PREFIXES,
@@ -284,7 +297,7 @@ def _doubtful(
         names = []
     is_whole = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled
     meant = [headed(each, (is_whole and unit_text) or "UNIT") for each in names if is_neutral]
-    return Reading(name, problem=problem, meant=meant, names=names, has_suffix=has_suffix)
+    return Reading(name, problem=problem, meant=meant, names=names)
 
 
 def _beside(text: str, word: str) -> set[str]:
@@ -424,11 +437,9 @@ def understood(
     # A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
     groups = [each for each in EXCLUSIVE if "work_of_adhesion" not in each and not used.keys().isdisjoint(each)]
     held, known = {*used, *chain(*groups)}, {*used, *given}
+    texts_of = {name: next(iter(parts.values())).text for name, parts in used.items()}
+    heads = [_with_suffix(head, {**dict.fromkeys(given, ""), **texts_of}, measured) for head in heads]
     refused = [head for head in heads if head.problem and not _may_pass(head, held, known)]
-    refused = [
-        head._replace(meant=(), part=head.part or UNREAD) if head.has_suffix and head.name in used else head
-        for head in refused
-    ]
     refused += [head for head in map(_with_problem, values) if head.problem]
     refused += [
         head._replace(problem=_NOT_USED, meant=())
@@ -443,17 +454,54 @@ def understood(
     return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials)
 
 
+def _with_suffix(head: Reading, known: Mapping[str, str], measured: str) -> Reading:
+    """Return a head that is not read, with a problem if it is the word of a known input with more behind it.
+
+    `known`: the headers of the inputs that columns give, and "" for those of options.
+    """
+    is_of_direction = re.match(_OF_DIRECTIONS, head.text) is not None
+    if head.is_input or head.part or head.is_stated or is_of_direction or head.cell[:1].isalpha():
+        return head
+    for split in _splits(_plain(head.text)):
+        if key(split.word) in words.meanings(measured):
+            meaning = words.meanings(measured)[key(split.word)]
+            if not meaning.names:
+                return head  # another quantity
+            names = [name for name in meaning.names if name in known and not meaning.problem]
+        else:
+            symbol = "" if split.is_explicit else _symbol(split.word)
+            names = [name for name, text in known.items() if symbol and symbol in map(_symbol, _words(text))]
+        if names and split.unit and not _is_told(split, names[0]):
+            problem = head.problem if head.name == names[0] else f"what stands behind {names[0]} is not read"
+            return head._replace(name=names[0], part=UNREAD, problem=problem, meant=())
+    return head
+
+
+def _words(text: str) -> list[str]:
+    """Return what stands before each place in a header at which a unit may begin, and all of it."""
+    return [split.word for split in _splits(_plain(text))]
+
+
+def _symbol(word: str) -> str:
+    """Return the symbol of an input, without the 1 of the first sphere; "" for another word."""
+    symbol = spelt_out(word).removesuffix("1")
+    return symbol if symbol in words.symbols() else ""
+
+
+def _is_told(split: _Split, name: str) -> bool:
+    """Return whether what stands behind the word of an input says that the column is of something else."""
+    units = [each.unit for each in (split, *_splits(split.unit)) if each.unit not in _SUFFIXES]
+    unit = max(filter(is_in_table, units), key=len, default="")
+    is_of_other = bool(unit) and not fits(unit, name)
+    return is_of_other or name in MATERIALS or not {*words.LABELS, *words.OTHERS}.isdisjoint(_tokens(split.unit))
+
+
 def _may_pass(head: Reading, held: Collection[str], known: Collection[str]) -> bool:
     """Return whether a column that is not read may pass through, beside columns and options that give inputs.
 
     It may where these decide on what it may be. What tells more of a value that is read may not.
     """
-    return head.name in held and not _says_more(head, known) and {*head.names} <= {*held, *known}
-
-
-def _says_more(head: Reading, known: Collection[str]) -> bool:
-    """Return whether a column that is not read says more of an input that is known."""
-    return head.part == UNREAD or (head.has_suffix and head.name in known)
+    return head.name in held and head.part != UNREAD and {*head.names} <= {*held, *known}
 
 
 def _twice(first: Reading, second: Reading) -> BadTable:
@@ -539,6 +587,8 @@ def _of_value(head: Reading, left: Reading, values: Mapping[str, Reading], given
         for value in values.values():
             if value.is_stated and not stems.isdisjoint(_stems(value.text)):
                 name, part = value.name, UNREAD
+    if head.is_relative and name in values and values[name].unit_text == "%":
+        part = UNREAD  # 5 % of 40 %, or 40 ± 5 %
     if part != UNREAD:
         return head._replace(name=name)
     if name not in {*values, *given}:
@@ -563,7 +613,9 @@ def _stems(text: str) -> set[str]:
 def _uncertain_instead(head: Reading, values: Mapping[str, Reading]) -> str:
     """Return the input whose uncertainty a head may be, as of Δγ, where it excludes the one that is read; else ""."""
     text = _plain(head.text)
-    own = reading_of(text[1:]).name if text[:1] in "Δ∆" and head.is_input and not head.is_stated else ""
+    rest = re.sub(words.DIFFERENCE, "", text)
+    is_difference = rest != text and head.is_input and not head.is_stated
+    own = reading_of(rest).name if is_difference else ""
     return own if own in values and any({own, head.name} <= {*names} for names in EXCLUSIVE) else ""
 
 
@@ -609,8 +661,11 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
     ways = [*filter(None, map(_way, heads))]
     if any(head.problem == _UNIT for head in heads):
         return BadTable(f"header: the first row has units. Delete it, and write {' '.join(ways)}")
-    cells = [f" (first cell {quoted(head.cell)})" if head.cell else "" for head in heads]
-    problems = [f"{quoted(head.text)}{cell}: {head.problem}" for head, cell in zip(heads, cells, strict=True)]
+    texts: dict[str, list[str]] = {}  # by the problem
+    for head in heads:
+        cell = f" (first cell {quoted(head.cell)})" if head.cell else ""
+        texts.setdefault(head.problem, []).append(f"{quoted(head.text)}{cell}")
+    problems = [f"{listed(each)}: {problem}" for problem, each in texts.items()]
     passing = f"{' '.join(_option(head.text, '') for head in heads)} to pass {'them' if heads[1:] else 'it'} through"
     mark = " " if all(len(head.meant) < 2 for head in heads) else "; "  # options that can be typed together
     remedies = ", or ".join(filter(None, [mark.join(ways), passing]))

@@ -92,6 +92,7 @@ PARTS = {
 }
 # Forms of an uncertainty in a header. The patterns are made when one is first held against them: most tables need none.
 PERCENT = r"(?i)(?<![\d\s_.,/])[\s_.,/]*[\[(]?(?:%|percent|pct)(?![a-z])[\])]?"  # of the value
+SHARE = r"(?i)[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?"
 LEVEL = r"\d\s*(?:%|percent|pct)"  # of confidence
 COVERAGE = r"(?i)[\s,;_]*[\[(]?\s*(?<![^\W_])k\s*=\s*(\d+(?:[.,]\d+)?)\s*[\])]?"  # the factor of an expanded one
 EXPANDED = r"^U(?![^\W_])|(?i:expanded)"
@@ -106,20 +107,23 @@ PART = (
     rf"(?i)^(?:u|σ|sigma)\s*\(([^()]+)\)|^(?:±|\+/?-)|^(?:σ|sigma|{RELATIVE}|{_ERROR})(?:\s+of)?(?=$|[\s_(\[])"
     rf"|[\s_.]*(?:±|\+/?-)(?=$|[\s_.,/(\[])|[\s_.]+(?:{RELATIVE}|{_ERROR}|{'|'.join(PARTS)})(?=$|[\s_.,/(\[])"
 )
-# What else says something of the spread of a value, and, beside that or beside the value, belongs to it.
-_SPREADS = "errors stdv dev deviation uncert sigma var variance ci iqr mad rmse".split()
-_OF_SPREADS = """of the rel relative delta change difference lo hi minimum maximum neg pos standard expanded coverage
-    confidence credible interval level limit limits bound bounds half full width range spread scatter tolerance tol
-    accuracy precision resolution residual fit rms quartile quantile percentile th u""".split()
-_SPREAD = "|".join([RELATIVE, _ERROR, *sorted([*_SPREADS, *PARTS], key=len, reverse=True)])
+# What else says something of the spread of a value; what does so beside the value alone; and what belongs to these.
+_SPREADS = "errors errm errp errorbar plusminus stdv dev deviation uncert sigma var variance ci iqr mad rmse".split()
+_SPREADS_BESIDE = """change difference lo hi minimum maximum neg pos confidence limit limits bound bounds range spread
+    scatter tolerance tol accuracy precision resolution residual rms quartile quantile percentile noise
+    fluctuation halfwidth half conf""".split()
+_FILLERS = """of the rel relative delta standard expanded coverage credible interval level full width fit th u mean
+    median stat statistical syst systematic sys combined total bar bars""".split()
+_SPREAD = "|".join([RELATIVE, _ERROR, *_SPREADS, *PARTS])
+_LETTER = r"[^\W\d_]"
 SPREAD = (
-    rf"(?i)(?:(?<![^\W_])\d+)?(?:(?<![^\W\d_])(?:{_SPREAD})|(?:{_SPREAD})(?![^\W\d_]))\d*"
-    r"|\d+(?:\.\d+)?\s*(?:%|percent|pct|σ)|[±σ]|\+/?-"
+    rf"(?i)(?:(?<![^\W_])\d+)?(?:(?<!{_LETTER})(?:{_SPREAD})(?!{_LETTER})|(?<!{_LETTER})(?:{_SPREAD})"
+    rf"|(?:{_SPREAD})(?!{_LETTER}))\d*|\d+(?:\.\d+)?\s*(?:%|percent|pct|σ)|[±σ]|\+/?-"
 )
-OF_SPREAD = rf"(?i)(?<![^\W\d_])(?:{'|'.join(_OF_SPREADS)}|[qp]\d+)(?![^\W\d_])|(?<![^\W_])k\s*=\s*[\d.,]+"
-DIFFERENCE = (
-    r"^(?:(?i:delta|d|u)(?=[\s_(])|[Δδ]\s*(?=[^\W\d_])|d(?=[^\W\d_]))"  # before a symbol, mostly its uncertainty
-)
+SPREAD_BESIDE = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_SPREADS_BESIDE)}|[qp]\d+)(?!{_LETTER})"
+FILLER = rf"(?i)(?<!{_LETTER})(?:{'|'.join(_FILLERS)})(?!{_LETTER})|(?<![^\W_])k\s*=\s*[\d.,]+"
+# Before a symbol, mostly of its uncertainty.
+DIFFERENCE = rf"^(?:(?i:delta|d|u)(?=[\s_(])|[Δδ](?=[\s_(]*{_LETTER})|d(?={_LETTER}))"
 
 _WORD = re.compile(r"[^\W\d_](?:[\w\s.'-]*[\w\s.-])?")
 
