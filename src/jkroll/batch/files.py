@@ -369,7 +369,7 @@ class Delimited:
         records = self._cut(text, table.places) or self._read(text, table.places)
         if self.has_decimal_commas:
             return _with_decimal_points(records)
-        return _without_unclear(records) if self.is_open else records
+        return _without_unclear(records) if self.is_open and b"." in text else records
 
     def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
         """Cut lines without quotes that have the right width at their separators; None if there are others."""
