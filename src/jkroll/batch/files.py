@@ -496,7 +496,7 @@ def _without_unclear(records: Records) -> Records:
     """Return records of a table whose decimal mark is open. A point that may be of thousands spoils its row."""
     odd = dict(records.odd)
     for name, column in records.cells.items():
-        if name in MATERIALS or b"." not in b"".join(column):
+        if is_of_text(name) or b"." not in b"".join(column):
             continue
         for row, cell in enumerate(column):
             if number := _OF_THOUSANDS.search(cell):
