@@ -5,6 +5,7 @@ import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
+from functools import partial
 from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,6 +15,7 @@ import numpy as np
 
 import jkroll.batch.run
 import jkroll.rows.columns
+from frames import outcomes
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.call import Call
@@ -21,13 +23,13 @@ from jkroll.cli.process import read
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
-from jkroll.rows.columns import ROW, SIDES, Block, Columns, Row, Wanted, evaluated
+from jkroll.rows.columns import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
 from jkroll.rows.infer import Problems
 from jkroll.rows.sweep import Sweep
 from jkroll.rows.table import Table
 from jkroll.scene.alternatives import at_least_measured, at_most_measured
 from jkroll.scene.doubts import LIMITS, NOT_JUDGED, Limit
-from jkroll.scene.failures import Failure
+from jkroll.scene.failures import Failure, NoErrorBar
 from jkroll.scene.scene import LEAST, Scene
 from jkroll.scene.uncertainty import sources_of
 from questions import Ask, Sheet
@@ -65,13 +67,19 @@ def rows_of(every: Sequence[Columns]) -> Rows:
     values, doubts, reasons, status = [], [], [], []
     for columns in every:
         numbers = {key: np.asarray(columns.column(key), dtype=float).tolist() for key in found.keys}
-        statuses = columns.status
         for row in range(len(columns)):
             values.append({key: own[row] for key, own in numbers.items() if not math.isnan(own[row])})
             doubts.append(int(columns.doubts[row]))
-            reasons.append(dict(columns.reasons.get(row, {})))
-            status.append(statuses.get(row, ""))
+            gap = columns.gap_of(row)
+            reasons.append({} if gap is None else dict(_by_key(gap.reasons)))
+            status.append("" if gap is None else gap.phrase)
     return Rows(found.keys, values, doubts, reasons, status)
+
+
+def _by_key(reasons: Mapping[str, JkrollError]) -> Iterator[tuple[str, JkrollError]]:
+    """Iterate over reasons; that of a value without an error bar has the key of a side."""
+    for name, error in reasons.items():
+        yield f"{name}_{SIDES[0]}" if isinstance(error, NoErrorBar) else name, error
 
 
 def side_of(key: str) -> str:
@@ -118,7 +126,11 @@ def of_list(ask: Ask, *, by_arrays: bool, alternatives: bool = False) -> Rows:
         wanted = sweep.wanted(question.quantities, question.named)
         if alternatives:
             wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
-        return rows_of([*sweep.columns(wanted)])
+        rows = rows_of([*sweep.columns(wanted)])
+    if by_arrays:
+        return rows
+    each = rows_of([of_single_row(wanted, wanted.results(scene)) for scene in sweep.scenes()])
+    return rows._replace(reasons=each.reasons)
 
 
 def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
@@ -176,9 +188,11 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
 
     def observed(wanted: Wanted, block: Block) -> Columns:
         arrays.append(evaluated(wanted, block))
-        rows = [_defined(wanted, block, place) for place in range(block.size)]
-        floats.append(Columns.of_rows(wanted, [row for row, _ in rows]))
-        scenes.extend(scene for _, scene in rows)
+        for place in range(block.size):
+            alone = Columns(wanted, 1, few=True)
+            floats.append(alone)
+            put_single_rows(alone, partial(_at, block, place), [0])
+            scenes.append(_scene_of(block, place))
         return arrays[-1]
 
     def of_sample(columns: Any, rows: Any, *others: Any, **options: Any) -> Any:
@@ -194,14 +208,18 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
         return Converted(rows_of(arrays), [*csv.DictReader(file)], rows_of(floats), scenes)
 
 
-def _defined(wanted: Wanted, block: Block, place: int) -> tuple[Row, Scene | None]:
-    """Return a row of a block by floats, and its scene."""
-    scene = None
+def _at(block: Block, place: int, _: int) -> Scene:
+    scene: Scene = block.scene_of(place)
+    return scene
+
+
+def _scene_of(block: Block, place: int) -> Scene | None:
+    """Return a row of a block as a scene; None for one that is no scene."""
     try:
-        scene = block.scene_of(place)
-        return wanted.row(wanted.evaluation(scene)), scene
-    except JkrollError as error:
-        return Row({}, [math.nan] * len(wanted.keys), 0, {ROW: error}), scene
+        scene: Scene = block.scene_of(place)
+        return scene
+    except JkrollError:
+        return None
 
 
 # --- What may differ --------------------------------------------------------------------------------------------------
@@ -243,7 +261,7 @@ def sides_agree(scene: Scene, name: str, one: float | None, other: float | None)
     None, for no influence, is as good as one that is only rounding.
     """
     error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0) + _rounding(scene, name)
-    value = scene.evaluate((name,))[name]
+    value = outcomes(scene, (name,))[name]
     numbers = [number for number in (one, other) if number is not None]
     if len(numbers) == 2:
         return abs(numbers[0] - numbers[1]) <= error
@@ -251,7 +269,7 @@ def sides_agree(scene: Scene, name: str, one: float | None, other: float | None)
 
 
 def _error(scene: Scene, name: str) -> float:
-    value = scene.evaluate((name,))[name]
+    value = outcomes(scene, (name,))[name]
     return abs(value) * STATED * ULP * (1 + _condition(scene, name, value)) if isinstance(value, float) else 0.0
 
 
@@ -277,11 +295,11 @@ def bits_agree(scene: Scene, names: Sequence[str], one: int, other: int) -> bool
 def _is_at_threshold(limit: Limit, scene: Scene, names: Sequence[str]) -> bool:
     """Return whether what a limit judges, a number or the factor between two laws, is at a threshold."""
     if limit.factor is not None:
-        factor = limit.factor(scene, names)
+        factor = limit.factor(scene, scene.columns(names))
         laws = scene, scene.by_law
         error = STATED * ULP * sum(1 + _condition(law, *item) for law in laws for item in law.numbers(*names).items())
         return any(abs(factor - threshold) <= error * threshold for threshold in limit.codes)
-    value = scene.evaluate((limit.name,))[limit.name]
+    value = outcomes(scene, (limit.name,))[limit.name]
     if isinstance(value, JkrollError):
         return False
     return any(agree(scene, limit.name, value, threshold) for threshold in limit.codes)
@@ -294,8 +312,8 @@ def is_at_its_end(scene: Scene) -> bool:
         step = AT_END * abs(value) or LEAST
         for wanted in ("contact_radius_at_load", "load_at_factor", "edge_ratio", "load_maugis"):
             around = [scene.replace(**{name: each}) for each in (value - step, value + step)]
-            outcomes = [each.evaluate((wanted,))[wanted] for each in around]
-            if len({isinstance(outcome, Failure) and not outcome.kind.has_contact for outcome in outcomes}) > 1:
+            found = [outcomes(each, (wanted,))[wanted] for each in around]
+            if len({isinstance(outcome, Failure) and not outcome.kind.has_contact for outcome in found}) > 1:
                 return True
     return False
 

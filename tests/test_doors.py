@@ -31,6 +31,7 @@ from doors import (
     scenes_of,
     side_of,
 )
+from frames import bits, outcomes
 from harness import Run
 from jkroll import answer, known_materials, solve
 from jkroll.answers.answer import with_force_by_maugis
@@ -44,8 +45,17 @@ from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, middle, value_of
 from jkroll.rows.columns import DOUBT, STATUS
 from jkroll.scene.alternatives import at_least_measured, at_most_measured
-from jkroll.scene.doubts import NOT_JUDGED, bits_of, codes, doubts, is_end_of_meaning
-from jkroll.scene.failures import BEYOND_PULL_OFF, INFINITE, OF_IDENTICAL_SPHERES, Failure, MissingInput, reason_of
+from jkroll.scene.doubts import NOT_JUDGED, codes
+from jkroll.scene.failures import (
+    BEYOND_PULL_OFF,
+    INFINITE,
+    OF_IDENTICAL_SPHERES,
+    Failure,
+    MissingInput,
+    NoErrorBar,
+    reason_of,
+)
+from jkroll.scene.results import is_end_of_meaning
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
@@ -365,7 +375,7 @@ def _in_scene(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
         else:
             other = Scene(scene.stated, scene.material, scene.material2, model=kind)
             spacing = {"atomic_spacing": other["atomic_spacing"]} if kind == "maugis" else {}
-            value = other.replace(**spacing).evaluate((name,))[name]
+            value = outcomes(other.replace(**spacing), (name,))[name]
         if value != values[key]:
             yield f"{key} = {values[key]!r} and {value!r}"
 
@@ -399,7 +409,7 @@ def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
     assert len(drawn) > 1
     for up, energy in enumerate(y.values().tolist()):
         for across, radius in enumerate(x.values().tolist()):
-            here = codes(bits_of(doubts(scene.replace(radius=radius, surface_energy=energy), [quantity])))
+            here = codes(bits(scene.replace(radius=radius, surface_energy=energy), [quantity]))
             for is_beyond, code in drawn:
                 assert is_beyond[up, across] == (code in here), (code, here)
 
@@ -578,8 +588,8 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
         results: dict[str, Any] = {}
         try:
             results = solve(names, model=ask.model, **given)
-        except Failure as failure:  # with no reason for it, other sources enter than those of all quantities together
-            if failure.phrase != "no error bar" or not reasons:
+        except NoErrorBar:  # with no reason for it, other sources enter than those of all quantities together
+            if not reasons:
                 raise
         for name, found in results.items():
             sides = found.sides if hasattr(found, "sides") else {}

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from frames import outcomes
 from jkroll import NOMENCLATURE, solve
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.quantities.values import QuantityError
@@ -165,7 +166,7 @@ def test_scenes_at_the_corners_have_right_numbers(model: str, count: int) -> Non
     for given in corner_scenes(LEAST, MOST, count):
         scene = Scene(given, model=model)
         asked = [name for name in RESULTS if name not in scene.known and (model == "maugis" or name not in OF_MAUGIS)]
-        numbers = scene.evaluate(asked)
+        numbers = outcomes(scene, asked)
         wanted = [name for name in asked if not isinstance(numbers[name], MissingInput)]
         with digits.workdps(_digits_for(numbers)):
             plans = {name: scene.plan(name) for name in wanted}

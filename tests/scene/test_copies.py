@@ -14,8 +14,8 @@ import pytest
 import jkroll
 from jkroll.batch.workers import LostWorker
 from jkroll.errors import BadRow, BadTable, JkrollError, MissingExtra, NoResult
-from jkroll.scene import inverse
-from jkroll.scene.failures import BEYOND_PULL_OFF
+from jkroll.scene import unsolved as of_problems
+from jkroll.scene.failures import BEYOND_PULL_OFF, NoErrorBar
 from relative import approx
 
 
@@ -105,14 +105,15 @@ def every_error() -> Iterator[JkrollError]:
     yield raised(jkroll.Materials, "no such file")
     unsolved = raised(jkroll.infer, "xi", measured={"pull_off_force": 1e-9}, **scene)
     yield unsolved
-    yield inverse.Undetermined(unsolved.problem, "any value", (1.0, 2.0))
-    yield inverse.NoSolution(unsolved.problem, [(1.0, 2.0)])
-    yield inverse.SeveralSolutions(unsolved.problem, [{"yield_displacement": size} for size in (1e-10, 2e-10)])
-    yield inverse.Unseparated(unsolved.problem, "they leave it open")
+    yield of_problems.Undetermined(unsolved.problem, "any value", (1.0, 2.0))
+    yield of_problems.NoSolution(unsolved.problem, [(1.0, 2.0)])
+    yield of_problems.SeveralSolutions(unsolved.problem, [{"yield_displacement": size} for size in (1e-10, 2e-10)])
+    yield of_problems.Unseparated(unsolved.problem, "they leave it open")
     yield from (
         MissingExtra("this needs pandas"),
         BadTable("two headers"),
         BadRow(3, "bad radius"),
+        NoErrorBar("pull_off_force", "the load breaks this contact"),
         LostWorker("ended"),
     )
 
@@ -139,7 +140,7 @@ def test_error_is_copied_with_its_attributes(error: JkrollError) -> None:
 
 
 def test_errors_of_all_types_are_copied() -> None:
-    families = {NoResult, inverse.Unsolved}  # of which each error is of a narrower type
+    families = {NoResult, of_problems.Unsolved}  # of which each error is of a narrower type
     assert {*kinds_of(JkrollError)} - families <= {type(error) for error in EVERY_ERROR}
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from frames import doubts
 from harness import Run
 from jkroll.answers.answer import Answer
 from jkroll.answers.notes import about_displacement
@@ -14,7 +15,7 @@ from jkroll.answers.questions import question_about
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import ends_of, value_of
 from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, is_like_rolled, rolled_solid
-from jkroll.scene.doubts import ASSUMED_DISPLACEMENT, doubts
+from jkroll.scene.doubts import ASSUMED_DISPLACEMENT
 from jkroll.scene.scene import Scene
 from relative import approx
 from tools.measurements import MEASUREMENTS

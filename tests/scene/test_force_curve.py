@@ -11,7 +11,7 @@ import pytest
 
 from jkroll import infer, solve
 from jkroll.output.manual import page
-from jkroll.scene.inverse import Unseparated
+from jkroll.scene.unsolved import Unseparated
 from relative import approx
 from tools import lennard_jones as made
 

@@ -15,8 +15,9 @@ from harness import Run
 from jkroll import Interval, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest, NoResult
 from jkroll.quantities.values import parse_quantity
-from jkroll.scene.inverse import NoDependence, NoSolution, Problem, SeveralSolutions, Solution, Undetermined
+from jkroll.scene.inverse import Problem, Solution
 from jkroll.scene.scene import Scene
+from jkroll.scene.unsolved import NoDependence, NoSolution, SeveralSolutions, Undetermined
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 

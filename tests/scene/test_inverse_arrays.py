@@ -13,8 +13,9 @@ from jkroll import infer, known_materials
 from jkroll.errors import NoResult
 from jkroll.quantities.laws import LAWS
 from jkroll.scene.failures import MissingInput, NotInLaw
-from jkroll.scene.inverse import SIZES, NoSolution, Problem, SeveralSolutions, Solution
+from jkroll.scene.inverse import Problem, Solution
 from jkroll.scene.scene import Scene
+from jkroll.scene.unsolved import SIZES, NoSolution, SeveralSolutions
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 

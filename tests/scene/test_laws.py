@@ -14,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import maugis_reference as reference
+from frames import factor_of_law, outcomes
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.answers.answer import Answer, advised
@@ -25,7 +26,6 @@ from jkroll.output.manual import page
 from jkroll.output.sources import references
 from jkroll.physics import jkr
 from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
-from jkroll.scene.alternatives import factor_of_law
 from jkroll.scene.failures import Failure, NotInLaw
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import plan_for
@@ -69,7 +69,7 @@ def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: floa
         for name, quantity in NOMENCLATURE.items()
         if not quantity.option and not quantity.is_word and not quantity.variant_of
     ]
-    limits, between = (scene.evaluate(names) for scene in solved)
+    limits, between = (outcomes(scene, names) for scene in solved)
     shared = [name for name in names if isinstance(limits[name], float) and isinstance(between[name], float)]
     assert len(shared) > 80
     # What sticks tends to it more slowly.
@@ -454,11 +454,11 @@ def test_a_formula_of_another_law_has_no_contact_of_this_one(model: str, given: 
     """What only one law has by a formula is the same under another law, or refused: approach_dmt took JKR's radius."""
     scene = Scene({"radius": 1e-7, **given}, known_materials()["quartz"], model=model)
     foreign = [name for name in NOMENCLATURE if NOMENCLATURE[name].variant_of and law_of(name) not in (None, model)]
-    found = {name: value for name, value in scene.evaluate(foreign).items() if not isinstance(value, JkrollError)}
+    found = {name: value for name, value in outcomes(scene, foreign).items() if not isinstance(value, JkrollError)}
     for name, value in found.items():
         assert value == approx(scene.replace(model=law_of(name))[name], rel=1e-12), name
     assert not {"approach_dmt", "stiffness_dmt", "load_dmt"} & found.keys() or model == "dmt"
-    assert model == "dmt" or "pull_off_force_dmt" in scene.evaluate(["pull_off_force_dmt"])
+    assert model == "dmt" or "pull_off_force_dmt" in outcomes(scene, ["pull_off_force_dmt"])
 
 
 def test_what_another_law_has_is_refused_with_its_name(run: Run) -> None:

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from frames import bits, doubts, factor_of_law, outcomes
 from harness import Run
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
-from jkroll.scene.alternatives import factor_of_law
-from jkroll.scene.doubts import BITS, LIMITS, Doubt, Limit, bits_of, codes, doubts
+from jkroll.scene.doubts import BITS, LIMITS, Doubt, Limit, codes
 from jkroll.scene.failures import TWO_RIGID_BODIES, Failure
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
@@ -23,11 +23,6 @@ from scenes import OTHER, QUARTZ
 def verdicts(*names: str, **given: Any) -> dict[str, str]:
     """Return the code of each limit that is judged for these names."""
     return {one.limit.name: one.code for one in doubts(Scene({**QUARTZ, **given}), names)}
-
-
-def bits(scene: Scene, names: list[str]) -> Any:
-    """Return the codes of the answers to these names as bits."""
-    return bits_of(doubts(scene, names))
 
 
 THRESHOLDS = [(limit, threshold) for limit in LIMITS for threshold in limit.codes]
@@ -201,7 +196,7 @@ RIGID: list[dict[str, Any]] = [
 @pytest.mark.parametrize("given", RIGID)
 def test_two_rigid_bodies_have_no_jkr_contact(given: dict[str, Any]) -> None:
     scene = Scene({**QUARTZ, **given})
-    for name, value in scene.evaluate(QUESTIONS["report"].quantities).items():
+    for name, value in outcomes(scene, QUESTIONS["report"].quantities).items():
         if name in ("pull_off_force_dmt", "r_min", "yield_angle"):
             assert value > 0
         elif name not in ("load", "n_roll_after_impact", "yield_force_fixed_load"):

@@ -7,10 +7,12 @@ from typing import Any
 import numpy
 import pytest
 
+from frames import outcomes
 from jkroll.errors import JkrollError
 from jkroll.quantities.laws import LAWS
-from jkroll.scene.inverse import SIZES, NoDependence, NoSolution, Problem, SeveralSolutions, Unseparated
+from jkroll.scene.inverse import Problem
 from jkroll.scene.scene import Scene
+from jkroll.scene.unsolved import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
 from scenes import log_uniform
 
 PER_DECADE = 10  # of the dense scan, whose cells end at other values than those of the program
@@ -31,7 +33,7 @@ QUANTITIES = (
 
 def above(scene: Scene, names: tuple[str, ...], measured: dict[str, float], places: Any) -> Any:
     """Return for both quantities whether they are above their measured values, as ±1, and nan where they have none."""
-    found = scene.replace(**dict(zip(names, places, strict=True))).evaluate([*measured])
+    found = outcomes(scene.replace(**dict(zip(names, places, strict=True))), [*measured])
     signs = [
         numpy.full(places.shape[1:], numpy.nan)
         if isinstance(found[name], JkrollError)

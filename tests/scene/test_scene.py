@@ -8,6 +8,7 @@ from weakref import ref
 import numpy
 import pytest
 
+from frames import outcomes
 from jkroll import solve
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
@@ -26,14 +27,14 @@ LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
 
 def test_answers_and_their_limits_are_the_same_one_by_one() -> None:
     scene = Scene({**QUARTZ, "viscous_time": 1e-12, "speed": 1.0, "filling_factor": 0.1})
-    values = scene.evaluate(("pull_off_force", "n_roll", *LIMIT_NAMES))
+    values = outcomes(scene, ("pull_off_force", "n_roll", *LIMIT_NAMES))
     assert all(Scene(scene.stated)[name] == value for name, value in values.items())
     assert scene.inputs_of("pull_off_force") == ("radius", "surface_energy")
 
 
 def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
     scene = Scene({**QUARTZ, "radius2": float("inf"), "load": -1.0}).replace(density=1e-30)
-    values = scene.evaluate(("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
+    values = outcomes(scene, ("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
     kinds = {name: value.kind if isinstance(value, Failure) else type(value) for name, value in values.items()}
     assert kinds == {
         "r_min": NO_CHAIN, "pull_off_force": float, "yield_force": BEYOND_PULL_OFF, "n_grav": BEYOND_PULL_OFF,
@@ -48,7 +49,7 @@ def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
 
 def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
     tiny = {**QUARTZ, "radius": 1e-30, "youngs_modulus": 1e30, "atomic_spacing": 1e29}
-    values = Scene(tiny, model="maugis").evaluate(("pull_off_force", "sticking_energy", "sticking_speed"))
+    values = outcomes(Scene(tiny, model="maugis"), ("pull_off_force", "sticking_energy", "sticking_speed"))
     assert isinstance(values["pull_off_force"], float)
     for name in ("sticking_energy", "sticking_speed"):
         assert values[name].kind == NO_DOUBLE
@@ -57,7 +58,7 @@ def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
 
 def test_only_what_belongs_to_a_plane_may_be_infinite() -> None:
     radii = numpy.array([1e30, 1e-7, float("inf")])
-    found = Scene({**QUARTZ, "density": 1e3, "radius2": radii}).evaluate(("r_min", "moment_of_inertia2"))
+    found = outcomes(Scene({**QUARTZ, "density": 1e3, "radius2": radii}), ("r_min", "moment_of_inertia2"))
     assert numpy.isnan(found["r_min"]).tolist() == [False, False, True]
     assert numpy.isinf(found["moment_of_inertia2"]).tolist() == [False, False, True]
 
@@ -121,8 +122,8 @@ def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
     gc.disable()
     try:
         scene = Scene({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})
-        scene.by_law.evaluate(LIMIT_NAMES)
-        at_half_spacing(scene.by_law).evaluate(LIMIT_NAMES)
+        outcomes(scene.by_law, LIMIT_NAMES)
+        outcomes(at_half_spacing(scene.by_law), LIMIT_NAMES)
         last_seen = ref(scene)
         del scene
         assert last_seen() is None

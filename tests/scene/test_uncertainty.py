@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping
 from pathlib import Path
 from random import Random
+from types import SimpleNamespace
 from typing import Any
 
 import numpy
@@ -18,18 +19,18 @@ from jkroll import Interval, Material, Materials, Measured, infer, known_materia
 from jkroll.errors import BadRequest
 from jkroll.quantities.values import QuantityError, Uncertain, value_of
 from jkroll.scene.scene import Scene
-from jkroll.scene.uncertainty import Propagated, sources_of_results, uncertainties
+from jkroll.scene.uncertainty import error_bars, sources_of_results
 from relative import approx
 from scenes import QUARTZ
 
 
 def found(
     name: str, given: Mapping[str, float], uncertain: Mapping[str, Uncertain], *materials: Material
-) -> Propagated:
-    """Return the uncertainty of a quantity."""
-    one = uncertainties(Scene({**given, **uncertain}, *materials), [name])[name]
-    assert isinstance(one, Propagated)
-    return one
+) -> SimpleNamespace:
+    """Return a quantity with its uncertainty, and the shares of its sources."""
+    scene = Scene({**given, **uncertain}, *materials)
+    bar = error_bars(scene, [name])[name]
+    return SimpleNamespace(uncertainty=bar.of(scene[name]), shares=bar.shares)
 
 
 def assert_spans(one: Uncertain, values: Any, *, inner: float = 0.01, outer: float = 0.0) -> None:
@@ -196,7 +197,7 @@ def test_a_material_named_twice_moves_together() -> None:
     apart = found("pull_off_force", {"radius": 1e-7}, {}, material, material._replace(name="another"))
     assert apart.uncertainty.high < once.uncertainty.high
     stated = Scene({"radius": 1e-7, "surface_energy": 0.03}, material)
-    assert uncertainties(stated, ["pull_off_force"]) == {}
+    assert error_bars(stated, ["pull_off_force"]) == {}
 
 
 def test_what_cannot_be_combined_is_refused() -> None:
@@ -220,7 +221,7 @@ def test_of_materials_what_is_of_the_other_kind_is_left_out(run: Run) -> None:
         [("surface_energy",)],
         [("youngs_modulus",)],
     )
-    assert isinstance(uncertainties(scene, ["contact_radius"])["contact_radius"], Propagated)
+    assert error_bars(scene, ["contact_radius"])["contact_radius"].sides
     ranges = {"radius": Interval(1e-7, 9e-8, 1.1e-7)}
     assert list(found("contact_radius", {}, ranges, material).shares) == ["radius", "youngs_modulus"]
     ran = run("contact", "polystyrene-glassy", "1um", "--json")
@@ -354,9 +355,7 @@ def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_besid
 @pytest.mark.parametrize("size", [1e29, 1e-29])
 def test_shares_are_those_of_changes_whose_squares_no_double_holds(size: float) -> None:
     scene = Scene({"radius": Measured(size, 0.1 * size), "density": Measured(size, 0.5 * size)})
-    found = uncertainties(scene, ["moment_of_inertia"])
-    inertia = found["moment_of_inertia"]
-    assert isinstance(inertia, Propagated)
+    inertia = error_bars(scene, ["moment_of_inertia"])["moment_of_inertia"]
     assert inertia.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.05)
 
 

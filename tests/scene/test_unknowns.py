@@ -15,8 +15,9 @@ from jkroll import Interval, JkrollError, Measured, infer, known_materials
 from jkroll.errors import BadRequest
 from jkroll.quantities.formatting import amount
 from jkroll.scene.failures import Failure, MissingInput
-from jkroll.scene.inverse import NoDependence, NoSolution, Problem, SeveralSolutions, Solution, Unseparated
+from jkroll.scene.inverse import Problem, Solution
 from jkroll.scene.scene import Scene
+from jkroll.scene.unsolved import NoDependence, NoSolution, SeveralSolutions, Unseparated
 from relative import approx
 
 PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf, "poisson_ratio": 0.17}

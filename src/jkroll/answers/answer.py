@@ -3,13 +3,13 @@
 from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..errors import JkrollError
 from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..quantities.values import Interval, ends_of, is_uncertain, middle
+from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle
 from ..scene.alternatives import (
     DATA,
     FORCES,
@@ -31,6 +31,7 @@ from ..scene.alternatives import (
     rolling,
     with_bars,
 )
+from ..scene.column import Column
 from ..scene.doubts import (
     ASSUMED_DISPLACEMENT,
     CONTACT_EXCEEDS_SPHERE,
@@ -39,7 +40,6 @@ from ..scene.doubts import (
     LAW,
     LAW_MATTERS,
     Doubt,
-    Evaluation,
     Limit,
     doubts,
     touched,
@@ -52,7 +52,9 @@ from ..scene.failures import (
     MissingInput,
     reason_of,
 )
+from ..scene.results import ROW, Results, has_code
 from ..scene.scene import Scene
+from ..scene.uncertainty import ErrorBar
 from .notes import (
     Kind,
     Note,
@@ -68,12 +70,6 @@ from .notes import (
     entering,
 )
 from .questions import Question
-
-if TYPE_CHECKING:
-    from ..quantities.values import Uncertain
-    from ..scene.uncertainty import Propagated
-else:
-    Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
 
 MAX_TOLD = 2  # quantities in a note
 _ALIKE = 0.2  # relative difference of radii that needs no scaling
@@ -97,12 +93,12 @@ class Result:
         error: float | None = None,
         growth: float | None = None,
         by_law: Mapping[str, float] = MappingProxyType({}),  # of an inferred value: what it is under the other laws
-        propagated: Propagated | None = None,  # its uncertainty, if an input has one
+        bar: ErrorBar | None = None,  # if an input has one
         law: str = "",  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
         of_law: str = "",  # the equation of the paper by which it does, or its source
     ) -> None:
         self.name, self.value, self.reason, self.error, self.growth = name, value, reason, error, growth
-        self.by_law, self.propagated, self.law = by_law, propagated, law
+        self.by_law, self.bar, self.law = by_law, bar, law
         self.equation = of_law if law else NOMENCLATURE[name].equation
 
     def __repr__(self) -> str:
@@ -122,12 +118,12 @@ class Result:
         return f"Eq {self.equation}" if self.equation.isdigit() else self.equation
 
     @property
-    def uncertain(self) -> "Uncertain | None":
+    def uncertain(self) -> Uncertain | None:
         """The value with its error bar, if an input has one."""
-        return self.propagated.uncertainty if self.propagated is not None else None
+        return self.bar.of(self.value) if self.bar is not None else None
 
     @property
-    def measure(self) -> "float | Uncertain | None":
+    def measure(self) -> float | Uncertain | None:
         """The value, with its error bar if it has one."""
         return self.value if self.uncertain is None else self.uncertain
 
@@ -170,15 +166,30 @@ def readings_of(law: str) -> tuple[str, str]:
 # --- Answers ----------------------------------------------------------------------------------------------------------
 
 
-class Answer(Evaluation):
+class Answer(Results):
     """The results of a command for one scene, with all that is to be said of them."""
 
     condition: float | None = None  # of two inferred inputs together
 
     def __init__(self, question: Question, scene: Scene, *, keeps_all: bool = False) -> None:
         """Compute the quantities of a question as far as the scene allows."""
-        super().__init__(scene, scene.outcomes(question.quantities, question.named), keeps_all=keeps_all)
+        super().__init__(scene, scene.shown(question.quantities, question.named), keeps_all=keeps_all)
         self.question = question
+
+    @cached_property
+    def reasons(self) -> Mapping[str, JkrollError]:
+        """The errors that say why quantities have no value, by name."""
+        return {name: error for name, error in self.errors().items() if name != ROW}
+
+    @property
+    def lacking(self) -> Mapping[str, JkrollError]:
+        """The errors but for those of limits that end meaning, of which a warning tells."""
+        return {name: error for name, error in self.reasons.items() if not has_code(error)}
+
+    @property
+    def row(self) -> Results:
+        """The results as a row of columns."""
+        return self
 
     @property
     def explained(self) -> "Answer":
@@ -191,9 +202,9 @@ class Answer(Evaluation):
         return all(result.value is None for result in self.results if result.name in self.question.headline)
 
     @cached_property
-    def measures(self) -> "Mapping[str, float | str | Uncertain]":
+    def measures(self) -> Mapping[str, float | str | Uncertain]:
         """The inputs that were stated or enter the results, as they were understood, with their error bars."""
-        return {name: in_words(name, value) for name, value in self.inputs_of([*self.outcomes]).items()}
+        return {name: in_words(name, value) for name, value in self.inputs_of([*self.columns]).items()}
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
@@ -201,28 +212,28 @@ class Answer(Evaluation):
         return {name: middle(value) for name, value in self.measures.items()}
 
     @property
-    def uncertain(self) -> "Mapping[str, Uncertain]":
+    def uncertain(self) -> Mapping[str, Uncertain]:
         """The inputs that are uncertain."""
         return {name: value for name, value in self.measures.items() if is_uncertain(value)}
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
         """The quantities that are shown, with the reasons of those that have no value."""
-        return tuple(map(self.result, self.outcomes))
+        return tuple(map(self.result, self.columns))
 
     def result(self, name: str) -> Result:
         """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
         law = "" if self.scene.law.is_default else self.scene.law.name
-        if name in self.errors:
-            return Result(name, None, reason_of(name, self.errors[name]), law=law)
+        if name in self.reasons:
+            return Result(name, None, reason_of(name, self.reasons[name]), law=law)
         of_law = equation_of(self.scene, name) if law and has_other_formulas(self.scene, name) else ""
-        error, bar = model_error(name, self.scene), self.propagated(name)
-        return Result(name, self.values[name], error=error, propagated=bar, law=law if of_law else "", of_law=of_law)
+        error, bar = model_error(name, self.scene), self.bar(name)
+        return Result(name, self.values[name], error=error, bar=bar, law=law if of_law else "", of_law=of_law)
 
-    def propagated(self, name: str) -> "Propagated | None":
-        """Return the uncertainty of a result; None if it has none, or an error says why it has none."""
+    def bar(self, name: str) -> ErrorBar | None:
+        """Return the error bar of a result; None without one."""
         bar = self.bars.get(name)
-        return None if isinstance(bar, JkrollError) else bar
+        return bar if bar is not None and bar.sides else None
 
     @cached_property
     def laws(self) -> Mapping[str, Mapping[str, Any]]:
@@ -256,7 +267,7 @@ class Answer(Evaluation):
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
         """The values of JKR, to stand beside those of another law."""
-        numbers = self.scene.replace(model=DEFAULT_LAW).numbers(*(self.outcomes.keys() - self.ended.keys()))
+        numbers = self.scene.replace(model=DEFAULT_LAW).numbers(*(self.columns.keys() - self.ended.keys()))
         return {name: number for name, number in numbers.items() if number < INFINITY}
 
     @cached_property
@@ -267,10 +278,11 @@ class Answer(Evaluation):
         """
         if not self.values:
             return {}
-        meant = [name for name in self.outcomes if name not in self.ended]
+        meant = [name for name in self.computed if name not in self.ended]
         names_of = names_with_alternatives([self.scene], meant)
         names_of[other_law(self.scene.law.name)] += self.scene.by_law.missing(meant)
-        return alternatives_of(self.scene, names_of)
+        every = alternatives_of(self.scene, names_of)
+        return {kind: {name: each.measure for name, each in of_kind.items()} for kind, of_kind in every.items()}
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
@@ -278,9 +290,9 @@ class Answer(Evaluation):
         is_shown = self.scene.law.name == BETWEEN or any(doubt.limit is LAW for doubt in self.exceeded)
         return {kind: values for kind, values in self.others.items() if is_shown or kind not in LAWS}
 
-    def inexact(self, names: Sequence[str]) -> list[Doubt]:
+    def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
         """Return the limits that end no meaning, with that of an assumed displacement."""
-        return doubts(self.scene, names, (*INEXACT, ASSUMED_DISPLACEMENT))
+        return doubts(self.scene, columns, (*INEXACT, ASSUMED_DISPLACEMENT))
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
@@ -314,7 +326,7 @@ class Answer(Evaluation):
             return True
         names = [name for name in self.values if name in self.question.headline]
         if limit is LAW:
-            return bool(factor_of_law(self.scene, names) > LAW_MATTERS)
+            return bool(factor_of_law(self.scene, {name: self.columns[name] for name in names}) > LAW_MATTERS)
         return bool(touched(self.scene, names, [limit]))
 
     def about(self, doubt: Doubt) -> str:
@@ -330,7 +342,7 @@ class Answer(Evaluation):
 
     @cached_property
     def _entering(self) -> tuple[set[str], list[str]]:
-        return entering(self.scene, [*self.outcomes])
+        return entering(self.scene, [*self.columns])
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
@@ -339,16 +351,15 @@ class Answer(Evaluation):
 
     @property
     def _possible(self) -> list[str]:
-        return [name for name in self.outcomes if not isinstance(self.errors.get(name), MissingInput)]
+        return [name for name in self.columns if not isinstance(self.reasons.get(name), MissingInput)]
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
         inputs, idle = self._entering
-        open_bars = {name: bar for name, bar in self.bars.items() if isinstance(bar, JkrollError)}
         every = (
             *about_assumed(self.assumed),
-            *about_missing({**self.lacking, **open_bars}),
+            *about_missing({**self.lacking, **self.open_bars()}),
             *about_left_out(self.sources),
             *about_given(self.scene, self._possible, inputs),
             *about_idle(idle),
@@ -366,12 +377,12 @@ class Answer(Evaluation):
     @cached_property
     def failure(self) -> JkrollError | None:
         """The reason why there is no result, or no contact."""
-        for error in self.errors.values():
+        for error in self.reasons.values():
             if isinstance(error, Failure) and not error.kind.has_contact:
                 return with_force_by_maugis(error, self.scene) if error.kind == BEYOND_PULL_OFF else error
         if self.values or self.ended:  # what has no meaning is an answer
             return None
-        return next(iter(self.errors.values()), Failure(OF_IDENTICAL_SPHERES))
+        return next(iter(self.reasons.values()), Failure(OF_IDENTICAL_SPHERES))
 
 
 # --- What stands in place of results, in words ------------------------------------------------------------------------
@@ -421,7 +432,8 @@ def advised(scene: Scene, name: str, by_law: Any = None) -> str:
         return "has no value"
     is_moved = not farthest((value, ours) for value in others) <= LAW_MATTERS
     if isinstance(by_law, Interval):
-        at_half = with_bars(scene, [name], lambda scene: at_half_spacing(by_law_at_spacing(scene, [name])))[name]
+        at_half = with_bars(scene, [name], lambda scene: at_half_spacing(by_law_at_spacing(scene, [name])))
+        at_half = at_half[name].measure
         others += [*ends_of(by_law), *(ends_of(at_half) if at_half is not None else ())]
     return f"= {span(name, min(others), max(others))}" if is_moved else ""
 
@@ -436,7 +448,7 @@ def _about_displacement(scene: Scene, values: Mapping[str, Any]) -> str:
     most = at_most_measured(scene)
     if most.numbers("hysteresis_ratio").get("hysteresis_ratio", 0.0) > 1:
         name = next(iter(values))
-        end = with_bars(scene, [name], at_full_hysteresis, ["hysteresis_ratio"])[name]
+        end = with_bars(scene, [name], at_full_hysteresis, ["hysteresis_ratio"])[name].measure
         bound = "at most" if middle(end) < most[name] else "at least"
         text += f"; adhesion alone gives {NOMENCLATURE[name].symbol} = {span(name, *ends_of(end))} {bound}"
     return f"{text}; ξ is assumed (--xi)"  # the head says this, too: it may be cut from a short note

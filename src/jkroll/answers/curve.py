@@ -1,6 +1,6 @@
 """The force curve of a contact as rows: both branches, and the named states on them."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from math import inf, isfinite
 from typing import Any, NamedTuple
@@ -8,8 +8,9 @@ from typing import Any, NamedTuple
 from ..errors import BadRequest, JkrollError, NoResult
 from ..quantities.values import parse_quantity
 from ..rows.columns import Wanted, sides_in
+from ..scene.column import Column
 from ..scene.doubts import Doubt
-from ..scene.failures import NO_STIFFNESS, Failure, MissingInput
+from ..scene.failures import NO_STIFFNESS, MissingInput
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from ..text import quoted
@@ -125,13 +126,13 @@ class AtState(Answer):
         """`curve`: the answer that stands for the whole curve, its pull-off force."""
         scene = state.in_scene(curve.scene)
         if state.name == FOLD:  # where a formula gives rounding errors
-            scene.values[scene.plan("stiffness").name] = Failure(NO_STIFFNESS, "stiffness")
+            scene.drop("stiffness", NO_STIFFNESS)
         question = Question(question.headline, question.quantities, question.quantities)
         super().__init__(question, scene, keeps_all=keeps_all)
         self.state, self.curve, self.laws = state, curve, curve.laws
         self.alternatives = {}  # a state has no place on the curve of another law
 
-    def inexact(self, names: Sequence[str]) -> list[Doubt]:  # noqa: ARG002
+    def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:  # noqa: ARG002
         """Return the limits that end no meaning, of the whole curve."""
         return [doubt for doubt in self.curve.validity if not doubt.limit.ends_meaning]
 
@@ -143,13 +144,13 @@ class AtState(Answer):
     @cached_property
     def results(self) -> tuple[Result, ...]:
         """The quantities that are shown, but for the one that sets the state, which is an input."""
-        return tuple(self.result(name) for name in self.outcomes if name != self.state.given)
+        return tuple(self.result(name) for name in self.columns if name != self.state.given)
 
     @cached_property
     def failure(self) -> JkrollError | None:
         """The reason why there is no contact, or no value but that of the input that sets the state."""
         is_alone = not (self.values.keys() | self.ended.keys()) - {self.state.given}
-        return super().failure or (next(iter(self.errors.values()), None) if is_alone else None)
+        return super().failure or (next(iter(self.reasons.values()), None) if is_alone else None)
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for the whole curve."""

@@ -7,15 +7,17 @@ from functools import cached_property
 from math import isfinite
 from typing import Any
 
-from ..errors import JkrollError
 from ..quantities.formatting import amount, in_words, span, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.values import is_uncertain, middle
-from ..scene.doubts import LAW, Doubt, OfUnknowns
+from ..quantities.values import middle
+from ..rows.infer import Found
+from ..scene.doubts import LAW, Doubt
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import SIZES, Problem, equal, sizes_in_words
-from ..scene.uncertainty import measures_of
+from ..scene.inverse import Problem
+from ..scene.results import Results
+from ..scene.uncertainty import error_bars
+from ..scene.unsolved import SIZES, equal, sizes_in_words
 from ..text import listed
 from .answer import Answer, Result
 from .notes import Note
@@ -33,8 +35,8 @@ class Inferred(Answer):
 
     def __init__(self, problem: Problem, *, keeps_all: bool = False) -> None:
         """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
-        unknowns = OfUnknowns(problem, problem.evaluate(problem.unknowns), keeps_all=keeps_all)
-        self.failure = next((value for value in unknowns.computed.values() if isinstance(value, JkrollError)), None)
+        unknowns = Found(problem, problem.columns(problem.unknowns), keeps_all=keeps_all)
+        self.failure = next(iter(problem.errors(unknowns.computed).values()), None)
         measured = () if self.failure else (*problem.measured,)
         scene = problem.filled if self.failure else problem.solved
         super().__init__(Question(problem.unknowns, measured, named=measured), scene, keeps_all=keeps_all)
@@ -44,18 +46,23 @@ class Inferred(Answer):
         self.condition = problem.solution.condition if measured[1:] else None
         self.assumed = {name: text for name, text in self.assumed.items() if name not in problem.measured}
 
+    @property
+    def row(self) -> Results:
+        """The unknowns as a row of columns."""
+        return self.unknowns
+
     @cached_property
     def results(self) -> tuple[Result, ...]:
         """The values of the unknowns, with their uncertainties."""
         if self.failure is not None:
             return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
-        if self.unknowns.errors:  # without a meaning
-            return tuple(Result(name, None, reason_of(name, error)) for name, error in self.unknowns.errors.items())
+        if errors := self.unknowns.errors():  # without a meaning
+            return tuple(Result(name, None, reason_of(name, error)) for name, error in errors.items())
         solution, results = self.problem.solution, []
         for name, value in solution.values.items():
             by_law = {law: middle(values[name]) for law, values in self.alternatives.items()}
             growth = solution.growths[name] if isfinite(solution.growths[name]) else None
-            results.append(Result(name, value, growth=growth, by_law=by_law, propagated=self.propagated(name)))
+            results.append(Result(name, value, growth=growth, by_law=by_law, bar=self.bar(name)))
         return tuple(results)
 
     @cached_property
@@ -69,8 +76,9 @@ class Inferred(Answer):
             other = self.problem.replace(model=law)
             with suppress(MissingInput):
                 if other.filled.formulas_to(*other.measured) != formulas and (values := other.numbers(*other.unknowns)):
-                    bars = measures_of(OfUnknowns(other, values, keeps_all=True).bars)
-                    by_law[law] = {**values, **{name: bar for name, bar in bars.items() if is_uncertain(bar)}}
+                    bars = error_bars(other, values) if other.uncertainties else {}
+                    of_bars = {name: bar.of(values[name]) for name, bar in bars.items() if bar.sides}
+                    by_law[law] = {**values, **of_bars}
         return by_law
 
     def about(self, doubt: Doubt) -> str:
@@ -91,7 +99,7 @@ class Inferred(Answer):
         """The proof of what is found, and what the measured quantities rest on."""
         if self.failure is not None:
             return ()
-        return (*(() if self.unknowns.errors else self._proofs()), *super().notes)
+        return (*(() if self.unknowns.errors() else self._proofs()), *super().notes)
 
     def _proofs(self) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""
@@ -119,5 +127,5 @@ class Inferred(Answer):
     def explained(self) -> Answer:
         """The answer with the measured quantities beside the unknowns, as `--explain` derives both."""
         explained = copy(self)
-        explained.results = (*self.results, *map(self.result, self.outcomes))
+        explained.results = (*self.results, *map(self.result, self.columns))
         return explained

@@ -9,7 +9,6 @@ from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
-from ..quantities.values import Measured
 from ..scene.alternatives import (
     SIO2,
     assumes_displacement,
@@ -19,16 +18,16 @@ from ..scene.alternatives import (
     rolling,
     solid_of_pair,
 )
-from ..scene.doubts import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, Evaluation, doubts, touched
+from ..scene.doubts import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
 from ..scene.failures import grouped
 from ..scene.scene import DEFAULTS, Scene
+from ..scene.uncertainty import Sources, error_bars, sources_of_results
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns, Tally
-    from ..scene.uncertainty import Sources
     from .answer import Answer
 
 # A warning is of a number without a meaning; a caveat may change what a reader does; a remark is less; what was assumed
@@ -194,7 +193,7 @@ def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
     return [Note("caveat", f"{first_symbols(names)}: {reason}") for names, reason in grouped(errors)]
 
 
-def about_left_out(*every: "Sources | None") -> list[Note]:
+def about_left_out(*every: Sources | None) -> list[Note]:
     """Return the note on sources that enter no error bar, as others are of another kind, if there are some."""
     left_out = (source for sources in every if sources is not None for source in sources.left_out)
     symbols = dict.fromkeys(symbol_of(source.names[0]) for source in left_out)
@@ -204,14 +203,12 @@ def about_left_out(*every: "Sources | None") -> list[Note]:
 
 def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
     """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
-    has_spread = answer.sources is not None and "load" in answer.scene.inputs_used([*answer.outcomes])
+    has_spread = answer.sources is not None and "load" in answer.scene.inputs_used([*answer.computed])
     forces = answer.scene.numbers("load", "pull_off_force") if has_spread else {}
-    if len(forces) < 2 or any(isinstance(bar, JkrollError) for bar in answer.bars.values()):
+    if len(forces) < 2 or answer.open_bars():
         return
-    from ..scene.uncertainty import measures_of, uncertainties
-
-    bars = measures_of(uncertainties(answer.scene, [*forces], sources=answer.sources)).values()
-    spread = hypot(*(bar.minus for bar in bars if isinstance(bar, Measured)))
+    bars = error_bars(answer.scene, forces, sources=answer.sources).values()
+    spread = hypot(*(bar.sides["minus"] for bar in bars if "minus" in bar.sides))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
     if part >= _LOST:
         text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
@@ -270,11 +267,11 @@ class OfRows:
         for scene, names in self._kinds:
             possible = scene.possible(names)
             with suppress(JkrollError):  # each row says which sources do not go together
-                every += about_left_out(Evaluation(scene, dict.fromkeys(possible)).sources)
+                every += about_left_out(sources_of_results(scene, possible) if scene.uncertainties else None)
             every += about_given(scene, possible, scene.inputs_of(*possible))
             if rolling(possible) and assumes_displacement(scene):
                 every.append(Note("caveat", about_displacement(scene, rolled_solid(scene))))
-            every += about_limits(doubts(scene, possible))
+            every += about_limits(doubts(scene, scene.columns(possible)))
         return [*dict.fromkeys(every), *about_idle(self.idle), *about_assumed(self.assumed)]
 
 

@@ -157,9 +157,8 @@ class Converter(NamedTuple):
         columns.leave_out_bars(rows.half_bars)
         del rows
         records = records._replace(cells={})  # as much memory as all else, which writing takes again
-        if self.strict and columns.failed:
-            first = min(columns.failed)
-            raise BadRow(records.starts[first], worded(columns.reasons[first]))
+        if self.strict and (failed := columns.first_failed):
+            raise BadRow(records.starts[failed.first], worded(failed.reasons))
         added = [*table.said.values(), *result_columns(columns, Format(), table.wanted.remarks())]
         output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)

@@ -96,6 +96,8 @@ def question_of(call: Call, usual: Question) -> Question:
 
 def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, single: "Answer | None") -> int:
     """Write a row for each scene; return the exit code. `single`: the answer of the only one."""
+    from ..rows.columns import of_single_row
+
     is_shown = call.kind == "table" and call.target is None and len(sweep) <= sweep.most_in_table
     if call.kind == "bare":
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
@@ -105,7 +107,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
             wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
         elif is_shown and len(sweep.models) == 1 and not call.measured:
             wanted = wanted.with_alternatives(sweep.kinds, question.headline)
-    blocks = sweep.columns(wanted, one_by_one=is_shown)
+    blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single.row)]
     single = None if call.quiet else single
     return _write_columns(call, wanted, OfRows(sweep.noted(wanted)), blocks, form, is_table=is_shown, single=single)
 
@@ -258,10 +260,13 @@ def _write_curve(call: Call) -> int:
 
     def columns() -> Iterator[Columns]:
         while block := [*islice(states, size)]:
-            yield Columns.of_rows(wanted, [*map(wanted.row, block)])
+            columns = Columns(wanted, len(block), few=True)
+            for row, at_state in enumerate(block):
+                columns.put(row, at_state)
+            yield columns
 
     curves = [*dict.fromkeys(sample.curve for sample in samples)]
-    notes = OfRows((curve.scene, [*curve.outcomes]) for curve in curves)
+    notes = OfRows((curve.scene, [*curve.columns]) for curve in curves)
     single = curves[0] if len(sweep) == 1 and not call.quiet else None
     return _write_columns(call, wanted, notes, columns(), form, is_table=is_table, single=single)
 
@@ -307,7 +312,8 @@ def run_infer(call: Call) -> int:
     """Find inputs for every scene and measured value; return the exit code."""
     from ..answers.inferred import Inferred
     from ..rows.infer import Problems
-    from ..scene.inverse import SIZES, Problem, inputs_named
+    from ..scene.inverse import Problem
+    from ..scene.unsolved import SIZES, inputs_named
 
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
@@ -379,7 +385,7 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
     for option, value in (("quantities", call.quantities), ("alternatives", call.alternatives)):
         if value:
             raise BadRequest(f"--infer and --{option} exclude each other")
-    from ..scene.inverse import inputs_named
+    from ..scene.unsolved import inputs_named
 
     return inputs_named([call.infer])[0], quantity_named(call.measured[0])
 

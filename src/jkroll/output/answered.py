@@ -105,11 +105,11 @@ def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, An
         entry["model"] = result.law
         jkr = answer.of_jkr.get(result.name)
         entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
-    propagated = result.propagated
+    bar = result.uncertain
     further = {
         **{key: getattr(quantity, key) for key in (("note",) if result.law else ("note", "definition", "reference"))},
-        "uncertainty": propagated and bar_object(result.name, propagated.uncertainty, form),
-        "shares": propagated and dict(propagated.shares),
+        "uncertainty": bar and bar_object(result.name, bar, form),
+        "shares": result.bar and result.bar.shares,
         "condition" if answer.condition is None else "growth": result.growth,
         "by_law": {law: form.number(result.name, value) for law, value in result.by_law.items()},
         "reason": result.reason,

@@ -101,8 +101,8 @@ def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, 
     assert result.measure is not None
     assert result.value is not None
     yield "result", f"{NOMENCLATURE[result.name].symbol} = {shown(result.measure)}"
-    if result.propagated is not None:
-        shares = result.propagated.shares.items()
+    if result.bar is not None:
+        shares = result.bar.shares.items()
         yield "shares", ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in shares)
     if result.error:
         yield "error", f"{100 * result.error:.2g} % off the exact moment of this contact"

@@ -10,7 +10,7 @@ from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, of_sides
-from ..rows.columns import DOUBT
+from ..rows.columns import DOUBT, as_list
 from ..scene.alternatives import DATA, SIO2, rolled_solid
 from ..scene.doubts import LAW, codes
 from ..text import TextColumn, first_of, fit_terminal, say_wrapped, text_columns, write_table
@@ -129,7 +129,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
 
     A pair is a column where only that fits the terminal.
     """
-    inputs = {name: [in_words(name, value) for value in values] for name, values in columns.inputs.items()}
+    inputs = {name: [in_words(name, value) for value in as_list(each)] for name, each in columns.inputs.items()}
     kinds = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
     common = {name: next(iter(values)) for name, values in kinds.items() if len(values) == 1}
     several = [name for name in inputs if name not in common]
@@ -145,7 +145,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for name in columns.wanted.names:
         if name not in inputs:
             results += columns_of(name, _values(columns, name), form)
-    told = [codes(bits & columns.told) for bits in columns.doubts]
+    told = [codes(bits & columns.told) for bits in as_list(columns.doubts)]
     doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
     if len({*doubts}) > 1 if "state" in inputs else any(doubts):  # notes have those of all states of a pair
         results.append(TextColumn(DOUBT, doubts, is_right=False))
@@ -176,8 +176,8 @@ def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
 def _measures(columns: "Columns", key: str) -> list[Any]:
     """Return the values of a column of results, with their uncertainties if they have some; None is a gap."""
     keys = columns.wanted.sides_of(key)
-    sides = (columns.column(each) for each in keys.values())
+    sides = (as_list(columns.column(each)) for each in keys.values())
     return [
         None if isnan(value) else of_sides(value, dict(zip(keys, of_row, strict=True)))
-        for value, *of_row in zip(columns.column(key), *sides, strict=True)
+        for value, *of_row in zip(as_list(columns.column(key)), *sides, strict=True)
     ]

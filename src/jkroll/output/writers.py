@@ -207,16 +207,15 @@ def _in_words(name: str, column: Any) -> Any:
 
 def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
     """Return the columns of results, in their units and with their digits, and of remarks."""
-    status = [*map(columns.status.get, range(len(columns)))] if columns.reasons else None
-    texts = [_codes(columns) if name == DOUBT else status for name in remarks]
-    if isinstance(columns.numbers, list) or any(map(form.changes, columns.wanted.names)):
+    texts = [_codes(columns) if name == DOUBT else columns.status for name in remarks]
+    if columns.few or any(map(form.changes, columns.wanted.names)):
         return [*_formatted(columns, form), *texts]
     return [columns.numbers, *texts]
 
 
 def _codes(columns: Columns) -> list[str | None]:
     """Return the codes of the doubts of rows."""
-    if isinstance(columns.doubts, list):
+    if columns.few:
         return [codes(bits) or None for bits in columns.doubts]
     import numpy
 

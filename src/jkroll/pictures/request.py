@@ -15,7 +15,7 @@ from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_o
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
-from ..scene.doubts import LAW, LIMITS, Limit, doubts
+from ..scene.doubts import LAW, LIMITS, Doubt, Limit, doubts
 from ..scene.failures import RESTS_ON_SPACING, Failure, Kind, MissingInput, reason_of
 from ..scene.scene import Scene
 from ..text import quoted
@@ -175,7 +175,7 @@ class Layer:
         self.text, self.given, self.quantity, self.axes = text, scene, quantity, axes
         drawn = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
         self.scene = scene.replace(**drawn)  # at an end: what a quantity needs is the same all along an axis
-        every = doubts(over(scene, *axes), [quantity], request.limits)  # at each point
+        every = _doubts(over(scene, *axes), quantity, request.limits)  # at each point
         self.doubts = [doubt for doubt in every if doubt.error is None]
         missing = [doubt.error for doubt in every if doubt.error is not None]
         names = [quantity, *(doubt.limit.name for doubt in self.doubts if doubt.limit in DRAWN_LIMITS)]
@@ -193,8 +193,8 @@ class Layer:
         self.values = evaluate(scene, quantity, *axes)
         self.known = numpy.isfinite(self.values)
         if not self.known.any():
-            outcome = self.scene.evaluate([quantity])[quantity]
-            reason = f": {reason_of(quantity, outcome)}" if isinstance(outcome, JkrollError) else ""
+            errors = self.scene.errors(self.scene.columns([quantity]))
+            reason = "".join(f": {reason_of(quantity, error)}" for error in errors.values())
             raise Failure(Kind("", f"no value anywhere on these axes{reason}"), quantity)
 
     def regions(self) -> Iterator[Region]:
@@ -243,9 +243,14 @@ def _without(error: JkrollError) -> str:
     return f"{symbol(error.wanted)} {error.reason()}" if isinstance(error, MissingInput) else str(error)
 
 
+def _doubts(here: Scene, quantity: str, limits: Iterable[Limit]) -> list[Doubt]:
+    """Return the limits of a quantity, judged."""
+    return doubts(here, here.columns([quantity]), limits)
+
+
 def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
     """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
-    (doubt,) = doubts(here, [quantity], [limit])
+    (doubt,) = _doubts(here, quantity, [limit])
     return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
 
 

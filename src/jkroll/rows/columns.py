@@ -1,7 +1,6 @@
-"""The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells that are empty.
+"""The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells without a value.
 
-`Wanted.row` is the definition of a row. `Wanted.columns` gives the same for many rows at once: where an array leaves
-a gap that floats do not leave, or an uncertainty needs a search, the row is computed again by floats.
+Rows that have the same inputs are one frame. Those of a list that is short are frames of numbers, one by one.
 """
 
 from collections import Counter
@@ -9,44 +8,33 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from contextlib import suppress
 from functools import cached_property, reduce
 from itertools import chain
-from math import isnan, nan
+from math import nan
 from operator import or_
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from ..errors import BadRequest, JkrollError
-from ..physics.elementary import where
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.values import Measured, is_uncertain, middle
-from ..scene.alternatives import DATA, alternatives_of, names_with_alternatives
-from ..scene.doubts import (
-    BITS,
-    ENDING_MEANING,
-    EVERY_DOUBT,
-    INEXACT,
-    LAW,
-    NOT_JUDGED,
-    Doubt,
-    Evaluation,
-    bits_of,
-    concerns,
-    doubts,
-    has_code,
-    is_end_of_meaning,
-)
-from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, MissingInput, grouped, needs_in_words
+from ..quantities.values import Measured, is_uncertain
+from ..scene.alternatives import DATA, Alternative, alternatives_of, names_with_alternatives
+from ..scene.column import Column, at_row
+from ..scene.doubts import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
+from ..scene.failures import HIDDEN, Failure, MissingInput, grouped, needs_in_words, reason
+from ..scene.results import ROW, Results, has_code, is_end_of_meaning
 from ..scene.scene import FOLLOWS, Scene, takes
+from ..scene.uncertainty import ErrorBar, number_of_places, sources_of_results
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
     from .cells import Indices, Numbers
 
 BLOCK = 5 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
+AT_ONCE = 1 << 15  # rows times the places of their uncertain inputs, in one frame
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
+_MOST = 1 << 62  # of a whole number that an array holds
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
-ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 _NO_DOUBTS: Counter[int] = Counter()
 _BY = "_by_"  # between a quantity and the kind of what may stand in its place, in a key
@@ -110,82 +98,37 @@ class Wanted:
         """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
         return (DOUBT, STATUS) if doubt and self.doubts else (STATUS,)
 
-    # --- Rows ---------------------------------------------------------------------------------------------------------
+    # --- Results ------------------------------------------------------------------------------------------------------
 
-    def evaluation(self, scene: Any) -> Evaluation:
-        """Return the evaluation of a scene, of numbers or of arrays."""
-        return Evaluation(scene, scene.outcomes(self.names, self.named), keeps_all=self.keeps_all)
+    def results(self, scene: Any) -> Results:
+        """Return the results of a frame."""
+        return Results(scene, scene.shown(self.names, self.named), keeps_all=self.keeps_all)
 
-    def row(self, evaluation: Evaluation) -> "Row":
-        """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
-        outcomes = {**evaluation.outcomes, **self._alternatives(evaluation)}
-        reasons = reasons_of(outcomes)
-        values = {key: value for key, value in outcomes.items() if key not in reasons}
-        numbers = {key: middle(value) for key, value in values.items()}
-        bars, remark = self.bars(evaluation)
-        if remark is not None:
-            reasons[UNCERTAINTY] = remark
-        for key, value in {**values, **bars}.items():
-            for side, of_side in self.sides_of(key).items():
-                if isinstance(value, JkrollError):
-                    reasons[of_side] = value
-                elif is_uncertain(value) and side in value.sides:
-                    numbers[of_side] = value.sides[side]
-        inputs = evaluation.inputs_of(self.names) if self.inputs else {}
-        return Row(inputs, [numbers.get(key, nan) for key in self.keys], self._bits(evaluation), reasons)
-
-    def _bits(self, evaluation: Evaluation) -> int:
-        """Return the doubts about a row as bits: those that end meaning alone, where doubts have no column."""
-        if self.doubts:
-            return int(bits_of(evaluation.validity))
-        return 0 if self.keeps_all else bits_of(evaluation.ending) & ENDING_MEANING
-
-    def columns(self, scene: Any, rows: Sequence[int], scene_of: Callable[[int], Any]) -> tuple["Columns", Any]:
-        """Return the columns of a scene of arrays, and the rows that floats are to compute, as an array of booleans.
-
-        `scene_of` returns one of the rows as a scene of numbers. Raises a JkrollError where floats are to compute all.
-        """
-        evaluation, columns = self.evaluation(scene), Columns.empty(self, len(rows))
-        is_shown = {name: name in self.named or scene.shows(name) for name in evaluation.outcomes}
-        others = self._alternatives(evaluation)
-        for key, value in {**evaluation.values, **others}.items():
-            name, is_other, _ = key.partition(_BY)
-            has_cell = is_shown[name] & (evaluation.ended.get(name, 0) == 0 if is_other else True)
-            columns.column(key)[...] = where(has_cell, middle(value), nan)
-        if self.inputs:
-            columns.repeat(evaluation.inputs_of(self.names))
-        if evaluation.judged and (self.doubts or not self.keeps_all):
-            columns.doubts[...] = bits_of_rows(evaluation, is_shown, len(rows), has_all=self.doubts)
-        again = _explain(columns, evaluation, is_shown, lambda row: scene_of(rows[row]))
-        return columns, again | columns.put_bars(evaluation, others)
-
-    def _alternatives(self, evaluation: Evaluation) -> dict[str, Any]:
-        """Return what may stand in place of the outcomes, with its uncertainties, by the keys of columns."""
-        if not self.alternatives:
-            return {}
-        ended = () if evaluation.scene.shape else evaluation.ended  # of arrays, some cells are left empty
-        shown = {name for name in evaluation.computed if name not in ended}
+    def alternatives_to(self, results: Results) -> dict[str, Alternative]:
+        """Return what may stand in place of results that have a meaning, by the keys of columns."""
+        shown = results.computed
         names_of = {kind: [name for name in names if name in shown] for kind, names in self.alternatives.items()}
+        every = alternatives_of(results.scene, names_of) if self.alternatives else {}
         return {
-            f"{name}{_BY}{kind}": value
-            for kind, values in alternatives_of(evaluation.scene, names_of).items()
-            for name, value in values.items()
-            if value is not None
+            f"{name}{_BY}{kind}": each.without(results.ended.get(name, False))
+            for kind, of_kind in every.items()
+            for name, each in of_kind.items()
         }
 
-    def bars(self, evaluation: Evaluation) -> tuple[Mapping[str, Any], BadRequest | None]:
-        """Return the error bars of values by their keys, or the remark that the table has no columns for them.
+    def places(self, scene: Any) -> int:
+        """Return the number of places of uncertain inputs at which rows are computed for their error bars."""
+        return number_of_places(scene, self.names) if self.sides is not None and scene.uncertainties else 1
 
-        Raises a JkrollError for sources that do not go together.
-        """
-        if self.sides is None or evaluation.sources is None:
-            return {}, None
-        from ..scene.uncertainty import measures_of
+    def has_bars(self, results: Results) -> bool:
+        """Return whether there are columns for the error bars of results."""
+        return self.sides is not None and results.sources is not None and results.sources.sides <= {*self.sides}
 
-        if evaluation.sources.sides <= {*self.sides}:
-            return measures_of(evaluation.bars), None
+    def lacks_bars(self, results: Results) -> BadRequest | None:
+        """Return the remark on error bars for which there are no columns; None if there are none."""
+        if self.sides is None or results.sources is None or self.has_bars(results):
+            return None
         problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
-        return {}, BadRequest(f"{listed(evaluation.sources.given)}: {problem}", "error bars left out")
+        return BadRequest(f"{listed(results.sources.given)}: {problem}", "error bars left out")
 
 
 def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> set[str]:
@@ -193,54 +136,37 @@ def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> set[str]:
 
     Raises a JkrollError for sources that do not go together.
     """
-    every = (Evaluation(scene, dict.fromkeys(names)).sources for scene, names in kinds)
-    return {side for sources in every if sources is not None for side in sources.sides}
+    every = (sources_of_results(scene, names) for scene, names in kinds if scene.uncertainties)
+    return {side for sources in every for side in sources.sides}
 
 
-class Row(NamedTuple):
-    """A row of columns."""
+class Gap(NamedTuple):
+    """The rows that have cells without a value for the same reasons."""
 
-    inputs: Mapping[str, Any]  # SI values, with their uncertainties, names of materials and the law
-    numbers: Sequence[float]  # as `Wanted.keys` has them; one that is nan is a gap
-    doubts: int  # as bits
-    reasons: Reasons  # why cells are empty
-
-
-def reasons_of(outcomes: Mapping[str, Any]) -> dict[str, JkrollError]:
-    """Return why cells of a row are empty, of which some outcomes are known."""
-    if not outcomes:
-        return {ROW: Failure(OF_IDENTICAL_SPHERES)}
-    return {name: outcome for name, outcome in outcomes.items() if isinstance(outcome, JkrollError)}
+    phrase: str  # of their status
+    is_failed: bool  # without a contact, or without any value
+    first: int  # the index of the first row
+    reasons: Reasons  # of this row
 
 
 class Columns:
-    """The columns of some rows: arrays where there are many rows, else lists. Writers index them and iterate."""
+    """The columns of rows, in their order: arrays, or lists of few rows. Writers index them and iterate."""
 
-    def __init__(self, wanted: Wanted, inputs: Mapping[str, Any], numbers: Any, doubts: Any) -> None:
-        """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys."""
-        self.wanted, self.inputs, self.numbers, self.doubts = wanted, dict(inputs), numbers, doubts
-        self.reasons: dict[int, Reasons] = {}  # why rows have empty cells, by their places
+    def __init__(self, wanted: Wanted, size: int, *, few: bool) -> None:
+        """`few`: the columns are lists, for which numpy is not imported."""
+        self.wanted, self.few = wanted, few
+        self.inputs: dict[str, Any] = {name: [None] * size for name in wanted.inputs}
+        if few:
+            self.numbers: Any = [[nan] * size for _ in wanted.keys]  # a column for each key
+            self.doubts: Any = [0] * size  # as bits
+            self._gap_of: Any = [0] * size  # numbers of gaps, from 1 on
+        else:
+            import numpy
 
-    @classmethod
-    def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":
-        """Return the columns of rows that were computed one by one."""
-        columns = cls(
-            wanted,
-            {name: [row.inputs.get(name) for row in rows] for name in wanted.inputs},
-            [[row.numbers[place] for row in rows] for place in range(len(wanted.keys))],
-            [row.doubts for row in rows],
-        )
-        columns.reasons = {place: row.reasons for place, row in enumerate(rows) if row.reasons}
-        return columns
-
-    @classmethod
-    def empty(cls, wanted: Wanted, size: int) -> "Columns":
-        """Return columns of arrays without a value."""
-        import numpy
-
-        inputs: dict[str, Any] = {name: [None] * size for name in wanted.inputs}
-        numbers = numpy.full((len(wanted.keys), size), nan)
-        return cls(wanted, inputs, numbers, numpy.zeros(size, dtype=numpy.int64))
+            self.numbers = numpy.full((len(wanted.keys), size), nan)
+            self.doubts, self._gap_of = numpy.zeros((2, size), dtype=numpy.int64)
+        self.gaps: list[Gap] = []
+        self._gap_numbers: dict[tuple[str, bool], int] = {}
 
     def __len__(self) -> int:
         """Return the number of rows."""
@@ -255,66 +181,117 @@ class Columns:
         """Return the numbers of a column."""
         return self.numbers[self.wanted.keys.index(key)]
 
-    def repeat(self, inputs: Mapping[str, Any]) -> None:
-        """Take inputs that are the same in all rows, or arrays, without their uncertainties."""
-        import numpy
+    # --- Results are taken --------------------------------------------------------------------------------------------
 
+    def put(self, rows: Any, results: Results) -> None:
+        """Take the results of a frame. `rows`: the indices of its rows, an array, or that of a single row."""
+        wanted, place = self.wanted, rows
+        if not isinstance(rows, int) and len(rows) == len(self):
+            place = slice(None)
+        others = wanted.alternatives_to(results)
+        bars = results.bars if wanted.has_bars(results) else {}
+        for key, column in (*results.columns.items(), *((key, other.column) for key, other in others.items())):
+            self.column(key)[place] = column.values
+        for key, bar in (*bars.items(), *((key, other.bar) for key, other in others.items() if other.bar)):
+            for side, of_side in wanted.sides_of(key).items():
+                if side in bar.sides:
+                    self.column(of_side)[place] = bar.sides[side]
+        if wanted.inputs:
+            self._put_inputs(rows, results.inputs_of(wanted.names))
+        if wanted.doubts:
+            self.doubts[place] = results.bits
+        elif not wanted.keeps_all:
+            self.doubts[place] = results.ending_bits
+        self._put_gaps(rows, results, bars)
+
+    def refuse(self, row: int, error: JkrollError) -> None:
+        """Take the error of a row that makes no frame."""
+        self._put_gap(row, row, {ROW: error}, is_failed=True)
+
+    def _put_inputs(self, rows: Any, inputs: Mapping[str, Any]) -> None:
+        """Take the inputs of a frame, with their uncertainties."""
         for name in self.inputs.keys() & inputs.keys():
-            value, size = inputs[name], len(self)
-            self.inputs[name] = [value] * size if isinstance(value, str) else numpy.full(size, middle(value), float)
+            value = inputs[name]
+            if isinstance(rows, int):
+                self.inputs[name][rows] = value
+                continue
+            column = rows_of(value, len(rows))
+            if len(rows) == len(self):
+                self.inputs[name] = column
+                continue
+            for row, cell in zip(rows.tolist(), as_list(column), strict=True):
+                self.inputs[name][row] = cell
 
-    def put(self, rows: Sequence[int], columns: "Columns") -> None:
-        """Take the columns of some rows in place of what was known of them."""
-        self.numbers[:, rows] = columns.numbers
-        self.doubts[rows] = columns.doubts
-        for name, column in self.inputs.items():
-            for place, value in zip(rows, as_list(columns.inputs[name]), strict=True):
-                column[place] = middle(value)
-        for place in rows:
-            self.reasons.pop(place, None)
-        self.reasons.update((rows[row], reasons) for row, reasons in columns.reasons.items())
+    def _put_gaps(self, rows: Any, results: Results, bars: Mapping[str, ErrorBar]) -> None:
+        """Note why cells of a frame have no value, once for all rows that have the same reasons."""
+        wanted, remark = self.wanted, self.wanted.lacks_bars(results)
+        columns = [results.columns.get(name, _HIDDEN) for name in wanted.names]
+        numbers = [column.reasons for column in columns] + [bar.place for bar in bars.values()]
+        distinct = {id(each): each for each in numbers}.values()  # many columns share theirs
+        arrays = [each for each in distinct if not isinstance(each, int)]
+        if not arrays and not any(distinct) and remark is None:
+            return
+        if isinstance(rows, int):
+            parts = [(0, rows, rows)]
+        else:
+            parts = [(int(part[0]), int(rows[part[0]]), rows[part]) for part in alike(_indices(len(rows)), arrays)]
+        for row, first, places in parts:
+            reasons = {**results.errors(row), **(results.open_bars(row) if bars else {})}
+            if remark is not None:
+                reasons[UNCERTAINTY] = remark
+            if reasons:
+                is_failed = all(at_row(column.reasons, row) for column in columns)
+                self._put_gap(places, first, reasons, is_failed=is_failed)
 
-    def put_bars(self, evaluation: Evaluation, others: Mapping[str, Any]) -> Any:
-        """Take the error bars of arrays, and of what may stand in their place; return the rows that have open ones."""
-        import numpy
+    def _put_gap(self, rows: Any, first: int, reasons: Reasons, *, is_failed: bool) -> None:
+        """Note the reasons of rows. `is_failed`: whether they have no value."""
+        has_number = any(map(is_end_of_meaning, reasons.values()))  # a number without a meaning is an answer
+        is_failed = lack(reasons) is not None or (is_failed and not has_number)
+        gap = Gap(status_of(reasons), is_failed, first, reasons)
+        number = self._gap_numbers.setdefault(gap[:2], len(self.gaps) + 1)
+        if number > len(self.gaps):
+            self.gaps.append(gap)
+        elif first < self.gaps[number - 1].first:
+            self.gaps[number - 1] = gap
+        self._gap_of[rows] = number
 
-        bars, remark = self.wanted.bars(evaluation)
-        if remark is not None:
-            self.reasons = {row: {**self.reasons.get(row, {}), UNCERTAINTY: remark} for row in range(len(self))}
-        again = numpy.zeros(len(self), dtype=bool)
-        for key, value in {**others, **bars}.items():
-            is_known = ~numpy.isnan(self.column(key))
-            if isinstance(value, JkrollError):
-                again |= is_known
-            elif is_uncertain(value):
-                width = value.high - value.low
-                for side, of_side in self.wanted.sides_of(key).items():
-                    if side in value.sides:
-                        self.column(of_side)[...] = where(is_known & (width > 0), value.sides[side], nan)
-                again |= is_known & numpy.isnan(width)
-        return again
+    # --- Gaps and doubts, counted -------------------------------------------------------------------------------------
 
     def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
         """Empty the error bars of rows that have values. `rows`: the reasons, by row."""
         others = (key for name in self.wanted.names for key in (name, *self.wanted.alternatives_of(name).values()))
         keys = [side for key in others if not key.endswith(DATA) for side in self.wanted.sides_of(key).values()]
-        for row, reason in rows.items():
-            reasons = self.reasons.get(row, _NONE)
+        for row, error in rows.items():
+            gap = self.gap_of(row)
+            reasons = _NONE if gap is None else gap.reasons
             if lack(reasons) is None:
-                self.reasons[row] = {**reasons, UNCERTAINTY: reason}
+                is_failed = gap is not None and gap.is_failed
+                self._put_gap(row, row, {**reasons, UNCERTAINTY: error}, is_failed=is_failed)
                 for key in keys:
                     self.column(key)[row] = nan
 
-    @cached_property
-    def distinct_reasons(self) -> dict[int, Reasons]:
-        """The reasons that differ, by their identities: many rows share theirs."""
-        return {id(reasons): reasons for reasons in self.reasons.values()}
+    def gap_of(self, row: int) -> Gap | None:
+        """Return the gap in which a row is; None for a row without one."""
+        number = int(self._gap_of[row])
+        return self.gaps[number - 1] if number else None
 
-    @cached_property
-    def status(self) -> dict[int, str]:
-        """The phrases of rows that have empty cells, by their places."""
-        phrases = {number: status_of(reasons) for number, reasons in self.distinct_reasons.items()}
-        return {row: phrases[id(reasons)] for row, reasons in self.reasons.items()}
+    @property
+    def status(self) -> list[str | None] | None:
+        """The phrase of each row that has cells without a value; None if no row has."""
+        phrases = [None, *(gap.phrase for gap in self.gaps)]
+        return [phrases[number] for number in as_list(self._gap_of)] if self.gaps else None
+
+    @property
+    def counted_gaps(self) -> list[tuple[Gap, int]]:
+        """The gaps with their numbers of rows, by the first row."""
+        counts = Counter(as_list(self._gap_of)) if self.gaps else Counter[int]()
+        numbered = sorted(enumerate(self.gaps, 1), key=lambda item: item[1].first)
+        return [(gap, counts[number]) for number, gap in numbered if counts[number]]
+
+    @property
+    def first_failed(self) -> Gap | None:
+        """The reasons of the first row without a contact, or without any value; None without such a row."""
+        return next((gap for gap, _ in self.counted_gaps if gap.is_failed), None)
 
     @cached_property
     def distinct_doubts(self) -> tuple[Any, Any, Any]:
@@ -326,117 +303,46 @@ class Columns:
     @property
     def counted_doubts(self) -> Counter[int]:
         """The numbers of rows, by the bits of their doubts."""
-        if isinstance(self.doubts, list):
+        if self.few:
             return Counter(self.doubts)
         distinct, _, counts = self.distinct_doubts
         return Counter(dict(zip(distinct.tolist(), counts.tolist(), strict=True)))
 
-    @cached_property
-    def failed(self) -> list[int]:
-        """The rows without a contact, or without any value but alternatives; one without a meaning is an answer."""
-        lacks = {number: lack(reasons) is not None for number, reasons in self.distinct_reasons.items()}
-        ended = {
-            number for number, reasons in self.distinct_reasons.items() if any(map(is_end_of_meaning, reasons.values()))
-        }
-        return [
-            row
-            for row, reasons in self.reasons.items()
-            if lacks[id(reasons)]
-            or (id(reasons) not in ended and all(isnan(self.column(name)[row]) for name in self.wanted.names))
-        ]
+
+_HIDDEN = Column(nan, reason(HIDDEN))
+
+
+def rows_of(value: Any, size: int) -> Any:
+    """Return the value of an input as a column of rows, with its uncertainty."""
+    if isinstance(value, str):
+        return [value] * size
+    import numpy
+
+    if not is_uncertain(value):
+        return numpy.broadcast_to(numpy.asarray(value, dtype=float), size)
+    numbers, *sides = (as_list(numpy.broadcast_to(cells, size)) for cells in (value.value, *value.sides.values()))
+    return [
+        type(value).of(number, **dict(zip(value.sides, of_row, strict=True)))
+        for number, *of_row in zip(numbers, *sides, strict=True)
+    ]
+
+
+def _indices(size: int) -> Any:
+    import numpy
+
+    return numpy.arange(size)
+
+
+def of_single_row(wanted: Wanted, results: Results) -> Columns:
+    """Return the columns of a single row."""
+    columns = Columns(wanted, 1, few=True)
+    columns.put(0, results)
+    return columns
 
 
 def as_list(column: Any) -> list[Any]:
     """Return the values of a column, an array or a list, as a list."""
     return column if isinstance(column, list) else column.tolist()
-
-
-# --- By arrays --------------------------------------------------------------------------------------------------------
-
-
-def bits_of_rows(evaluation: Evaluation, is_shown: Mapping[str, Any], size: int, *, has_all: bool) -> Any:
-    """Return the doubts of rows as bits: of those quantities that have a value there, or would have one with a meaning.
-
-    `is_shown`: in which rows quantities are; `has_all`: whether limits that end no meaning are judged, too.
-    """
-    import numpy
-
-    scene, bits = evaluation.scene, numpy.zeros(size, dtype=numpy.int64)
-    is_here: dict[str, Any] = {}  # whether a value is there
-    is_meant: dict[str, Any] = {}  # whether it has a meaning
-    for name in evaluation.judged:
-        value = evaluation.computed[name]
-        is_here[name] = numpy.broadcast_to(is_shown[name] & (value == value), size)  # noqa: PLR0124
-        is_meant[name] = is_here[name] & (evaluation.ended.get(name, 0) == 0)
-
-    def add(every: Iterable[Doubt], judged: Mapping[str, Any], rows: Any = slice(None), codes: int = -1) -> None:
-        """Add limits with some codes, each for the rows in which a quantity that it concerns is judged."""
-        for doubt in every:
-            masks = [mask for name, mask in judged.items() if concerns(doubt.limit, scene, [name])]
-            is_judged = reduce(or_, masks, numpy.zeros(size, dtype=bool))
-            bits[rows] |= numpy.where(is_judged, doubt.bits & codes, 0)[rows]
-
-    add(evaluation.ending, is_here)
-    if not has_all:
-        return bits & ENDING_MEANING
-    add(doubts(scene, [*is_here], [limit for limit in INEXACT if limit is not LAW]), is_meant)
-    # A law is judged by its largest effect on a result that has a meaning: together for rows with the same ones.
-    ended = {name: numpy.broadcast_to(of_name, size) for name, of_name in evaluation.ended.items()}
-    for rows in alike(numpy.arange(size), [of_name != 0 for of_name in ended.values()]):
-        meant = {name: mask for name, mask in is_meant.items() if name not in ended or not ended[name][rows[0]]}
-        add(doubts(scene, [*meant], [LAW]), meant, rows)
-    # What rests on z0 has no value, and limits by it are not judged.
-    resting = {
-        name: is_shown[name] & scene.rests_on_spacing(name) for name in filter(scene.may_rest_on_spacing, is_here)
-    }
-    add(doubts(scene, [*resting], INEXACT), resting, codes=NOT_JUDGED)
-    return bits
-
-
-def _explain(
-    columns: Columns, evaluation: Evaluation, is_shown: Mapping[str, Any], scene_of: Callable[[int], Scene]
-) -> Any:
-    """Note why cells are empty. Return the rows that floats are to compute, as they do not confirm an empty cell.
-
-    Rows that lack the same results, from the same step on or by the same limits, have the reasons of the first of
-    them. `is_shown`: the quantities, and in which rows they are.
-    """
-    import numpy
-
-    again = numpy.zeros(len(columns), dtype=bool)
-    gaps = {name: numpy.isnan(columns.column(name)) & shown for name, shown in is_shown.items()}
-    gaps[ROW] = ~reduce(or_, is_shown.values(), again)  # rows that show nothing
-    rows = numpy.flatnonzero(numpy.any([*gaps.values()], axis=0))
-    if not len(rows):
-        return again
-    steps = [value for value in evaluation.scene.values.values() if isinstance(value, numpy.ndarray)]
-    is_nan = [numpy.broadcast_to(numpy.isnan(value), len(columns)) for value in steps]
-    ended = [numpy.broadcast_to(bits, len(columns)) for bits in evaluation.ended.values()]
-    for places in alike(rows, [*gaps.values(), *is_nan, *ended]):
-        first = int(places[0])
-        lacking = {name for name, is_gap in gaps.items() if is_gap[first]}
-        reasons = reasons_of(columns.wanted.evaluation(scene_of(first)).outcomes)
-        if reasons.keys() == lacking:
-            columns.reasons.update(dict.fromkeys(places.tolist(), reasons))
-        else:
-            again[places] = True
-    return again
-
-
-def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
-    """Divide rows into groups that have the same whole number in each column, and iterate over these.
-
-    `rows`: the places of the rows.
-    """
-    import numpy
-
-    keys = numpy.zeros(len(rows), dtype=numpy.int64)
-    for column in columns:
-        numbers = column[rows]
-        if len(numbers) and (numbers != numbers[0]).any():
-            keys = numpy.unique(keys * (numbers.max() + 1) + numbers, return_inverse=True)[1]
-    for key in range(int(keys.max(initial=-1)) + 1):
-        yield rows[keys == key]
 
 
 # --- Blocks -----------------------------------------------------------------------------------------------------------
@@ -447,51 +353,90 @@ class Block(Protocol):
 
     size: int
     numbers: Mapping[str, "Numbers"]  # by input
-    kinds: Sequence[Any]  # arrays: rows with other whole numbers have other scenes, BAD have none
+    kinds: Sequence[Any]  # arrays: rows with other whole numbers have other laws or solids, BAD are refused
 
     def scene(self, given: Mapping[str, Any], rows: "Indices") -> Any:
-        """Return the scene of rows that are alike. Raises a JkrollError where each is a scene by itself."""
+        """Return the frame of rows that are alike. Raises a JkrollError if one of them makes no frame with others."""
 
     def scene_of(self, row: int) -> Any:
-        """Return the scene of a row by itself. Raises the error of what is wrong with it."""
+        """Return the frame of a single row. Raises the error of what is wrong with it."""
 
 
 def evaluated(wanted: Wanted, block: Block) -> Columns:
-    """Return the columns of a block. A row that cannot be computed has the reason for all of its cells."""
+    """Return the columns of a block. A row that makes no frame has the error for all of its cells."""
     import numpy
 
-    columns = Columns.empty(wanted, block.size)
-    by_floats = numpy.ones(block.size, dtype=bool)
-    with numpy.errstate(all="ignore"):
-        for rows, given in groups(block):
-            places = rows.tolist()
-            try:
-                of_group, by_floats[rows] = wanted.columns(block.scene(given, rows), places, block.scene_of)
-            except JkrollError:
-                continue  # each row then has the reason by itself
-            if len(rows) == block.size:
-                columns = of_group
-            else:
-                columns.put(places, of_group)
-        for row in numpy.flatnonzero(by_floats).tolist():
-            try:
-                of_row = wanted.row(wanted.evaluation(block.scene_of(row)))
-            except JkrollError as error:  # its scene cannot be made
-                of_row = Row({}, [nan] * len(wanted.keys), 0, {ROW: error})
-            columns.put([row], Columns.of_rows(wanted, [of_row]))
+    columns = Columns(wanted, block.size, few=False)
+    is_left = numpy.ones(block.size, dtype=bool)  # where a row alone says what is wrong
+    for group in groups(block):
+        with suppress(JkrollError):
+            scene, size = block.scene(group.given(group.rows), group.rows), len(group.rows)
+            at_once = max(1, min(size, AT_ONCE // wanted.places(scene)))
+            for start in range(0, size, at_once):
+                rows = group.rows[start : start + at_once]
+                with suppress(JkrollError):
+                    part = scene if at_once == size else block.scene(group.given(rows), rows)
+                    columns.put(rows, wanted.results(part))
+                    is_left[rows] = False
+    put_single_rows(columns, block.scene_of, numpy.flatnonzero(is_left).tolist())
     return columns
 
 
-def groups(block: Block) -> "Iterator[tuple[Indices, dict[str, Any]]]":
-    """Iterate over rows that are alike, with their inputs. Rows that are BAD are in none."""
+def put_single_rows(columns: Columns, scene_of: Callable[[int], Any], rows: Iterable[int]) -> None:
+    """Put rows of which each is a frame, or is refused."""
+    for row in rows:
+        try:
+            columns.put(row, columns.wanted.results(scene_of(row)))
+        except JkrollError as error:
+            columns.refuse(row, error)
+
+
+class Group(NamedTuple):
+    """Rows of a block that have the same inputs."""
+
+    rows: "Indices"
+    columns: Mapping[str, tuple["Numbers", int]]  # of inputs, with the kind of their cells
+
+    def given(self, rows: "Indices") -> dict[str, Any]:
+        """Return the inputs of some of the rows."""
+        return {name: _values(column, rows, kind) for name, (column, kind) in self.columns.items()}
+
+
+def groups(block: Block) -> Iterator[Group]:
+    """Iterate over rows that have the same inputs, and the same of those from which more follows. BAD rows are left."""
     import numpy
 
     kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
     columns = [*kinds.values(), *block.kinds]
-    for rows in alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), columns):
-        of_cells = {name: int(of_input[rows[0]]) for name, of_input in kinds.items()}
-        given = {name: _values(block.numbers[name], rows, kind) for name, kind in of_cells.items() if kind != _EMPTY}
-        yield rows, given
+    is_bad = reduce(or_, (of_column == BAD for of_column in columns), numpy.zeros(block.size, dtype=bool))
+    for rows in alike(numpy.flatnonzero(~is_bad), columns):
+        if len(rows):
+            of_cells = {name: int(of_column[rows[0]]) for name, of_column in kinds.items()}
+            yield Group(rows, {name: (block.numbers[name], kind) for name, kind in of_cells.items() if kind != _EMPTY})
+
+
+def alike(rows: "Indices", columns: Iterable[Any]) -> "Iterator[Indices]":
+    """Divide rows into groups that have the same whole number in each column, and iterate over these.
+
+    `rows`: the indices of the rows.
+    """
+    import numpy
+
+    keys, size = numpy.zeros(len(rows), dtype=numpy.int64), 1
+    for column in columns:
+        numbers = column[rows]
+        least, most = int(numbers.min(initial=_MOST)), int(numbers.max(initial=-_MOST))
+        if least < most:
+            span = most - least + 1
+            if size * span >= _MOST:  # as good as never
+                distinct, keys = numpy.unique(keys, return_inverse=True)
+                size = len(distinct)
+            keys, size = keys * span + (numbers - least), size * span
+    if size == 1:
+        yield rows
+        return
+    for key in numpy.unique(keys):
+        yield rows[keys == key]
 
 
 def _kinds(name: str, column: "Numbers") -> "Indices":
@@ -551,12 +496,7 @@ def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
     """Return reasons in full; `word_of` returns the word of a quantity, by default its name."""
     if (error := lack(reasons)) is not None:
         return str(error)
-    # A side of an error bar has the reason of its quantity.
-    errors = {
-        key if key in NOMENCLATURE else key.rpartition("_")[0]: error
-        for key, error in reasons.items()
-        if key != UNCERTAINTY
-    }
+    errors = {name: error for name, error in reasons.items() if name != UNCERTAINTY}
     clauses = [f"{first_of([*map(word_of, names)])}: {reason}" for names, reason in grouped(errors)]
     clauses += [str(reasons[UNCERTAINTY])] if UNCERTAINTY in reasons else []
     return "; ".join(clauses)
@@ -579,17 +519,15 @@ class Tally(NamedTuple):
     def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
         """Return the counts of some rows; `word_of` as `worded` has it."""
         gaps: dict[str, Gaps] = {}
-        # A code says in how many rows it ends the meaning of results.
-        told = {
-            number: {key: error for key, error in reasons.items() if not has_code(error)}
-            for number, reasons in columns.distinct_reasons.items()
-        }
-        statuses = {number: status_of(reasons) for number, reasons in told.items() if reasons}
-        for row, reasons in sorted(columns.reasons.items()):
-            if (status := statuses.get(id(reasons))) is not None:
-                rows, first, words = gaps.get(status) or (0, row + 1, worded(told[id(reasons)], word_of))
-                gaps[status] = (rows + 1, first, words)
-        return cls(len(columns), len(columns.failed), gaps, columns.counted_doubts)
+        for gap, number in columns.counted_gaps:
+            # A code says in how many rows it ends the meaning of results.
+            told = {name: error for name, error in gap.reasons.items() if not has_code(error)}
+            if told:
+                phrase = status_of(told)
+                rows, first, words = gaps.get(phrase) or (0, gap.first + 1, worded(told, word_of))
+                gaps[phrase] = (rows + number, first, words)
+        failed = sum(number for gap, number in columns.counted_gaps if gap.is_failed)
+        return cls(len(columns), failed, gaps, columns.counted_doubts)
 
     def plus(self, other: "Tally", table: str = "") -> "Tally":
         """Return the counts with those of some more rows, or of a table, which has a row 1 of its own."""

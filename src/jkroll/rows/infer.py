@@ -2,54 +2,80 @@
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
+from functools import cached_property, reduce
+from operator import or_
 from typing import Any, overload
 
 from ..errors import BadRequest, NoResult
 from ..materials.library import Material, Materials
+from ..physics.elementary import where
 from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
+from ..scene.column import Column
 from ..scene.containers import Reader
-from ..scene.doubts import OfUnknowns, meaning_ended
+from ..scene.doubts import Doubt
 from ..scene.failures import MissingInput
-from ..scene.inverse import Problem, already_given, inputs_named
+from ..scene.inverse import Problem
+from ..scene.results import Results
 from ..scene.scene import Scene, check_range
 from ..scene.solver import materials_of, with_uncertainties
+from ..scene.unsolved import already_given, inputs_named
 from ..scene.wiring import in_order
-from .columns import Columns, Wanted, bits_of_rows, sides_in
+from .columns import Wanted, sides_in
 from .sweep import Sweep
 
 
 class Unknowns(Wanted):
     """Unknowns of rows, each of which is a problem."""
 
-    def evaluation(self, scene: Problem) -> OfUnknowns:
-        """Return the values of the unknowns, or why a problem of numbers has none."""
-        return OfUnknowns(scene, scene.evaluate(self.names), keeps_all=self.keeps_all)
-
-    def columns(self, scene: Problem, rows: Sequence[int], scene_of: Any) -> tuple[Columns, Any]:  # noqa: ARG002
-        """Return the columns of arrays of measured values, and the rows that floats are to compute."""
-        import numpy
-
+    def results(self, scene: Problem) -> Results:
+        """Return the results of a problem, or of several."""
         solids = [solid.name for solid, _ in scene.scene.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
             # Solids of many rows have no name: each row by itself says.
             raise BadRequest("of which spheres an unknown is")
-        evaluation, columns = self.evaluation(scene), Columns.empty(self, len(rows))
-        columns.repeat(evaluation.inputs_of(self.names))
-        for name, values in evaluation.values.items():
-            columns.column(name)[...] = values
-        if self.doubts or not self.keeps_all:
-            forward = evaluation.forward
-            is_shown = dict.fromkeys(forward.computed, True)
-            columns.doubts[...] = bits_of_rows(forward, is_shown, len(rows), has_all=self.doubts)
-        for name, bits in evaluation.ended.items() if not self.keeps_all else ():
-            of_rows = numpy.broadcast_to(bits, len(rows))
-            for row in numpy.flatnonzero(of_rows).tolist():
-                reasons = columns.reasons.get(row, {})
-                columns.reasons[row] = {**reasons, name: meaning_ended(name, int(of_rows[row]))}
-        for row, error in scene.solution.failures.items():
-            columns.reasons[row], columns.doubts[row] = dict.fromkeys(self.names, error), 0
-        return columns, columns.put_bars(evaluation, {})
+        return Found(scene, scene.columns(self.names), keeps_all=self.keeps_all)
+
+
+class Found(Results):
+    """The unknowns of a problem, whose limits are those of what was measured, in the scene with them."""
+
+    @cached_property
+    def forward(self) -> Results:
+        """The measured quantities; none where the unknowns have no value."""
+        if any(column.is_empty for column in self.computed.values()):
+            return Results(self.scene.filled, {})
+        solved = self.scene.solved
+        return Results(solved, solved.columns(self.scene.measured), keeps_all=self.keeps_all)
+
+    @cached_property
+    def meant(self) -> Mapping[str, Column]:
+        """The columns without values that have no meaning: all or none of a row, by what was measured."""
+        measured = [*self.forward.computed]
+        return {name: self.forward.without_meaning(name, column, measured) for name, column in self.computed.items()}
+
+    @property
+    def ending(self) -> Sequence[Doubt]:
+        """The limits that end the meaning of the measured quantities."""
+        return self.forward.ending
+
+    @property
+    def validity(self) -> Sequence[Doubt]:
+        """The limits of the measured quantities."""
+        return self.forward.validity
+
+    @property
+    def bits(self) -> Any:
+        """The codes of the limits that do not hold as bits, of rows that have values."""
+        return self._of_rows(self.forward.bits)
+
+    @property
+    def ending_bits(self) -> Any:
+        """The codes of the limits that end the meaning of results as bits, of rows that have values."""
+        return self._of_rows(self.forward.ending_bits)
+
+    def _of_rows(self, bits: Any) -> Any:
+        return where(reduce(or_, (column.reasons == 0 for column in self.computed.values())), bits, 0)
 
 
 class Problems(Sweep):

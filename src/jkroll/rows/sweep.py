@@ -1,7 +1,7 @@
 """The rows of lists and ranges: each pair of materials with all values of its inputs, and these with each law.
 
-Few rows are computed one by one, many as arrays: where they would take longer by themselves than numpy takes to be
-imported.
+Few rows are frames of numbers, many are frames of arrays: where they would take longer one by one than numpy takes to
+be imported.
 """
 
 from bisect import bisect
@@ -29,7 +29,7 @@ class Sweep:
     """The rows of a call."""
 
     most_answers = 1_000_000  # that are written one by one
-    most_in_table = 10_000  # rows that are computed one by one for a table on a terminal
+    most_in_table = 10_000  # rows of a table on a terminal
     few = 300  # rows that take about as long one by one as to import numpy and orjson
 
     def __init__(
@@ -129,13 +129,16 @@ class Sweep:
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 
-    def columns(self, wanted: "Wanted", *, one_by_one: bool = False) -> Iterator["Columns"]:
-        """Iterate over the columns of the rows, block by block; `one_by_one`: inputs have their uncertainties."""
+    def columns(self, wanted: "Wanted") -> Iterator["Columns"]:
+        """Iterate over the columns of the rows, block by block."""
         from .columns import BLOCK, Columns, evaluated
 
         size = len(self)
-        if one_by_one or size <= self.few:
-            yield Columns.of_rows(wanted, [*map(wanted.row, map(wanted.evaluation, self.scenes()))])
+        if size <= self.few:
+            columns = Columns(wanted, size, few=True)
+            for row, scene in enumerate(self.scenes()):
+                columns.put(row, wanted.results(scene))
+            yield columns
             return
         for start in range(0, size, BLOCK):
             yield evaluated(wanted, Lists(self, start, min(start + BLOCK, size)))

@@ -6,7 +6,7 @@ No file is opened here: `batch` reads and writes.
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 
@@ -15,17 +15,14 @@ from ..materials.library import Material, Materials
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import is_uncertain, value_of
-from ..scene.doubts import Evaluation
 from ..scene.failures import MissingInput, NotInLaw
 from ..scene.scene import EXCLUSIVE, Scene
+from ..scene.uncertainty import Sources, sources_of_results
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup, Numbers
 from .columns import BAD, SIDES, Wanted, groups
 from .header import Header, is_input, stated_meanings, typed
 from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
-
-if TYPE_CHECKING:
-    from ..scene.uncertainty import Sources
 
 _NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row yet
 
@@ -176,13 +173,15 @@ class Table:
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
         return names, [*explicit, *of_cells]
 
-    def _sources(self, block: "TableBlock") -> "list[Sources]":
+    def _sources(self, block: "TableBlock") -> list[Sources]:
         """Return the sources of uncertainty of the quantities in each kind of rows."""
         sources = []
-        for places, given in groups(block):
+        for group in groups(block):
             with suppress(JkrollError):  # bad rows, which their status will explain
-                sources.append(Evaluation(block.scene(given, places), dict.fromkeys(self.names)).sources)
-        return [*filter(None, sources)]
+                scene = block.scene(group.given(group.rows), group.rows)
+                if scene.uncertainties:
+                    sources.append(sources_of_results(scene, self.names))
+        return sources
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:

@@ -1,18 +1,21 @@
 """What may stand in place of results: those of the other law, and those that measured rolling forces mean."""
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import reduce
 from math import nan
 from operator import attrgetter
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..errors import JkrollError
 from ..materials.library import Displacement, Material
 from ..physics.elementary import NUMBER, at_least, at_most, quotient, where
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law
 from ..quantities.nomenclature import INFINITY, XI
-from ..quantities.values import Interval, ends_of, middle
+from ..quantities.values import Interval, ends_of
+from .column import Column, first_of
+from .failures import HIDDEN, reason
 from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, Scene, takes
+from .uncertainty import ErrorBar, error_bars, sources_of_results
 from .wiring import depends_on, plan_for
 
 # --- By the other law -------------------------------------------------------------------------------------------------
@@ -63,33 +66,32 @@ def moved_by_law(scene: Scene, names: Iterable[str]) -> list[str]:
     return [name for name in other.possible(names) if has_other_formulas(scene, name, other.law.name)]
 
 
-def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
-    """Return how far the answers to these names are from those under the law that holds, as the factor of the farthest.
+def factor_of_law(scene: Scene, columns: Mapping[str, Column]) -> Any:
+    """Return how far results are from those under the law that holds, as the factor of the farthest.
 
     A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
-    law, too. The factor is infinite where only the law in use has an answer, or answers differ in sign.
+    law, too. The factor is infinite where only the law in use has a result, or results differ in sign.
     """
     if scene.law.name == BETWEEN:
         return 1.0
-    ours = scene.numbers(*moved_by_law(scene, names))
+    ours = {name: columns[name].values for name in moved_by_law(scene, columns) if not columns[name].is_empty}
     other = by_law_at_spacing(scene, ours)
-    compared = [*other.evaluate([*ours]).items()]
+    compared = [*other.columns(ours).items()]
     rolled = rolling(ours)
     if rolled and (reading := at_other_reading(scene, other)) is not None:
-        compared += reading.evaluate(rolled).items()
+        compared += reading.columns(rolled).items()
     if "pull_off_force" in ours:
-        fit = scene.evaluate(["pull_off_force_lennard_jones"])
-        compared += (("pull_off_force", value) for value in fit.values())
-    return farthest((theirs, ours[name]) for name, theirs in compared)
+        compared.append(("pull_off_force", scene.column("pull_off_force_lennard_jones")))
+    return farthest((theirs.or_else(0.0), ours[name]) for name, theirs in compared)
 
 
 def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
     """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
 
-    It is infinite where the first answer does not exist, or signs differ, and 1 where the second is none or 0.
+    It is infinite where the first answer is 0, or signs differ, and 1 where the second is none or 0.
     """
     ratios: list[Any] = [1.0]
-    ratios += (quotient(0.0 if isinstance(theirs, JkrollError) else theirs, ours, 1.0) for theirs, ours in answers)
+    ratios += (quotient(theirs, ours, 1.0) for theirs, ours in answers)
     least, most = reduce(at_most, ratios), reduce(at_least, ratios)
     is_positive = least > 0
     return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
@@ -184,7 +186,7 @@ def at_full_hysteresis(scene: Scene) -> Scene:
     return scene.replace(**{XI: scene[XI] / scene["hysteresis_ratio"]})
 
 
-def factor_of_data(scene: Scene, names: Collection[str]) -> Any:  # noqa: ARG001
+def factor_of_data(scene: Scene, _: Mapping[str, Column]) -> Any:
     """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
     factor = farthest((end, scene[XI]) for end in ends_of(measured_displacement(scene)))
     return where(is_like_rolled(scene), factor, 1.0)
@@ -207,54 +209,85 @@ def names_with_alternatives(scenes: Sequence[Scene], names: Sequence[str]) -> di
     return {law: [name for name in names if name in moved], DATA: [name for name in names if name in rolled]}
 
 
-def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Any]]:
+class Alternative(NamedTuple):
+    """What may stand in place of a result: a column, with its error bar if it has one."""
+
+    column: Column
+    bar: ErrorBar | None = None
+
+    def without(self, is_out: Any) -> "Alternative":
+        """Return the alternative, where some rows have none."""
+        column = self.column.without(is_out, reason(HIDDEN))
+        if self.bar is None or column is self.column:
+            return Alternative(column, self.bar)
+        return Alternative(column, self.bar.without(is_out))
+
+    @property
+    def measure(self) -> Any:
+        """The value of a single row, with its error bar; None without one."""
+        if self.column.is_empty:
+            return None
+        has_bar = self.bar is not None and self.bar.sides
+        return self.bar.of(self.column.values) if self.bar is not None and has_bar else self.column.values
+
+
+def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Alternative]]:
     """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
 
-    `names_of`: the quantities of each kind. None stands for one that has no value. A kind that a scene does not have is
-    left out.
+    `names_of`: the quantities of each kind. A kind that a scene does not have is left out.
     """
-    law, values = other_law(scene.law.name), {}
+    law, every = other_law(scene.law.name), {}
     if moved := names_of.get(law):
-        values[law] = with_bars(scene, moved, attrgetter("by_law"))
+        every[law] = with_bars(scene, moved, attrgetter("by_law"))
     rolled = names_of.get(DATA)
     if rolled and (is_near := is_like_rolled(scene)) is not False:
         deciding = "yield_force", "reduced_radius"  # at the pair that was measured, and here
         lows, highs = (with_bars(scene, rolled, end, deciding) for end in (at_least_measured, at_most_measured))
-        values[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
-    return values
+        every[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
+    return every
 
 
 def with_bars(
     scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene], deciding: Sequence[str] = ()
-) -> dict[str, Any]:
+) -> dict[str, Alternative]:
     """Return quantities of what is made of a scene, with their error bars. Sources that do not go together give none.
 
     `deciding`: the quantities of the scene that decide on inputs of the other one, whose sources enter, too. Raises a
-    JkrollError for a scene of arrays of which some elements have no error bars.
+    JkrollError for several rows of which some have no error bars.
     """
-    values = dict.fromkeys(names) | alternative(scene).numbers(*names)
-    if not scene.uncertainties:
-        return values
-    from .uncertainty import Propagated, sources_of_results, uncertainties
-
-    try:
-        sources = sources_of_results(scene, [*names, *deciding]) if deciding else None
-        bars = uncertainties(scene, names, alternative, sources)
-    except JkrollError:
-        if scene.shape:
-            raise
-        return values
-    return values | {name: bar.uncertainty for name, bar in bars.items() if isinstance(bar, Propagated)}
+    columns, bars = alternative(scene).columns(names), dict[str, ErrorBar]()
+    if scene.uncertainties:
+        try:
+            sources = sources_of_results(scene, [*names, *deciding]) if deciding else None
+            bars = error_bars(scene, names, alternative, sources)
+        except JkrollError:
+            if scene.shape:  # of several rows, one may be to blame
+                raise
+    return {name: Alternative(column, bars.get(name)) for name, column in columns.items()}
 
 
-def _between(first: Any, second: Any, is_near: Any) -> Any:
-    """Return the range of two values with their error bars, where it is that of spheres like those that were rolled.
+def _between(first: Alternative, second: Alternative, is_near: Any) -> Alternative:
+    """Return the range of two values with their error bars, in rows of spheres like those that were rolled.
 
     Two values that are the same are one.
     """
-    if first is None or second is None:
-        return None
-    ends = (*ends_of(first), *ends_of(second))
+    reasons = first_of(first.column.reasons, second.column.reasons)
+    ends = [*_ends(first), *_ends(second)]
     low, high = reduce(at_most, ends), reduce(at_least, ends)
-    value = where(is_near, (middle(first) + middle(second)) / 2, nan)
-    return value if isinstance(low, NUMBER) and low == high else Interval.of(value, low=low, high=high)
+    value = (first.column.values + second.column.values) / 2
+    column = Column(value, reasons).without(where(is_near, False, True), reason(HIDDEN))
+    if isinstance(low, NUMBER) and low == high:
+        return Alternative(column)
+    has_value = column.reasons == 0
+    sides = {"low": where(has_value, low, nan), "high": where(has_value, high, nan)}
+    return Alternative(column, ErrorBar(Interval, sides))
+
+
+def _ends(alternative: Alternative) -> tuple[Any, Any]:
+    """Return the ends of the error bar of an alternative, or twice its value where it has none."""
+    value, bar = alternative.column.values, alternative.bar
+    if bar is None or not bar.sides:
+        return value, value
+    low, high = ends_of(bar.of(value))
+    has_bar = low == low  # noqa: PLR0124
+    return where(has_bar, low, value), where(has_bar, high, value)

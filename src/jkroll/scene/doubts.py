@@ -1,185 +1,20 @@
-"""Doubts about an answer: the limits of the model in one table, and what of an answer they leave."""
+"""The limits of the model in one table, and how they are judged for the results of a frame."""
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache, cached_property, reduce
 from math import exp, inf, nan
 from operator import ge, gt, le, lt, or_
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 from ..errors import JkrollError
 from ..physics.elementary import at_least, at_most, ln, where
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
 from .alternatives import factor_of_data, factor_of_law, is_smooth, rolled_solid
-from .failures import OF_ANOTHER_PAIR, RESTS_ON_SPACING, EndOfMeaning, Failure, MissingInput, NotInLaw
+from .column import Column
+from .failures import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, kind_and_step, reason, register
 from .scene import Scene
 from .wiring import taken_by
-
-if TYPE_CHECKING:
-    from .uncertainty import Propagated, Sources
-
-
-class Evaluation:
-    """The outcomes of a scene with their inputs, error bars and doubts, each computed when something shows it.
-
-    Rows and answers are ways to show it. Of a scene of arrays all are arrays, with nan where an element has no value.
-    A result has no value where a limit ends its meaning, unless bare numbers are wanted.
-    """
-
-    def __init__(self, scene: Any, computed: Mapping[str, Any], *, keeps_all: bool = False) -> None:
-        """`computed`: values, or the errors that say why there are none, by quantity.
-
-        `keeps_all`: whether values without a meaning stay, as bare numbers do.
-        """
-        self.scene, self.computed, self.keeps_all = scene, computed, keeps_all
-
-    @cached_property
-    def outcomes(self) -> Mapping[str, Any]:
-        """Values, or the errors that say why there are none, by quantity: meaningless values have one, too."""
-        if self.keeps_all or not self.ended:
-            return self.computed
-        outcomes = {**self.computed}
-        for name, bits in self.ended.items():
-            is_one = isinstance(bits, int)
-            outcomes[name] = meaning_ended(name, bits) if is_one else where(bits == 0, self.computed[name], nan)
-        return outcomes
-
-    @cached_property
-    def values(self) -> dict[str, Any]:
-        """The values by quantity."""
-        return {name: value for name, value in self.outcomes.items() if not isinstance(value, JkrollError)}
-
-    @cached_property
-    def errors(self) -> dict[str, JkrollError]:
-        """The reasons of quantities that have no value."""
-        return {name: value for name, value in self.outcomes.items() if isinstance(value, JkrollError)}
-
-    @property
-    def lacking(self) -> dict[str, JkrollError]:
-        """The errors but for those of limits that end meaning, of which a warning tells."""
-        return {name: error for name, error in self.errors.items() if not has_code(error)}
-
-    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the inputs that were stated or enter quantities, as they were understood, with their error bars."""
-        inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names))
-        if self.sources is not None:
-            inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
-        return inputs
-
-    @cached_property
-    def sources(self) -> "Sources | None":
-        """The sources of uncertainty that enter; None if there are none.
-
-        Raises a JkrollError for sources that do not go together.
-        """
-        if not self.scene.uncertainties:
-            return None
-        from .uncertainty import sources_of_results
-
-        return sources_of_results(self.scene, [*self.computed])
-
-    @cached_property
-    def bars(self) -> "Mapping[str, Propagated | JkrollError]":
-        """The error bars of values that have some, or the errors that say why they have none."""
-        if self.sources is None or not self.values:
-            return {}
-        from .uncertainty import uncertainties
-
-        return uncertainties(self.scene, [*self.values], sources=self.sources)
-
-    # --- Limits of the model ------------------------------------------------------------------------------------------
-
-    @cached_property
-    def judged(self) -> list[str]:
-        """The quantities for which limits are judged: those with a value, whether it has a meaning or not."""
-        return [name for name, value in self.computed.items() if not isinstance(value, JkrollError)]
-
-    @cached_property
-    def ending(self) -> "Sequence[Doubt]":
-        """The limits that end the meaning of results, judged for all values."""
-        return doubts(self.scene, self.judged, ENDING)
-
-    @cached_property
-    def ended(self) -> Mapping[str, Any]:
-        """The results without a meaning, with the codes that end it as bits; of arrays, with 0 where none does."""
-        every = {name: self._ended(name) for name in self.judged}
-        return {name: bits for name, bits in every.items() if not isinstance(bits, int) or bits}
-
-    def _ended(self, name: str) -> Any:
-        """Return the codes of the limits that end the meaning of a result as bits; 0 without any."""
-        bits: Any = 0 if name in NUMBERS_OF_LIMITS else self.bits_of_ending(name) & ENDING_MEANING
-        if NOMENCLATURE[name].of_identical:
-            bits = bits | where(self.scene.is_identical, 0, OF_IDENTICAL)
-        if isinstance(bits, int):
-            return bits
-        value = self.computed[name]
-        bits = where(value == value, bits, 0)  # noqa: PLR0124
-        return bits if bits.any() else 0
-
-    def bits_of_ending(self, name: str) -> Any:
-        """Return the codes of the limits that end meaning, and touch a result, as bits; UNCHECKED is one of them."""
-        return bits_of(doubt for doubt in self.ending if concerns(doubt.limit, self.scene, [name]))
-
-    @cached_property
-    def validity(self) -> "Sequence[Doubt]":
-        """The limits of the model, judged for the values with a meaning, or with the reason why not."""
-        inexact = self.inexact([name for name in self.judged if name not in self.ended])
-        resting = [name for name, value in self.computed.items() if isinstance(value, JkrollError) and rests(value)]
-        lacking = [doubt for doubt in self.inexact(resting) if doubt.error is not None]
-        return [*self.ending, *inexact, *lacking]
-
-    def inexact(self, names: Sequence[str]) -> "list[Doubt]":
-        """Return the limits that end no meaning, judged for these quantities."""
-        return doubts(self.scene, names, INEXACT)
-
-
-class OfUnknowns(Evaluation):
-    """The values of the unknowns of a problem, whose limits are those of what was measured, in the scene with them."""
-
-    @cached_property
-    def forward(self) -> Evaluation:
-        """The evaluation of the measured quantities; of none where the unknowns have no value."""
-        if any(isinstance(value, JkrollError) for value in self.computed.values()):
-            return Evaluation(self.scene.filled, {})
-        solved = self.scene.solved
-        return Evaluation(solved, solved.evaluate([*self.scene.measured]), keeps_all=self.keeps_all)
-
-    @cached_property
-    def ended(self) -> Mapping[str, Any]:
-        """The unknowns, all or none of them, where a limit ends the meaning of a measured quantity."""
-        bits = reduce(or_, self.forward.ended.values(), 0)
-        return {} if isinstance(bits, int) and not bits else dict.fromkeys(self.computed, bits)
-
-    @cached_property
-    def ending(self) -> "Sequence[Doubt]":
-        """The limits that end the meaning of the measured quantities."""
-        return self.forward.ending
-
-    @cached_property
-    def validity(self) -> "Sequence[Doubt]":
-        """The limits of the measured quantities."""
-        return self.forward.validity
-
-
-def meaning_ended(name: str, bits: int) -> Failure:
-    """Return the reason of a result whose meaning limits end, by their codes as bits."""
-    return Failure(next(kind for bit, kind in ENDS.items() if bits & bit), name)
-
-
-def is_end_of_meaning(error: JkrollError) -> bool:
-    """Return whether an error is the reason of a result that has a number without a meaning."""
-    return isinstance(error, Failure) and isinstance(error.kind, EndOfMeaning)
-
-
-def rests(error: JkrollError) -> bool:
-    """Return whether a quantity has no value as it rests on the atomic spacing, which was not given."""
-    return isinstance(error, Failure) and error.kind == RESTS_ON_SPACING
-
-
-def has_code(error: JkrollError) -> bool:
-    """Return whether a code among the doubts says the same as an error."""
-    return is_end_of_meaning(error) and error.args[0] is not OF_ANOTHER_PAIR
-
 
 # --- Limits -----------------------------------------------------------------------------------------------------------
 
@@ -200,12 +35,12 @@ class Limit:
         sign: Literal["<", "<=", ">", ">="],
         codes: Mapping[float, str],  # by threshold
         consequence: str,  # for a number beyond the threshold
-        applies: Callable[[Scene, Collection[str]], bool] | None = None,  # to some answers of a scene; None: to all
+        applies: Callable[[Scene, Collection[str]], bool] | None = None,  # to some results of a scene; None: to all
         ends_meaning: bool = False,  # a number that is said to be in doubt has no meaning
         conclusion: str = "",  # the name of what follows, if it is not that of the number
-        # What is judged in place of the number: of laws and data the factor between answers.
-        factor: Callable[[Scene, Collection[str]], Any] | None = None,
-        where: Callable[[Scene], Any] | None = None,  # the scenes, or elements of arrays, for which it is judged
+        # What is judged in place of the number, for columns of results: of laws and data the factor between answers.
+        factor: Callable[[Scene, Mapping[str, Column]], Any] | None = None,
+        where: Callable[[Scene], Any] | None = None,  # the rows for which it is judged
         is_told: bool = True,  # below an answer, and not in explanations alone
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
@@ -231,13 +66,13 @@ class Limit:
 class Doubt:
     """A limit that was judged: its number, and what is judged, which is another where the limit has a factor.
 
-    Both are numbers, or arrays for a scene of arrays.
+    Both are numbers, or arrays.
     """
 
     def __init__(
         self, limit: Limit, value: Any, judged: Any, error: JkrollError | None = None, unjudged: Any = False
     ) -> None:
-        """`error`: why it could not be judged; `unjudged`: the elements of arrays that could not be."""
+        """`error`: why no row could be judged; `unjudged`: the rows that could not be."""
         self.limit, self.value, self.judged, self.error, self.unjudged = limit, value, judged, error, unjudged
 
     @property
@@ -463,11 +298,9 @@ BITS = {code: 1 << place for place, code in enumerate((*CODES, UNCHECKED))}
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
-# Beside the codes: results of identical spheres that were asked for by name of others. No column has a code of it.
-OF_IDENTICAL = 2 * NOT_JUDGED
 # The explanations of codes that end the meaning of results, which are the reasons of these, and of what is not judged.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
-ENDS = {BITS[code]: EndOfMeaning(words, words) for code, words in MEANINGS.items()} | {OF_IDENTICAL: OF_ANOTHER_PAIR}
+ENDS = {code: register(EndOfMeaning(words, words)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
 # What no limit ends: the numbers by which limits are judged, unless a limit is that of a result, and w, of the solids.
 NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
@@ -475,44 +308,59 @@ NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.diff
 )
 
 
-def doubts(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
-    """Return the limits of the answers to these names, judged or with the reason why not.
+def doubts(scene: Scene, columns: Mapping[str, Column], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
+    """Return the limits of the results in columns, judged or with the reason why not.
 
     Those whose numbers law or contact do not have are left out.
     """
-    concerned = touched(scene, names, limits)
-    values = scene.evaluate([limit.name for limit in concerned])
+    concerned = touched(scene, columns, limits)
+    numbers = scene.columns(limit.name for limit in concerned)
     every = []
     for limit in concerned:
-        value = values[limit.name]
-        if isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
-            every.append(Doubt(limit, nan, nan, value))
-        elif isinstance(value, JkrollError) and rests(value):
-            every.append(Doubt(limit, nan, nan, Failure(RESTS_ON_SPACING, next(iter(limit.codes.values())))))
-        elif not isinstance(value, JkrollError):
-            factor = value if limit.factor is None else where(value == value, limit.factor(scene, names), nan)  # noqa: PLR0124
-            if limit.where is not None:
-                factor = where(limit.where(scene), factor, 0.0)
-            every.append(Doubt(limit, value, factor, unjudged=scene.rests_on_spacing(limit.name)))
+        values, reasons = column = numbers[limit.name]
+        if column.is_empty:
+            kind, _ = kind_and_step(reasons)
+            if kind is MISSING:
+                every.append(Doubt(limit, nan, nan, scene.missing_input(limit.name)))
+            elif kind is RESTS_ON_SPACING:
+                every.append(Doubt(limit, nan, nan, Failure(kind, next(iter(limit.codes.values())))))
+            continue
+        judged = values if limit.factor is None else where(reasons == 0, limit.factor(scene, columns), nan)
+        if limit.where is not None:
+            judged = where(limit.where(scene), judged, 0.0)
+        every.append(Doubt(limit, values, judged, unjudged=reasons == reason(RESTS_ON_SPACING, limit.name)))
     return every
 
 
 def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
-    """Return the limits that concern the answers to these names."""
+    """Return the limits that concern the results of these names."""
     concerned = (limit for limit in limits if concerns(limit, scene, names))
     return [limit for limit in concerned if limit.where is None or limit.where(scene) is not False]
 
 
 def concerns(limit: Limit, scene: Scene, names: Collection[str]) -> bool:
-    """Return whether a limit touches the answers to these names, and applies to them."""
+    """Return whether a limit touches the results of these names, and applies to them."""
     if limit.touches.isdisjoint(taken_by(tuple(names), *scene.kind)):
         return False
     return limit.applies is None or limit.applies(scene, names)
 
 
-def bits_of(several: Iterable[Doubt]) -> Any:
-    """Return the codes of doubts as bits: a whole number, or an array for a scene of arrays."""
-    return reduce(or_, (doubt.bits for doubt in several), 0)
+def bits_of(scene: Scene, is_judged: Mapping[str, Any], every: Iterable[Doubt]) -> Any:
+    """Return the codes of doubts as bits, of each limit in the rows where a quantity that it concerns is judged.
+
+    `is_judged`: the rows, by quantity.
+    """
+    bits: Any = 0
+    is_same = all(rows is True for rows in is_judged.values())
+    for doubt in every:
+        rows = True if is_same else rows_of(doubt.limit, scene, is_judged)
+        bits = bits | where(rows, doubt.bits, 0)
+    return bits
+
+
+def rows_of(limit: Limit, scene: Scene, is_judged: Mapping[str, Any]) -> Any:
+    """Return the rows in which some quantity is judged that a limit concerns."""
+    return reduce(or_, (rows for name, rows in is_judged.items() if concerns(limit, scene, [name])), False)
 
 
 @cache  # many rows have the same doubts

@@ -1,14 +1,20 @@
-"""Errors about a scene: inputs that are missing, and results that do not exist, by their kinds.
+"""Reasons why a quantity has no value: their kinds, and the errors and sentences that are made of them.
 
-Below: the numbers for which the physics gives a formula no result, with the error that says why.
+In columns a reason is a whole number, 0 for none, made of its kind and of the step of the calculation that has no
+value. The numbers of its sentence are those of the row, read from the columns of this step.
+
+Below: for which arguments the physics gives a formula no result.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from operator import ge, gt, le
 from typing import Any
 
 from ..errors import JkrollError, NoResult
+from ..physics import FORMULAS
 from ..physics.contact import pull_off_force_dmt
+from ..physics.elementary import where
 from ..physics.jkr import approach_at_fold
 from ..physics.motion import FITTED_UP_TO
 from ..quantities.formatting import DIGITS, Format, amount
@@ -79,15 +85,15 @@ def _in_words(names: Iterable[str]) -> str:
 
 
 class Kind:
-    """The words of failures that have one reason."""
+    """The kind of a reason, with its words."""
 
     def __init__(
         self,
-        phrase: str,  # of the status of a row
+        phrase: str,  # in the status of a row
         words: str,  # in full; {0} stands for the value of `name` that rules a result out, the others for its limits
         name: str = "",  # the quantity whose value rules a result out
         # Whether this is beyond a limit: for a load and an approach also at it, where rounding may have put it.
-        is_beyond: Callable[[Any, Any], bool] = le,
+        is_beyond: Callable[[Any, Any], Any] = le,
     ) -> None:
         self.phrase, self.words, self.name, self.is_beyond = phrase, words, name, is_beyond
         self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the scene is to be trusted
@@ -100,9 +106,12 @@ class Kind:
 
 
 class EndOfMeaning(Kind):
-    """The words of results that have a number without a meaning, which bare output and `jkroll.solve` give."""
+    """The kind of a reason why a number has no meaning; bare output and `jkroll.solve` give it."""
 
 
+MISSING = Kind("", "an input is missing, which the plan names")
+NOT_IN_LAW = Kind("", "the law does not have the quantity, as its plan says")
+HIDDEN = Kind("", "a quantity of identical spheres, not asked for by name")
 BEYOND_PULL_OFF = Kind("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
 HELD_BY_MAUGIS = Kind(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load")
 BEYOND_FOLD = Kind(
@@ -144,6 +153,33 @@ INFINITE = Kind("infinite", "infinite")  # where a number is to be written, such
 NO_STIFFNESS = Kind("", "infinite where fixed grips let go")
 
 
+# In the numbers of reasons, of which 0 is none.
+_KINDS = [
+    None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
+    RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
+    STICKS_ALWAYS, NO_POISSON_RATIO, NO_DOUBLE, INFINITE, NO_STIFFNESS, OF_ANOTHER_PAIR,
+]  # fmt: skip
+_STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
+
+
+def register(kind: Kind) -> Kind:
+    """Return a kind, which has reasons from now on."""
+    _KINDS.append(kind)
+    return kind
+
+
+@cache
+def reason(kind: Kind, step: str = "") -> int:
+    """Return the number of a reason; `step`: the quantity without a value, where its formula is the reason."""
+    return _KINDS.index(kind) * len(_STEPS) + _STEPS.index(step)
+
+
+def kind_and_step(number: int) -> tuple[Kind | None, str]:
+    """Return the kind of a reason, and its step."""
+    kind, step = divmod(number, len(_STEPS))
+    return _KINDS[kind], _STEPS[step]
+
+
 class Failure(NoResult):
     """Error raised where a quantity has no value, for a reason of some kind."""
 
@@ -165,6 +201,20 @@ class Failure(NoResult):
             if value != limits[0] and all(map(ge, held, self.numbers[1:])):
                 break
         return self.kind.words.format(value, *limits)
+
+
+class NoErrorBar(NoResult):
+    """Error raised where a value has no error bar, as there is no value at an end of an input."""
+
+    phrase = "no error bar"
+
+    def __init__(self, name: str, why: str) -> None:
+        super().__init__(name, why)
+        self.name, self.why = name, why
+
+    def reason(self) -> str:
+        """Return why there is no value."""
+        return f"no uncertainty, as there is no value at an end of an input: {self.why}"
 
 
 def reason_of(name: str, error: JkrollError) -> str:
@@ -202,7 +252,7 @@ def _pull_off_dmt(given: Given) -> Any:
 Rule = tuple[Kind, Callable[[Given], Any]]
 
 # Between pull-off and the fold, by the stiffness or by the distance from pull-off.
-_NOT_HELD: Rule = (NOT_HELD, lambda given: given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
+_NOT_HELD: Rule = (NOT_HELD, lambda given: (given.get("stiffness", 0) < 0) | (given.get("load_margin", 0) < 0))
 _PARTED: Rule = (BEYOND_FOLD, lambda given: approach_at_fold(approach=given["approach"]))
 
 # By formula, the kind of a reason, and the limit of the value that this kind names, or whether it is the reason.
@@ -228,11 +278,18 @@ RULES: Mapping[str, Rule] = {
 }
 
 
-def failure_of(name: str, given: Given) -> Failure:
-    """Return why a formula has no result for these numbers."""
-    if name in RULES:
-        kind, rule = RULES[name]
-        numbers = (given[kind.name], rule(given)) if kind.name else ()
-        if kind.is_beyond(*numbers) if numbers else rule(given):
-            return Failure(kind, name, numbers)
-    return Failure(NO_DOUBLE, name)
+def reason_for(step: str, given: Given) -> Any:
+    """Return the reasons why a formula has no result for these arguments, numbers or arrays."""
+    no_double = reason(NO_DOUBLE, step)
+    if step not in RULES:
+        return no_double
+    kind, rule = RULES[step]
+    applies = kind.is_beyond(given[kind.name], rule(given)) if kind.name else rule(given)
+    return where(applies, reason(kind, step), no_double)
+
+
+def failure_of(number: int, given: Given) -> Failure:
+    """Return a reason as an error, with its numbers by the arguments of its step."""
+    kind, step = kind_and_step(number)
+    assert kind is not None
+    return Failure(kind, step, (given[kind.name], RULES[step][1](given)) if kind.name else ())

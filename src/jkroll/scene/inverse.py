@@ -3,7 +3,7 @@
 One unknown is found by a scan and by halving, two by a grid and Newton's method, in one row or in many.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from math import inf, isnan, nan, prod
 from typing import Any, NamedTuple
@@ -13,31 +13,30 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from ..errors import BadRequest, JkrollError, NoResult
 from ..physics.elementary import NUMBER
-from ..quantities.formatting import DIGITS, Format, amount
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
+from ..quantities.formatting import amount
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.values import Uncertain, is_uncertain, middle
-from ..text import listed, quoted
-from .failures import MAX_DIGITS, MissingInput
+from ..text import listed
+from .column import Column, at_row
+from .failures import Failure, MissingInput, kind_and_step
 from .scene import LEAST, MOST, Scene, broadcast, check_exclusive
 from .uncertainty import Source, Sources, sources_of
+from .unsolved import (
+    SIZES,
+    NoDependence,
+    NoSolution,
+    SeveralSolutions,
+    Undetermined,
+    Unseparated,
+    already_given,
+    equal,
+    inputs_named,
+)
 from .wiring import formula_of
 
 Values = Mapping[str, Any]  # by name; numbers, or an array with a value for each row
 Failures = dict[int, JkrollError]  # by row
 
-# The inputs that can be unknown, with the sizes among which they are looked for first. A load may have either sign.
-SIZES = {
-    "surface_energy": (1e-6, 1e3),
-    "work_of_adhesion": (1e-6, 1e3),
-    "hamaker": (1e-24, 1e-12),
-    "yield_displacement": (1e-15, 1e-3),
-    "adhesion_hysteresis": (1e-9, 1e3),
-    "youngs_modulus": (1.0, 1e15),
-    "shear_strength": (1.0, 1e15),
-    "viscous_time": (1e-18, 1.0),
-    "radius": (1e-12, 1e3),
-    "load": (1e-15, 1e3),
-}
 PER_DECADE = 8  # values of a scan
 _AS_SHOWN = 1e-3  # relative difference of a quantity at a solution, or at the digits of one, from its measured value
 _STEP = 1e-6  # of a logarithm, in the differences that give a derivative
@@ -63,104 +62,6 @@ _TO_GAP = 20  # halvings of the way to where there are no quantities
 _LEFT_OPEN = 1e-4  # an exponent as small as this is none
 
 
-# --- Why there is no one solution -------------------------------------------------------------------------------------
-
-
-class Unsolved(NoResult):
-    """Error raised where no one value of the unknowns gives the measured values. The kinds of it say why."""
-
-    def __init__(self, problem: "Problem", text: str, span: Sequence[float] = ()) -> None:
-        """`span`: of the measured quantity, or of the unknown."""
-        self.problem, self.text, self.span, self.name = problem, text, span, ",".join(problem.unknowns)
-
-    def reason(self) -> str:
-        """Return why there is no one value."""
-        return self.text
-
-
-class NoDependence(Unsolved):
-    """Error raised where a measured quantity depends on none of the unknowns."""
-
-    phrase = "no dependence"
-
-
-class Undetermined(Unsolved):
-    """Error raised where all values of the unknown on a stretch give the measured one."""
-
-    phrase = "any value gives it"
-
-
-class NoSolution(Unsolved):
-    """Error raised where no values of the unknowns give the measured values."""
-
-    phrase = "no value gives it"
-
-    def __init__(self, problem: "Problem", spans: Sequence[Sequence[float]]) -> None:
-        """`spans`: the least and the largest value of each measured quantity."""
-        none, lie = ("no value", "it lies") if len(problem.unknowns) == 1 else ("no pair of values", "they lie")
-        ends = zip(problem.levels, spans, strict=True)
-        between = listed(f"between {amount(name, low)} and {amount(name, high)}" for name, (low, high) in ends)
-        sizes = sizes_in_words(problem.unknowns)
-        super().__init__(problem, f"{none} gives {equal(problem.levels)}; {lie} {between} for {sizes}", spans[0])
-
-
-class SeveralSolutions(Unsolved):
-    """Error raised where several values of the unknowns, which are its `values`, give the measured values."""
-
-    phrase = "several values give it"
-
-    def __init__(self, problem: "Problem", values: Sequence[Mapping[str, float]]) -> None:
-        super().__init__(problem, "")
-        self.values = tuple(values)
-
-    def reason(self) -> str:
-        """Return all values, with as many digits as typing them back takes: next to pull-off that is more."""
-        digits = DIGITS
-        while digits < MAX_DIGITS and not all(self.problem.is_met(values, digits) for values in self.values):
-            digits += 1
-        form, several = Format(digits=digits), len(self.problem.unknowns) > 1
-        texts = [", ".join(amount(name, value, form) for name, value in values.items()) for values in self.values]
-        told = f"the pairs {listed(f'({text})' for text in texts)}" if several else listed(texts)
-        return f"{told} {'all' if len(texts) > 2 else 'both'} give {equal(self.problem.levels)}"
-
-
-class Unseparated(Unsolved):
-    """Error raised where two quantities do not separate two unknowns."""
-
-    phrase = "not separated"
-
-
-# --- Words ------------------------------------------------------------------------------------------------------------
-
-
-def inputs_named(words: Sequence[str]) -> list[str]:
-    """Return the inputs that one word or two stand for; raise BadRequest if they cannot be inferred together."""
-    names = [named(word) for word in words]
-    for word, name in zip(words, names, strict=True):
-        if name not in SIZES:
-            raise BadRequest(f"{quoted(word)} cannot be inferred; {', '.join(SIZES)} can")
-    if len(names) not in (1, 2) or len({*names}) < len(names):
-        raise BadRequest(f"{quoted(','.join(words))}: one input can be inferred, or two that differ")
-    return names
-
-
-def already_given(name: str) -> BadRequest:
-    """Return the error of a name that is asked for, or was measured, and is stated besides."""
-    return BadRequest(f"{name} is given and asked for; leave one of the two out")
-
-
-def sizes_in_words(unknowns: Iterable[str]) -> str:
-    """Return the values of inputs among which solutions are looked for."""
-    symbols = {name: "|P|" if name == "load" else NOMENCLATURE[name].symbol for name in unknowns}
-    spans = {name: " to ".join(amount(name, size) for size in SIZES[name]) for name in unknowns}
-    return listed(f"{symbols[name]} = {sizes}" for name, sizes in spans.items())
-
-
-def equal(values: Mapping[str, float], word_of: Callable[[str], str] = str) -> str:
-    """Return what quantities are equal to, in words; `word_of` returns the word of a quantity, by default its name."""
-    return listed(f"{word_of(name)} = {amount(name, float(value))}" for name, value in values.items())
-
-
 # --- Problems ---------------------------------------------------------------------------------------------------------
 
 
@@ -181,6 +82,8 @@ class Problem:
     error bars take a problem for a scene whose quantities are the unknowns.
     """
 
+    few = 0  # places of uncertain inputs that numbers compute: to solve a problem takes arrays
+
     def __init__(self, unknowns: Sequence[str], measured: Values, scene: Scene, near: "Problem | None" = None) -> None:
         """`near`: a problem from whose solution Newton's method leads to two unknowns in arrays."""
         self.unknowns, self.measured, self.scene, self.near = tuple(unknowns), measured, scene, near
@@ -188,6 +91,7 @@ class Problem:
         levels = {name: level for name, level in self.levels.items() if not isinstance(level, NUMBER)}
         self.arrays = {**scene.arrays, **levels}
         self.shape = broadcast(self.arrays)
+        self._error: JkrollError | None = None  # of a problem of numbers, why it has no solution
 
     def replace(self, **values: Any) -> "Problem":
         """Return the problem with other values of some inputs and measured quantities."""
@@ -287,8 +191,8 @@ class Problem:
 
     def failure(self) -> JkrollError:
         """Return the reason why a measured quantity has no value for any values of the unknowns."""
-        outcomes = self.filled.evaluate([*self.measured]).values()
-        return next(outcome for outcome in outcomes if isinstance(outcome, JkrollError))
+        columns = self.filled.columns(self.measured)
+        return next(iter(self.filled.errors(columns).values()))
 
     @cached_property
     def solution(self) -> Solution:
@@ -304,16 +208,39 @@ class Problem:
         values, growths = (dict(zip(self.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
         return Solution(values, growths, condition, failures, places)
 
-    def evaluate(self, names: Sequence[str]) -> Values:
-        """Return unknowns; of numbers, the error that says why there are none. Raises an error of the request."""
+    def columns(self, names: Iterable[str]) -> dict[str, Column]:
+        """Return the columns of unknowns. Raises an error of the request.
+
+        The numbers of reasons count the phrases of their errors, from 1 on.
+        """
         try:
-            return {name: self.solution.values[name] for name in names}
+            values = self.solution.values
         except (MissingInput, NoResult) as error:
-            return dict.fromkeys(names, error)
+            self._error = error
+            return dict.fromkeys(names, Column(nan, 1))
+        if not self.shape:
+            return {name: Column(values[name]) for name in names}
+        phrases: dict[str, int] = {}
+        reasons = numpy.isnan([*values.values()]).any(axis=0).astype(int)
+        for row, failure in self.solution.failures.items():
+            reasons.flat[row] = phrases.setdefault(failure.phrase or str(failure), len(phrases) + 1)
+        return {name: Column(values[name], reasons if reasons.any() else 0) for name in names}
+
+    def error(self, name: str, number: int, row: int = 0) -> JkrollError:
+        """Return why a row has no values of the unknowns, or none with a meaning."""
+        kind, _ = kind_and_step(number)
+        if kind is not None:
+            return Failure(kind, name)
+        return self.solution.failures[row] if self._error is None else self._error
+
+    def errors(self, columns: Mapping[str, Column], row: int = 0) -> dict[str, JkrollError]:
+        """Return the errors of those unknowns that have no value in a row, by name."""
+        numbers = {name: at_row(column.reasons, row) for name, column in columns.items()}
+        return {name: self.error(name, number, row) for name, number in numbers.items() if number}
 
     def numbers(self, *names: str) -> Values:
         """Return the unknowns if they have values."""
-        return {name: value for name, value in self.evaluate(names).items() if not isinstance(value, JkrollError)}
+        return {name: column.values for name, column in self.columns(names).items() if not column.is_empty}
 
 
 # --- One unknown ------------------------------------------------------------------------------------------------------
@@ -445,21 +372,26 @@ class Scan:
 def _pairs(problem: Problem) -> tuple[Any, Failures]:
     """Return a table of two unknowns in each row, their growths, the condition and the places; and the failures.
 
-    From the solution of a problem that is near, Newton's method leads to those of arrays, nan where it leads to none.
+    From the solution of a problem that is near, whose rows are repeated, Newton's method leads to those of arrays.
+    Where it leads to none, a row is solved by itself: each row of the other problem until one of its repeats has none.
     """
+    count = size = prod(problem.shape)
+    table, failures, lost = numpy.full((7, size), nan), Failures(), set[int]()
     if problem.shape and problem.near is not None:
-        pairs = Pairs(problem)
-        start = numpy.nan_to_num(problem.near.solution.places)
-        places, distance = pairs.improved(start + numpy.zeros_like(pairs.levels))
+        start, pairs = problem.near.solution.places, Pairs(problem)
+        count, lost = start.shape[1], {*numpy.flatnonzero(numpy.isnan(start[0])).tolist()}
+        places, distance = pairs.improved(numpy.tile(numpy.nan_to_num(start), size // count))
         table = pairs.table(places)
         table[:, (distance == inf) | (table[4] > MAX_CONDITION)] = nan
-        return table, {}
-    table, failures = numpy.full((7, prod(problem.shape)), nan), Failures()
-    for row in range(table.shape[1]):
+    for row in numpy.flatnonzero(numpy.isnan(table[0])).tolist():
+        if row % count in lost:
+            continue
         try:
             table[:, [row]] = Pairs(problem.rows(row)).pair()
         except NoResult as error:
             failures[row] = error.with_traceback(None)  # which holds all that was computed
+            if count < size:
+                lost.add(row % count)
     return table, failures
 
 

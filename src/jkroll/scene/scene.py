@@ -6,9 +6,10 @@ the names in DEFAULTS have values if nothing else is said. A scene takes numbers
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from functools import cached_property, reduce
 from itertools import product
-from math import isfinite, isinf, nan
+from math import isfinite, nan
 from operator import and_
 from types import MappingProxyType
 from typing import Any
@@ -30,7 +31,23 @@ from ..quantities.nomenclature import (
 )
 from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain, middle
 from ..text import listed
-from .failures import INFINITE, RESTS_ON_SPACING, TWO_RIGID_BODIES, Failure, MissingInput, NotInLaw, failure_of
+from .column import Column, at_row, first_of
+from .failures import (
+    HIDDEN,
+    INFINITE,
+    MISSING,
+    NOT_IN_LAW,
+    RESTS_ON_SPACING,
+    TWO_RIGID_BODIES,
+    Failure,
+    Kind,
+    MissingInput,
+    NotInLaw,
+    failure_of,
+    kind_and_step,
+    reason,
+    reason_for,
+)
 from .wiring import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
@@ -128,7 +145,8 @@ class Scene:
 
     The inputs that were given by name are `stated`; with the properties of the materials, and without uncertainties,
     they are `given`; with what is assumed and what follows from the value of an input they are `known`. `values` are
-    those of the known names and of all results so far, where an error stands for a result that does not exist.
+    those of the known names and of all results so far, nan where there is none; `reasons` say why. Both are numbers,
+    which hold for all rows, or arrays.
 
     >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{scene['pull_off_force']:.4e}"
@@ -136,6 +154,8 @@ class Scene:
     >>> scene.replace(radius=2e-7)["reduced_radius"]
     1e-07
     """
+
+    few = 800  # places of uncertain inputs that numbers compute in the time of importing numpy: up to three ranges
 
     def __init__(
         self,
@@ -182,10 +202,11 @@ class Scene:
             self.values = {**values, **self.values}
         self.known = frozenset(self.values)
         self.kind = (self.known, material2 is not None, self.law.name)  # on which plans depend
-        # What was computed, by a quantity's name, which has one formula, and the identities of its arguments. These are
-        # kept beside it, so that no other value can have their identities.
-        self._results: dict[tuple[object, ...], tuple[Any, Sequence[Any]]] = {}
-        self._gaps: set[int] = set()  # of these results, the identities of arrays of which some elements are no answer
+        self.reasons: dict[str, Any] = {}  # why values are nan, of those results that have such cells
+        self.steps: dict[str, Plan] = {}  # that made these results
+        # Arrays that were computed, with their reasons, by a step and the identities of its arguments. These are kept
+        # beside them, so that no other value can have their identities.
+        self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle what was described; the rest is computed anew."""
@@ -203,7 +224,7 @@ class Scene:
         every = {**self.stated, **values}
         given = {name: value for name, value in every.items() if value is not None}
         scene = Scene(given, self.material, self.material2, model=model, moved=moved)
-        scene._results, scene._gaps = {**self._results}, {*self._gaps}
+        scene._shared = {**self._shared}
         return scene
 
     @cached_property
@@ -300,7 +321,7 @@ class Scene:
     def plans(self, *names: str) -> list[Plan]:
         """Return the plans of quantities; raise MissingInput for the first to which the inputs do not lead."""
         for name in self.missing(names):
-            raise self._missing_input(name)
+            raise self.missing_input(name)
         return [*map(self.plan, names)]
 
     def formulas_to(self, *wanted: str) -> frozenset[str]:
@@ -345,7 +366,7 @@ class Scene:
                 echoed |= self.numbers("energy")
         return echoed
 
-    def _missing_input(self, name: str) -> MissingInput:
+    def missing_input(self, name: str) -> MissingInput:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
         plan = self.plan(name)
         if plan.lacking:
@@ -360,101 +381,147 @@ class Scene:
                 lacking[solid.lack_of(of_sphere(1, each))] = True
         return MissingInput(name, in_order(names), ", ".join(lacking))
 
-    # --- Values -------------------------------------------------------------------------------------------------------
+    # --- Values and reasons -------------------------------------------------------------------------------------------
 
-    def __getitem__(self, name: str) -> Any:
-        """Return the value of a quantity. Raises MissingInput, or NoResult where the physics has no answer."""
-        value = self.evaluate((name,))[name]
-        if isinstance(value, JkrollError):
-            raise value
-        return value
+    def columns(self, names: Iterable[str]) -> dict[str, Column]:
+        """Return the columns of quantities."""
+        with self._quiet:
+            return {name: self.column(name) for name in names}
 
-    def evaluate(self, names: Iterable[str]) -> dict[str, Any]:
-        """Return the value of each quantity, or the MissingInput or NoResult that says why there is none.
-
-        An element of an array that has no answer is nan.
-        """
+    @property
+    def _quiet(self) -> AbstractContextManager[Any]:
+        """The context in which numpy gives no warnings about elements without a value."""
         if not self.arrays:
-            return {name: self._outcome(name) for name in names}
+            return nullcontext()
         import numpy
 
-        with numpy.errstate(all="ignore"):
-            return {name: self._outcome(name) for name in names}
+        return numpy.errstate(all="ignore")
 
-    def outcomes(self, names: Iterable[str], named: Collection[str]) -> dict[str, Any]:
-        """Return the value of each quantity that concerns the scene, or some elements, or the error that says why not.
-
-        An infinite number is none. `named`: quantities that were asked for by name, and concern any scene.
-        """
-        results = self.evaluate(name for name in names if name in named or self.shows(name) is not False)
-        are_infinite = [name for name, value in results.items() if isinstance(value, float) and isinf(value)]
-        return {**results, **{name: Failure(INFINITE, name) for name in are_infinite}}
-
-    def numbers(self, *names: str) -> dict[str, Any]:
-        """Return the values of quantities, without those that have none."""
-        return {name: value for name, value in self.evaluate(names).items() if not isinstance(value, JkrollError)}
-
-    def _outcome(self, name: str) -> Any:
-        """Return the value of a quantity, or the error that says why it has none."""
+    def column(self, name: str) -> Column:
+        """Return the column of a quantity."""
         plan = self.plan(name)
         if not plan.is_possible:
-            return self._missing_input(name)
-        for step in plan.steps.values() if plan.name not in self.values else ():
-            if step.name not in self.values:
-                self.values[step.name] = self._result(step)
-        value = self.values[plan.name]
-        if isinstance(value, JkrollError):
-            return value
-        rests = self.rests_on_spacing(name)
-        return Failure(RESTS_ON_SPACING, name) if rests is True else where(rests, nan, value)
+            return Column(nan, reason(NOT_IN_LAW if plan.lacking else MISSING))
+        if plan.name not in self.values:
+            for step in plan.steps.values():
+                if step.name not in self.values:
+                    self._take(step)
+        column = Column(self.values[plan.name], self.reasons.get(plan.name, 0))
+        if column.is_empty:
+            return column
+        return column.without(self.rests_on_spacing(name), reason(RESTS_ON_SPACING, name))
+
+    def shown(self, names: Iterable[str], named: Collection[str]) -> dict[str, Column]:
+        """Return the columns of quantities that concern some row; an infinite number is no value.
+
+        `named`: quantities that were asked for by name, and concern every row.
+        """
+        concern = {name: name in named or self.shows(name) for name in names}
+        shown = {}
+        for name, column in self.columns(name for name, is_shown in concern.items() if is_shown is not False).items():
+            is_infinite = name in _OF_A_PLANE and abs(column.values) == INFINITY
+            shown[name] = column.without(is_infinite, reason(INFINITE, name)).hidden(concern[name])
+        return shown
 
     def may_rest_on_spacing(self, name: str) -> bool:
         """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
-        is_given = not self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
-        return not (is_given or self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name}))
+        if not self.law.by_spacing or not self.given.keys().isdisjoint(("atomic_spacing", "hamaker")):
+            return False
+        return not self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name})
 
     def rests_on_spacing(self, name: str) -> Any:
-        """Return whether it does so here, element by element for arrays."""
-        return self.may_rest_on_spacing(name) and self["transition_parameter"] < 1
+        """Return whether it does so here, row by row."""
+        return self.may_rest_on_spacing(name) and self.column("transition_parameter").values < 1
 
-    def _result(self, step: Plan) -> Any:
-        """Return what a step makes of the values of its arguments, or the error of the first that has none."""
+    def drop(self, name: str, kind: Kind) -> None:
+        """Take a reason in place of the value of a quantity."""
+        step = self.plan(name)
+        self.values[step.name], self.reasons[step.name], self.steps[step.name] = nan, reason(kind, name), step
+
+    def _take(self, step: Plan) -> None:
+        """Compute a step; with arrays, only where it was not computed of the same arguments before."""
         given = {parameter: self.values[name] for parameter, name in step.arguments.items()}
-        for value in given.values():
-            if isinstance(value, JkrollError):
-                return value
-        is_rigid = step.name in _ON_AREA and self.is_rigid
-        if not self.arrays:  # to compute a number takes less than to look for it
-            return self._computed(step.name, step.formula, given, is_rigid)
-        arguments = (is_rigid, *given.values())
-        key = (step.name, *map(id, arguments))
-        if key not in self._results:
-            self._results[key] = self._computed(step.name, step.formula, given, is_rigid), arguments
-        return self._results[key][0]
+        reasons = self._inherited(step)
+        if isinstance(reasons, int) and reasons:
+            values: Any = nan
+        elif not self.arrays:  # to compute a number takes less than to look for it
+            values, reasons = made_of(step, given, reasons)
+        else:
+            key = (step.name, *map(id, given.values()), id(self.is_rigid))
+            if key not in self._shared:
+                self._shared[key] = made_of(step, given, reasons), (given, self.is_rigid)
+            values, reasons = self._shared[key][0]
+        self.values[step.name] = values
+        if not isinstance(reasons, int) or reasons:
+            self.reasons[step.name], self.steps[step.name] = reasons, step
 
-    def _computed(self, name: str, formula: Callable[..., Any], given: Mapping[str, Any], is_rigid: Any) -> Any:
-        """Return what a formula makes of its arguments, or the error that says why the number is no answer.
+    def _inherited(self, step: Plan) -> Any:
+        """Return the reasons that a step has from its arguments: in each cell that of the first without a value."""
+        reasons: Any = 0
+        for name in step.arguments.values():
+            reasons = first_of(reasons, self.reasons.get(name, 0))
+        if step.name in _ON_AREA and self.is_rigid is not False:
+            reasons = first_of(reasons, where(self.is_rigid, reason(TWO_RIGID_BODIES), 0))
+        return reasons
 
-        An element of an array is nan if it is no answer, or follows from one, which the formula may not have used.
-        `is_rigid`: whether an area that is needed does not exist.
+    # --- Numbers and errors -------------------------------------------------------------------------------------------
+
+    def __getitem__(self, name: str) -> Any:
+        """Return the value of a quantity, nan for rows without one.
+
+        Raises MissingInput, or NoResult where the physics has no answer for any row.
         """
-        if is_rigid is True:
-            return Failure(TWO_RIGID_BODIES)
-        try:
-            value = where(is_rigid, nan, formula(**given))
-        except (ArithmeticError, ValueError):
-            value = INFINITY
-        if isinstance(value, NUMBER):
-            has_answer = SMALLEST <= value < INFINITY or is_answer(name, value)
-            return value if has_answer else failure_of(name, given)
-        is_usual = value.size and value.min() >= SMALLEST and value.max() < INFINITY
-        numbers = value if is_usual else where(is_answer(name, value), value, nan)
-        for argument in given.values():
-            if id(argument) in self._gaps:
-                numbers = where(argument == argument, numbers, nan)  # noqa: PLR0124
-        if numbers is not value:
-            self._gaps.add(id(numbers))
-        return numbers
+        column = self.columns((name,))[name]
+        if column.is_empty:
+            raise self.error(name, column.reasons)
+        return column.values
+
+    def numbers(self, *names: str) -> dict[str, Any]:
+        """Return the values of quantities, without those that have none."""
+        return {name: column.values for name, column in self.columns(names).items() if not column.is_empty}
+
+    def error(self, name: str, number: int, row: int = 0) -> JkrollError:
+        """Return the reason why a quantity has no value in a row as an error, with the numbers of this row."""
+        kind, step = kind_and_step(number)
+        if kind in (None, MISSING, NOT_IN_LAW):
+            return self.missing_input(name)
+        if not kind.name:
+            return Failure(kind, step)
+        arguments = self.steps[step].arguments
+        return failure_of(number, {parameter: at_row(self.values[each], row) for parameter, each in arguments.items()})
+
+    def errors(self, columns: Mapping[str, Column], row: int = 0) -> dict[str, JkrollError]:
+        """Return the errors of those columns that have no value in a row, by name, but for quantities not shown."""
+        numbers = {name: at_row(column.reasons, row) for name, column in columns.items()}
+        return {name: self.error(name, n, row) for name, n in numbers.items() if n not in (0, reason(HIDDEN))}
+
+
+def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, Any]:
+    """Return the values that a formula makes of its arguments, and the reasons of cells that have none.
+
+    `reasons`: those of the arguments, which come first.
+    """
+    try:
+        values = step.formula(**given)
+    except (ArithmeticError, ValueError):  # of numbers; arrays have nan or an infinity
+        values = INFINITY
+    if isinstance(reasons, int) and _are_usual(values):
+        return values, 0
+    has_answer = is_answer(step.name, values)
+    if not _all(has_answer | (reasons != 0)):
+        reasons = first_of(reasons, where(has_answer, 0, reason_for(step.name, given)))
+    return where(reasons == 0, values, nan), reasons
+
+
+def _are_usual(values: Any) -> bool:
+    """Return whether a number, or all of an array, are results with all digits, as nearly always."""
+    if isinstance(values, NUMBER):
+        return SMALLEST <= values < INFINITY
+    return bool(values.size and values.min() >= SMALLEST and values.max() < INFINITY)
+
+
+def _all(condition: Any) -> bool:
+    return condition if isinstance(condition, bool) else bool(condition.all())
 
 
 def _described(

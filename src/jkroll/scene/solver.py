@@ -5,15 +5,16 @@ from functools import wraps
 from math import isfinite
 from typing import Any, overload
 
-from ..errors import BadRequest, JkrollError
+from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
 from ..quantities.values import QuantityError, is_uncertain
 from ..text import listed
 from .containers import Reader, units_of
-from .failures import NO_DOUBLE, Failure, failure_of
+from .failures import NO_DOUBLE, Failure, failure_of, reason_for
 from .scene import Scene, broadcast
+from .uncertainty import error_bars, no_error_bar
 from .wiring import parameters_of
 
 ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
@@ -155,14 +156,12 @@ def refuse_arrays(described: Mapping[str, Any]) -> None:
 
 def with_uncertainties(scene: Any, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
     """Return values of a scene or a problem with their error bars; raise a Failure with the reason why one has none."""
-    from .uncertainty import measures_of, uncertainties
-
     refuse_arrays(described)
-    measures = measures_of(uncertainties(scene, [*values]))
-    for measure in measures.values():
-        if isinstance(measure, JkrollError):
-            raise measure
-    return {**values, **measures}
+    bars = error_bars(scene, values)
+    for name, bar in bars.items():
+        if bar.place:
+            raise no_error_bar(scene, name, bar)
+    return {**values, **{name: bar.of(values[name]) for name, bar in bars.items()}}
 
 
 # --- Formulas ---------------------------------------------------------------------------------------------------------
@@ -190,7 +189,8 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
                 raise ValueError("a power of a negative number")
         except (ArithmeticError, ValueError):
             has_words = all(isinstance(number, float) and isfinite(number) for number in numbers.values())
-            error = failure_of(formula.__name__, numbers) if has_words else Failure(NO_DOUBLE, formula.__name__)
+            number = reason_for(formula.__name__, numbers) if has_words else 0
+            error = failure_of(number, numbers) if number else Failure(NO_DOUBLE, formula.__name__)
             raise OutsideDomain(error.kind, error.name, error.numbers) from None
         if reader.registry is not None:
             return reader.registry.Quantity(value, units_of(formula)["return"])

@@ -5,17 +5,19 @@ taken, so that a result may respond differently to either side. Over ranges a re
 value among the places along the edges of their box: within 1 % of the distance of these where it turns smoothly.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import reduce
 from itertools import chain, product
-from math import fsum, isfinite
+from math import fsum, nan
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from ..errors import BadRequest, JkrollError
+from ..errors import BadRequest
 from ..physics.elementary import absolute, at_least, at_most, hypot, where
-from ..quantities.nomenclature import NOMENCLATURE, XI
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain
-from .failures import Failure, Kind, reason_of
+from .column import Column, at_row
+from .failures import NoErrorBar, reason_of
 from .scene import Scene
 from .wiring import in_order
 
@@ -23,7 +25,6 @@ MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
 STEPS = 64  # along each edge of the box of ranges
 ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
-FEW = 800  # places that floats compute in the time of importing numpy: those of up to three ranges
 
 
 # --- Sources ----------------------------------------------------------------------------------------------------------
@@ -97,94 +98,143 @@ def sources_of_results(scene: Any, names: Sequence[str]) -> Sources:
 # --- Error bars -------------------------------------------------------------------------------------------------------
 
 
-class Propagated(NamedTuple):
-    """The uncertainty of a result, and the part that each source has in it.
+class ErrorBar(NamedTuple):
+    """The uncertainty of a column: its sides by name, numbers or arrays, nan where there is none."""
 
-    Of arrays it has arrays: nan where a place of the sources has no value, no width where no source has an influence.
+    type: type[Uncertain]
+    sides: Mapping[str, Any]
+    parts: Mapping[str, Any] = MappingProxyType({})  # by the first input of a source: the change, or the mean width
+    place: Any = 0  # the number of the first place of the sources, from 1 on, where there is no value; 0 for none
+
+    def of(self, value: Any) -> Uncertain:
+        """Return a value with its uncertainty."""
+        return self.type.of(value, **self.sides)
+
+    def without(self, is_out: Any) -> "ErrorBar":
+        """Return the error bar, where some rows have none."""
+        sides = {side: where(is_out, nan, end) for side, end in self.sides.items()}
+        return self._replace(sides=sides, place=where(is_out, 0, self.place))
+
+    @property
+    def shares(self) -> dict[str, float]:
+        """The share of each source in the variance, or in the width of a range, of a single row: the largest first."""
+        power, largest = 1 if self.type is Interval else 2, max(self.parts.values())
+        sizes = {name: (part / largest) ** power for name, part in self.parts.items()}  # squares may leave the doubles
+        shares = {name: size / fsum(sizes.values()) for name, size in sizes.items() if size}
+        return dict(sorted(shares.items(), key=lambda share: -share[1]))
+
+
+def number_of_places(scene: Any, names: Sequence[str]) -> int:
+    """Return the number of places to which the sources of quantities are moved.
+
+    Raises a JkrollError for sources that do not go together.
     """
+    sources = sources_of_results(scene, names).entering
+    if not sources:
+        return 1
+    is_range = isinstance(sources[0].given, Interval)
+    return len(sources) * ((STEPS + 1) << (len(sources) - 1) if is_range else 2)
 
-    uncertainty: Uncertain
-    shares: Mapping[str, float]  # of numbers, by the first input of a source: in the variance, or width of a range
+
+MadeOf = Callable[[Any], Any]  # makes a frame of another one
 
 
-Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the reason why there is none
+def itself(frame: Any) -> Any:
+    """Return a frame as it is."""
+    return frame
 
 
-def uncertainties(
-    scene: Any,
-    names: Sequence[str],
-    made_of: Callable[[Any], Any] = lambda scene: scene,
-    sources: Sources | None = None,
-) -> Bars:
-    """Return the uncertainties of quantities of a scene, or of one that is made of it.
+def error_bars(
+    frame: Any, names: Iterable[str], made_of: MadeOf = itself, sources: Sources | None = None
+) -> dict[str, ErrorBar]:
+    """Return the error bars of quantities of a frame, or of one that is made of it.
 
-    The scene may be a problem, whose quantities are the unknowns. A quantity without a finite value, or one on which
-    no source has an influence, is left out. An error is the reason why a quantity has no value at one place of the
-    sources. `sources`: by default all that enter the quantities.
+    The frame may be a problem, whose quantities are the unknowns. A quantity that has no finite value in any row, or on
+    which no source has an influence, is left out. `sources`: by default all that enter the quantities.
     """
-    middle, bars = made_of(scene), Bars()
-    numbers = middle.numbers(*names)
-    values = {name: value for name, value in numbers.items() if not isinstance(value, float) or isfinite(value)}
-    entering = (sources or sources_of_results(middle, names)).entering
-    if not (entering and values):
-        return bars
-
-    def outcomes(place: Mapping[str, Any]) -> Any:
-        """Return the quantities at a place, which are values of some inputs; the others have their middles."""
-        return made_of(scene.replace(**place)).evaluate([*values])
-
-    kind, edges = type(entering[0].given), [*_edges(entering)]
-    places = [*chain.from_iterable(edges)]
-    if scene.shape or (len(places) <= FEW and isinstance(scene, Scene)):  # to solve a problem takes arrays
-        rows = [*map(outcomes, places)]
-        columns = {name: [row[name] for row in rows] for name in values}
-    else:
-        columns = _as_arrays(outcomes, places)
-    for name, value in values.items():
-        if errors := [outcome for outcome in columns[name] if isinstance(outcome, JkrollError)]:
-            reason = f"no uncertainty, as there is no value at an end of an input: {reason_of(name, errors[0])}"
-            bars[name] = Failure(Kind("no error bar", reason), name)
-            continue
-        on_edges = _divided(columns[name], len(edges[0]))
-        extents = [(reduce(at_most, on_edge), reduce(at_least, on_edge)) for on_edge in on_edges]
-        of_sources = _divided(extents, len(edges) // len(entering))
-        sides, parts = (_range if kind is Interval else _quadrature)(value, of_sources)
-        is_still = reduce(at_least, parts) <= ROUNDING * abs(value)
-        if is_still is not True:
-            still = value if kind is Interval else 0.0
-            sides = {side: where(is_still, still, end) for side, end in sides.items()}
-            shares = {} if is_still is not False else _shares(entering, parts)
-            bars[name] = Propagated(kind.of(value, **sides), shares)
-    return bars
+    middle = made_of(frame)
+    columns = {name: column for name, column in middle.columns(names).items() if not column.is_empty}
+    entering = (sources or sources_of_results(middle, [*columns])).entering
+    if not (entering and columns):
+        return {}
+    edges = edges_of(entering)
+    moved = _at_places(frame, [*chain.from_iterable(edges)], made_of, [*columns])
+    bars = {name: _error_bar(columns[name], moved[name], entering, len(edges)) for name in columns}
+    return {name: bar for name, bar in bars.items() if bar is not None}
 
 
-def measures_of(bars: Mapping[str, Propagated | JkrollError]) -> dict[str, Uncertain | JkrollError]:
-    """Return the values that have error bars, with these, or the errors that say why there is none."""
-    return {name: bar.uncertainty if isinstance(bar, Propagated) else bar for name, bar in bars.items()}
+def no_error_bar(
+    frame: Any, name: str, bar: ErrorBar, row: int = 0, made_of: MadeOf = itself, sources: Sources | None = None
+) -> NoErrorBar:
+    """Return why a row has no error bar: the reason why its quantity has no value at a place of the sources."""
+    entering = (sources or sources_of_results(made_of(frame), [name])).entering
+    places = [*chain.from_iterable(edges_of(entering))]
+    moved = made_of(frame.replace(**places[at_row(bar.place, row) - 1]))
+    error = moved.error(name, at_row(moved.columns((name,))[name].reasons, row), row)
+    return NoErrorBar(name, reason_of(name, error))
 
 
-def _as_arrays(outcomes: Callable[[Any], Any], places: Sequence[Any]) -> dict[str, list[Any]]:
-    """Return quantities at places that are computed together; the first one without a value has the reason."""
+def _at_places(
+    frame: Any, places: Sequence[Mapping[str, Any]], made_of: MadeOf, names: Sequence[str]
+) -> dict[str, Column]:
+    """Return quantities at places of the sources, which are the first axis of their columns.
+
+    The columns of a single row are lists.
+    """
+    if not frame.shape and len(places) <= frame.few:
+        rows = [made_of(frame.replace(**place)).columns(names) for place in places]
+        return {name: Column([row[name].values for row in rows], [row[name].reasons for row in rows]) for name in names}
     import numpy
 
-    columns: dict[str, list[Any]] = {}
-    for name, outcome in outcomes({name: numpy.array([place[name] for place in places]) for name in places[0]}).items():
-        columns[name] = numpy.broadcast_to(outcome, len(places)).tolist()
-        for number in numpy.flatnonzero(numpy.isnan(outcome)).tolist():
-            columns[name][number] = outcomes(places[number])[name]
-            if isinstance(columns[name][number], JkrollError):
-                break
-    return columns
+    arrays = {}
+    for name in places[0]:
+        array = numpy.array([place[name] for place in places])
+        arrays[name] = array.reshape(-1, *(1 for _ in frame.shape)) if array.ndim == 1 else array
+    shape, columns = (len(places), *frame.shape), made_of(frame.replace(**arrays)).columns(names)
+    moved = {name: [numpy.broadcast_to(cells, shape) for cells in column] for name, column in columns.items()}
+    return {name: Column(*(cells if frame.shape else cells.tolist() for cells in each)) for name, each in moved.items()}
 
 
-def _edges(sources: Sequence[Source]) -> Iterator[list[dict[str, Any]]]:
-    """Iterate over the edges along which each source in turn is moved: equally many for each, as lists of places.
+def _error_bar(column: Column, moved: Column, sources: Sequence[Source], edges: int) -> ErrorBar | None:
+    """Return the error bar of a column, from the column at all places on edges; None if there is none."""
+    kind, value, steps = type(sources[0].given), column.values, len(moved.values) // edges
+    on_edges = _divided(moved.values, steps)
+    extents = _divided([(_least(values), _most(values)) for values in on_edges], edges // len(sources))
+    sides, parts = (_range if kind is Interval else _quadrature)(value, extents)
+    is_still = reduce(at_least, parts) <= ROUNDING * absolute(value)
+    lacks_value = (column.reasons != 0) | (absolute(value) == INFINITY)
+    place = where(lacks_value, 0, _first(moved.reasons))
+    is_open = is_still | lacks_value | (place != 0)
+    if is_open is True:
+        return ErrorBar(kind, {}, place=place) if place else None
+    of_sources = dict(zip((source.names[0] for source in sources), parts, strict=True))
+    return ErrorBar(kind, {side: where(is_open, nan, end) for side, end in sides.items()}, of_sources, place)
+
+
+def _least(values: Any) -> Any:
+    return min(values) if isinstance(values, list) else values.min(axis=0)
+
+
+def _most(values: Any) -> Any:
+    return max(values) if isinstance(values, list) else values.max(axis=0)
+
+
+def _first(reasons: Any) -> Any:
+    """Return the number of the first place that has a reason, from 1 on; 0 for none."""
+    if isinstance(reasons, list):
+        return next((number for number, each in enumerate(reasons, 1) if each), 0)
+    return where(reasons.any(axis=0), reasons.astype(bool).argmax(axis=0) + 1, 0)
+
+
+def edges_of(sources: Sequence[Source]) -> list[list[dict[str, Any]]]:
+    """Return the edges along which each source in turn is moved: equally many for each, as lists of places.
 
     A standard uncertainty is moved to both of its ends, with the others at their middles; a range by steps, with the
     others at each corner of their box. The largest value of a quantity that has no turning point is that of a corner.
     One that is that of the weaker body, and falls off where the other becomes the weaker, has it at a corner or where
     such a ridge meets an edge.
     """
+    edges = []
     for source in sources:
         given, others = source.given, [other for other in sources if other is not source]
         is_range = isinstance(given, Interval)
@@ -192,7 +242,8 @@ def _edges(sources: Sequence[Source]) -> Iterator[list[dict[str, Any]]]:
         fixed = [(other.given.low, other.given.high) if is_range else (other.given.value,) for other in others]
         for corner in product(*fixed):
             place = {name: end for other, end in zip(others, corner, strict=True) for name in other.names}
-            yield [{**place, **dict.fromkeys(source.names, end)} for end in moved]
+            edges.append([{**place, **dict.fromkeys(source.names, end)} for end in moved])
+    return edges
 
 
 def _steps(low: Any, high: Any) -> list[Any]:
@@ -204,8 +255,8 @@ def _steps(low: Any, high: Any) -> list[Any]:
     return [low, *between, high]
 
 
-def _divided(values: list[Any], size: int) -> list[list[Any]]:
-    """Return values in groups of a size."""
+def _divided(values: Any, size: int) -> list[Any]:
+    """Return a list or an array in parts of a size."""
     return [values[start : start + size] for start in range(0, len(values), size)]
 
 
@@ -224,11 +275,3 @@ def _range(value: Any, of_sources: Sequence[Sequence[Any]]) -> tuple[Mapping[str
     lows, highs = zip(*(extent for extents in of_sources for extent in extents), strict=True)
     parts = [sum(high - low for low, high in extents) / len(extents) for extents in of_sources]
     return {"low": reduce(at_most, lows, value), "high": reduce(at_least, highs, value)}, parts
-
-
-def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
-    """Return the share of each source that has one in the variance or the width of a number, the largest first."""
-    power = 1 if isinstance(sources[0].given, Interval) else 2
-    sizes = [(part / max(parts)) ** power for part in parts]  # squares of the parts may leave the doubles
-    shares = {source.names[0]: size / fsum(sizes) for source, size in zip(sources, sizes, strict=True) if size}
-    return dict(sorted(shares.items(), key=lambda share: -share[1]))

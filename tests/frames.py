@@ -1,0 +1,34 @@
+"""What a frame answers, in the form in which tests ask for it."""
+
+from collections.abc import Iterable, Sequence
+from functools import reduce
+from operator import or_
+from typing import Any
+
+from jkroll.scene import alternatives
+from jkroll.scene import doubts as limits
+from jkroll.scene.scene import Scene
+
+
+def outcomes(scene: Scene, names: Iterable[str]) -> dict[str, Any]:
+    """Return the value of each quantity, or the error that says why no row has one."""
+    columns = scene.columns(names)
+    return {
+        name: scene.error(name, column.reasons) if column.is_empty else column.values
+        for name, column in columns.items()
+    }
+
+
+def doubts(scene: Scene, names: Iterable[str], judged: Iterable[limits.Limit] = limits.LIMITS) -> list[limits.Doubt]:
+    """Return the limits of quantities, judged."""
+    return limits.doubts(scene, scene.columns(names), judged)
+
+
+def factor_of_law(scene: Scene, names: Iterable[str]) -> Any:
+    """Return how far quantities are from those under the law that holds."""
+    return alternatives.factor_of_law(scene, scene.columns(names))
+
+
+def bits(scene: Scene, names: Sequence[str]) -> Any:
+    """Return the codes of the limits of quantities as bits, of every row."""
+    return reduce(or_, (doubt.bits for doubt in doubts(scene, names)), 0)
