@@ -13,8 +13,8 @@ from unittest.mock import patch
 
 import numpy as np
 
-import jkroll.batch.run
-import jkroll.rows.columns
+import jkroll.model.rows
+import jkroll.tables.run
 from frames import outcomes
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
@@ -22,16 +22,16 @@ from jkroll.cli.call import Call
 from jkroll.cli.process import read
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
+from jkroll.model.alternatives import at_least_measured, at_most_measured
+from jkroll.model.frame import LEAST, Scene
+from jkroll.model.infer import Problems
+from jkroll.model.limits import LIMITS, NOT_JUDGED, Limit
+from jkroll.model.reasons import Failure, NoErrorBar
+from jkroll.model.rows import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
+from jkroll.model.sweep import Sweep
+from jkroll.model.uncertainty import sources_of
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
-from jkroll.rows.columns import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
-from jkroll.rows.infer import Problems
-from jkroll.rows.sweep import Sweep
-from jkroll.rows.table import Table
-from jkroll.scene.alternatives import at_least_measured, at_most_measured
-from jkroll.scene.doubts import LIMITS, NOT_JUDGED, Limit
-from jkroll.scene.failures import Failure, NoErrorBar
-from jkroll.scene.scene import LEAST, Scene
-from jkroll.scene.uncertainty import sources_of
+from jkroll.tables.table import Table
 from questions import Ask, Sheet
 
 ULP = 2.0**-52
@@ -102,7 +102,7 @@ def computed(*, by_arrays: bool) -> Iterator[None]:
     with ExitStack() as stack:
         for kind in (Sweep, Problems):
             stack.enter_context(patch.object(kind, "few", -1 if by_arrays else INFINITY))
-        stack.enter_context(patch.object(jkroll.rows.columns, "BLOCK", 5))
+        stack.enter_context(patch.object(jkroll.model.rows, "BLOCK", 5))
         yield
 
 
@@ -199,8 +199,8 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
         return Table(columns, rows[:sample], *others, **options)
 
     with ExitStack() as stack:
-        stack.enter_context(patch.object(jkroll.batch.run, "evaluated", observed))
-        stack.enter_context(patch.object(jkroll.batch.run, "Table", of_sample))
+        stack.enter_context(patch.object(jkroll.tables.run, "evaluated", observed))
+        stack.enter_context(patch.object(jkroll.tables.run, "Table", of_sample))
         ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
     if ran.code == 2:
         raise Refused(ran.err)

@@ -5,9 +5,8 @@ from functools import reduce
 from operator import or_
 from typing import Any
 
-from jkroll.scene import alternatives
-from jkroll.scene import doubts as limits
-from jkroll.scene.scene import Scene
+from jkroll.model import alternatives, limits
+from jkroll.model.frame import Scene
 
 
 def outcomes(scene: Scene, names: Iterable[str]) -> dict[str, Any]:

@@ -11,11 +11,11 @@ from jkroll import solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import COMMANDS
 from jkroll.errors import JkrollError
+from jkroll.model.plan import formula_of
 from jkroll.physics.jkr import FOLD_APPROACH
 from jkroll.quantities.laws import LAWS
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import has_uncertainty
-from jkroll.scene.wiring import formula_of
 from scenes import log_uniform
 
 MATERIALS = ["quartz", "iron", "gold", "PS", "graphite", "silica-dry", "silica-humid", "ice-warm", "ice-cold"]

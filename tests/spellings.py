@@ -7,7 +7,7 @@ from unicodedata import normalize
 
 from jkroll.quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, SYNONYMS
 from jkroll.quantities.units import dimension_of
-from jkroll.rows.words import INPUTS
+from jkroll.tables.words import INPUTS
 
 # Units for each SI unit of an input, with their factors.
 UNITS: Mapping[str, list[tuple[str, float]]] = {

@@ -10,16 +10,16 @@ import mypy.api
 import pytest
 
 import jkroll
+from jkroll.model.frame import DEFAULTS
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.scene import DEFAULTS
 from tools.make_stub import STUB, stub
 
 SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
 # From the top down: a folder imports from those below it. The files outside a folder are the ground.
-FOLDERS = "cli batch bench pictures output answers rows scene materials quantities physics ground".split()
+FOLDERS = "cli bench pictures tables output answers model materials quantities physics ground".split()
 # The package and its script hand out names of all folders; the wheel's build adds the module of shipped materials.
 PUBLIC = {"__init__", "__main__"}
 ONLY = {
@@ -28,10 +28,10 @@ ONLY = {
     "pint": {"quantities"},
     "tomllib": {"materials"},
     "matplotlib": {"pictures"},
-    "orjson": {"batch", "rows", "output"},
-    "pyarrow": {"batch"},
-    "distributed": {"batch"},
-    "zstandard": {"batch"},
+    "orjson": {"tables", "output"},
+    "pyarrow": {"tables"},
+    "distributed": {"tables"},
+    "zstandard": {"tables"},
 }
 
 # The paper's equations between the quantities, which `solve` does not know; the manual names them.

@@ -38,15 +38,10 @@ from jkroll.answers.answer import with_force_by_maugis
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError, NoResult
-from jkroll.output.answered import Answered
-from jkroll.pictures.picture import Axis, over
-from jkroll.pictures.request import PlotRequest, picture_of
-from jkroll.quantities.nomenclature import NOMENCLATURE, header
-from jkroll.quantities.values import is_uncertain, middle, value_of
-from jkroll.rows.columns import DOUBT, STATUS
-from jkroll.scene.alternatives import at_least_measured, at_most_measured
-from jkroll.scene.doubts import NOT_JUDGED, codes
-from jkroll.scene.failures import (
+from jkroll.model.alternatives import at_least_measured, at_most_measured
+from jkroll.model.frame import Scene
+from jkroll.model.limits import NOT_JUDGED, codes
+from jkroll.model.reasons import (
     BEYOND_PULL_OFF,
     INFINITE,
     OF_IDENTICAL_SPHERES,
@@ -55,8 +50,13 @@ from jkroll.scene.failures import (
     NoErrorBar,
     reason_of,
 )
-from jkroll.scene.results import is_end_of_meaning
-from jkroll.scene.scene import Scene
+from jkroll.model.results import is_end_of_meaning
+from jkroll.model.rows import DOUBT, STATUS
+from jkroll.output.answered import Answered
+from jkroll.pictures.picture import Axis, over
+from jkroll.pictures.request import PlotRequest, picture_of
+from jkroll.quantities.nomenclature import NOMENCLATURE, header
+from jkroll.quantities.values import is_uncertain, middle, value_of
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
 FEW, MANY = range(10, 16), 1000

@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 import pytest
 
 from jkroll import FORMULAS, NOMENCLATURE, known_materials, solve
+from jkroll.model.plan import parameters_of
+from jkroll.model.reasons import MissingInput
 from jkroll.quantities.units import parse_unit
-from jkroll.scene.failures import MissingInput
-from jkroll.scene.wiring import parameters_of
 
 EMPTY_CELL = "..."
 ROUNDING = 1e-9  # how far a formula, or an exponent, may be from the printed one

@@ -10,7 +10,7 @@ __version__ = "0.4.0"
 # The public names, by the modules that are imported when one is first used: a command line pays only for what it needs.
 # Type checkers know them from the stub beside this file.
 _HOMES = {
-    "FORMULAS": "scene.solver",
+    "FORMULAS": "model.solver",
     "NOMENCLATURE": "quantities.nomenclature",
     "Interval": "quantities.values",
     "JkrollError": "errors",
@@ -19,9 +19,9 @@ _HOMES = {
     "Measured": "quantities.values",
     "Quantity": "quantities.nomenclature",
     "answer": "output.answered",
-    "infer": "rows.infer",
+    "infer": "model.infer",
     "known_materials": "materials.library",
-    "solve": "scene.solver",
+    "solve": "model.solver",
 }
 __all__ = list(_HOMES)
 
@@ -32,7 +32,7 @@ def __getattr__(name: str) -> object:
 
     if name in _HOMES:
         value = getattr(import_module(f".{_HOMES[name]}", __name__), name)
-    elif name.startswith("_") or (value := import_module(".scene.solver", __name__).FORMULAS.get(name)) is None:
+    elif name.startswith("_") or (value := import_module(".model.solver", __name__).FORMULAS.get(name)) is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     globals()[name] = value
     return value

@@ -4,6 +4,9 @@ from .errors import JkrollError as JkrollError
 from .materials.library import Material as Material
 from .materials.library import Materials as Materials
 from .materials.library import known_materials as known_materials
+from .model.infer import infer as infer
+from .model.solver import FORMULAS as FORMULAS
+from .model.solver import solve as solve
 from .output.answered import answer as answer
 from .physics.any_law import adhesion_hysteresis_of_fraction as adhesion_hysteresis_of_fraction
 from .physics.any_law import adhesive_force as adhesive_force
@@ -198,8 +201,5 @@ from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
 from .quantities.nomenclature import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
-from .rows.infer import infer as infer
-from .scene.solver import FORMULAS as FORMULAS
-from .scene.solver import solve as solve
 
 __version__: str

@@ -12,8 +12,8 @@ from audit.moment import XI, A, C, E, R, X
 from audit.pair import pair, twins
 from harness import Run
 from jkroll import solve
+from jkroll.model.plan import parameters_of
 from jkroll.physics import cylinder, shifted
-from jkroll.scene.wiring import parameters_of
 from relative import approx
 
 CLAIMS = claims()

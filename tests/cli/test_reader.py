@@ -12,13 +12,13 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.batch.run import Job
 from jkroll.cli.call import OPTIONS, Call
 from jkroll.cli.commands import COMMANDS, OUTPUT, Option, flags_of
 from jkroll.cli.process import HINTS, SYNONYMS, read
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.rows.table import Asked
+from jkroll.tables.run import Job
+from jkroll.tables.table import Asked
 
 # Lines that ask for the same.
 ALIKE = [

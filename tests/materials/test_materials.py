@@ -22,8 +22,8 @@ import jkroll
 from harness import Run
 from jkroll.errors import JkrollError
 from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFileError
-from jkroll.scene.failures import MissingInput
-from jkroll.scene.scene import Scene
+from jkroll.model.frame import Scene
+from jkroll.model.reasons import MissingInput
 from material_files import read
 from relative import approx
 

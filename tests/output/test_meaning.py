@@ -11,8 +11,8 @@ import pytest
 
 import jkroll
 from harness import Run
+from jkroll.model.sweep import Sweep
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.rows.sweep import Sweep
 
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"

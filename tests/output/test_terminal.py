@@ -6,10 +6,10 @@ import re
 import pytest
 
 from harness import Run, Stream
+from jkroll.model.limits import LIMITS
 from jkroll.output.catalogue import write_quantities
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.doubts import LIMITS
 from jkroll.text import say_wrapped
 from relative import approx
 
@@ -42,10 +42,10 @@ def test_scenes_as_columns_have_a_line_for_each_input_that_differs(run: Run, mon
 
 
 def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("jkroll.rows.sweep.Sweep.most_in_table", 99)
-    monkeypatch.setattr("jkroll.rows.columns.BLOCK", 40)
+    monkeypatch.setattr("jkroll.model.sweep.Sweep.most_in_table", 99)
+    monkeypatch.setattr("jkroll.model.rows.BLOCK", 40)
     for way in (10**9, -1):  # by floats, and by arrays
-        monkeypatch.setattr("jkroll.rows.sweep.Sweep.few", way)
+        monkeypatch.setattr("jkroll.model.sweep.Sweep.few", way)
         assert "─" in run("pull-off quartz 1nm:1um:99 --quiet", terminal=True).out
         lines = run("pull-off quartz 1nm:1um:100 --quiet", terminal=True).out.splitlines()
         assert [len(line.split("\t")) for line in lines] == [6] * 101

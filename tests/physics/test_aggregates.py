@@ -7,8 +7,8 @@ import pytest
 
 from jkroll import solve
 from jkroll.answers.questions import QUESTIONS
+from jkroll.model.reasons import MissingInput
 from jkroll.quantities.values import QuantityError
-from jkroll.scene.failures import MissingInput
 from maugis_reference import mpf
 from reference import ulp_error
 from scenes import QUARTZ

@@ -9,7 +9,7 @@ import pytest
 
 from jkroll import solve
 from jkroll.errors import BadRequest
-from jkroll.scene.failures import MissingInput
+from jkroll.model.reasons import MissingInput
 from scenes import QUARTZ
 
 ELASTIC: dict[str, Any] = {name: value for name, value in QUARTZ.items() if name != "surface_energy"}

@@ -8,9 +8,9 @@ import pytest
 
 from harness import Run
 from jkroll import infer, solve
+from jkroll.model.reasons import Failure, MissingInput
 from jkroll.physics.any_law import pull_off_force_rough
 from jkroll.physics.motion import FITTED_UP_TO, STICKS_FROM, sticking_speed_viscous
-from jkroll.scene.failures import Failure, MissingInput
 from relative import approx
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-6}

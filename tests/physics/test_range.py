@@ -11,11 +11,11 @@ import pytest
 
 from frames import outcomes
 from jkroll import NOMENCLATURE, solve
+from jkroll.model.frame import LEAST, MOST, SMALLEST, Scene, check_range, is_answer, takes
+from jkroll.model.plan import Plan, formula_of
+from jkroll.model.reasons import MissingInput
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.quantities.values import QuantityError
-from jkroll.scene.failures import MissingInput
-from jkroll.scene.scene import LEAST, MOST, SMALLEST, Scene, check_range, is_answer, takes
-from jkroll.scene.wiring import Plan, formula_of
 from maugis_reference import Exact, digits, mpf
 from reference import BOUND, exact, ulp_error
 from scenes import OTHER, QUARTZ

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from jkroll import solve
-from jkroll.scene.failures import Failure, NotInLaw
+from jkroll.model.reasons import Failure, NotInLaw
 from scenes import OTHER, QUARTZ
 
 PAIR: dict[str, Any] = {**QUARTZ, **OTHER}

@@ -20,13 +20,13 @@ from jkroll import known_materials, solve
 from jkroll.answers.curve import Loads, loads_of
 from jkroll.cli.map import MAX_CURVES, map_request
 from jkroll.cli.process import main
+from jkroll.model.frame import Scene
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, curves_of_contact, paper_map
 from jkroll.pictures.picture import Curve, Field, Panel, Picture, described
 from jkroll.pictures.request import picture_of
 from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
-from jkroll.scene.scene import Scene
 from jkroll.text import wrapped
 from relative import approx
 

@@ -13,12 +13,12 @@ import pytest
 
 from harness import Run
 from jkroll import known_materials, solve
+from jkroll.model.frame import Scene
+from jkroll.model.limits import LIMITS
+from jkroll.model.plan import depends_on
 from jkroll.pictures.figures import paper_map
 from jkroll.pictures.picture import Axis, Field, Panel, Picture, axis_around, evaluate, is_flat, over, shown_values
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.doubts import LIMITS
-from jkroll.scene.scene import Scene
-from jkroll.scene.wiring import depends_on
 from relative import approx
 
 

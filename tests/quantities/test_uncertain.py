@@ -12,6 +12,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from jkroll.errors import JkrollError
+from jkroll.model.containers import Reader
 from jkroll.quantities.formatting import Format, amount
 from jkroll.quantities.values import (
     Interval,
@@ -22,7 +23,6 @@ from jkroll.quantities.values import (
     unit_of,
     value_of,
 )
-from jkroll.scene.containers import Reader
 from relative import approx
 
 SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%;

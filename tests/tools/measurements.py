@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from jkroll.materials.library import known_materials
+from jkroll.model.frame import DEFAULTS, Scene
 from jkroll.quantities.formatting import Format, amount, in_words, significant
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import value_of
-from jkroll.scene.scene import DEFAULTS, Scene
 
 PAGE = Path(__file__).parents[2] / "src" / "jkroll" / "guide" / "validation.md"
 HEAD = "| row | solids | R1 | what | measured | computed | ratio |\n|---|---|---|---|---|---|---|\n"

@@ -6,11 +6,7 @@ from types import MappingProxyType
 from typing import Any
 
 from ..errors import JkrollError
-from ..quantities.formatting import amount, in_words, span
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle
-from ..scene.alternatives import (
+from ..model.alternatives import (
     DATA,
     FORCES,
     ROLLED,
@@ -31,8 +27,9 @@ from ..scene.alternatives import (
     rolling,
     with_bars,
 )
-from ..scene.column import Column
-from ..scene.doubts import (
+from ..model.column import Column
+from ..model.frame import Scene
+from ..model.limits import (
     ASSUMED_DISPLACEMENT,
     CONTACT_EXCEEDS_SPHERE,
     INEXACT,
@@ -44,7 +41,7 @@ from ..scene.doubts import (
     doubts,
     touched,
 )
-from ..scene.failures import (
+from ..model.reasons import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
     OF_IDENTICAL_SPHERES,
@@ -52,9 +49,12 @@ from ..scene.failures import (
     MissingInput,
     reason_of,
 )
-from ..scene.results import ROW, Results, has_code
-from ..scene.scene import Scene
-from ..scene.uncertainty import ErrorBar
+from ..model.results import ROW, Results, has_code
+from ..model.uncertainty import ErrorBar
+from ..quantities.formatting import amount, in_words, span
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle
 from .notes import (
     Kind,
     Note,

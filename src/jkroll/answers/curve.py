@@ -6,13 +6,13 @@ from math import inf, isfinite
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError, NoResult
+from ..model.column import Column
+from ..model.frame import Scene
+from ..model.limits import Doubt
+from ..model.plan import in_order
+from ..model.reasons import NO_STIFFNESS, MissingInput
+from ..model.rows import Wanted, sides_in
 from ..quantities.values import parse_quantity
-from ..rows.columns import Wanted, sides_in
-from ..scene.column import Column
-from ..scene.doubts import Doubt
-from ..scene.failures import NO_STIFFNESS, MissingInput
-from ..scene.scene import Scene
-from ..scene.wiring import in_order
 from ..text import quoted
 from .answer import Answer, Result
 from .questions import Question

@@ -7,17 +7,17 @@ from functools import cached_property
 from math import isfinite
 from typing import Any
 
+from ..model.infer import Found
+from ..model.inverse import Problem
+from ..model.limits import LAW, Doubt
+from ..model.reasons import MissingInput, reason_of
+from ..model.results import Results
+from ..model.uncertainty import error_bars
+from ..model.unsolved import SIZES, equal, sizes_in_words
 from ..quantities.formatting import amount, in_words, span, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import middle
-from ..rows.infer import Found
-from ..scene.doubts import LAW, Doubt
-from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import Problem
-from ..scene.results import Results
-from ..scene.uncertainty import error_bars
-from ..scene.unsolved import SIZES, equal, sizes_in_words
 from ..text import listed
 from .answer import Answer, Result
 from .notes import Note

@@ -6,10 +6,7 @@ from math import erfc, hypot, sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
-from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
-from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
-from ..scene.alternatives import (
+from ..model.alternatives import (
     SIO2,
     assumes_displacement,
     displacements_where_measured,
@@ -18,16 +15,19 @@ from ..scene.alternatives import (
     rolling,
     solid_of_pair,
 )
-from ..scene.doubts import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
-from ..scene.failures import grouped
-from ..scene.scene import DEFAULTS, Scene
-from ..scene.uncertainty import Sources, error_bars, sources_of_results
-from ..scene.wiring import depends_on
+from ..model.frame import DEFAULTS, Scene
+from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
+from ..model.plan import depends_on
+from ..model.reasons import grouped
+from ..model.uncertainty import Sources, error_bars, sources_of_results
+from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
+from ..quantities.laws import BETWEEN
+from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
+    from ..model.rows import Columns, Tally
     from ..quantities.values import Uncertain
-    from ..rows.columns import Columns, Tally
     from .answer import Answer
 
 # A warning is of a number without a meaning; a caveat may change what a reader does; a remark is less; what was assumed
@@ -243,7 +243,7 @@ class OfRows:
 
     def __init__(self, kinds: "Iterable[tuple[Scene, Sequence[str]]]", *, judges: bool = True) -> None:
         """`kinds`: a scene for the rows of each, and the quantities that it shows; `judges`: as `entering` has it."""
-        from ..rows.columns import Tally
+        from ..model.rows import Tally
 
         self._kinds, self.tally, self._told = [*kinds], Tally(), 0
         self.assumed: dict[str, str] = {}  # by name, with the option that sets it

@@ -21,6 +21,7 @@ import numpy
 from numpy import cbrt, exp, interp, linspace, pi, sqrt, where
 
 from .. import __version__
+from ..model.frame import Scene
 from ..output.writers import Cell, write_records
 from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.contact import pull_off_force, reduced_radius
@@ -28,7 +29,6 @@ from ..physics.jkr import FOLD_APPROACH
 from ..pictures.picture import Axis, Curve, Panel, Picture
 from ..quantities.formatting import significant
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.scene import Scene
 from ..text import say
 
 SYMBOLS = {

@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 from ..answers.questions import QUESTIONS, quantity_named
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, UnknownMaterial, materials_of_user
+from ..model.frame import check_exclusive, check_range
+from ..model.reasons import MissingInput
+from ..model.sweep import Pair, Sweep
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
-from ..rows.sweep import Pair, Sweep
-from ..scene.failures import MissingInput
-from ..scene.scene import check_exclusive, check_range
 from ..text import ending, quoted, say_wrapped, shown
 
 if TYPE_CHECKING:

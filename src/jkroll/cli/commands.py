@@ -41,8 +41,8 @@ class Option:
         if self.help:
             span = f", 1 to {self.most}" if self.most else ""
             return f"{self.help}{span}."
+        from ..model.frame import DEFAULTS
         from ..quantities.formatting import amount
-        from ..scene.scene import DEFAULTS
 
         meaning = NOMENCLATURE[self.name].sentence
         default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
@@ -177,8 +177,8 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option, ...]:
     The properties of a material are taken by every command, but shown only where they are used. Of all inputs, those of
     the report are shown.
     """
+    from ..model.plan import depends_on
     from ..quantities.laws import LAWS, varies_by_law
-    from ..scene.wiring import depends_on
 
     of_results = quantities or QUESTIONS["report"].quantities
     depends = depends_on(of_results, tuple(LAWS))

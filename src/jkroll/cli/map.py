@@ -8,6 +8,9 @@ import numpy
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
+from ..model.frame import Scene
+from ..model.limits import LIMITS
+from ..model.plan import depends_on
 from ..output.writers import text_output, whole_file, write_columns
 from ..pictures.figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
 from ..pictures.picture import STYLES, Axis, Picture, evaluate, say_texts, write_picture
@@ -17,9 +20,6 @@ from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain, symbol
 from ..quantities.nomenclature import as_input, header
 from ..quantities.values import QuantityError, between, parse_quantity
-from ..scene.doubts import LIMITS
-from ..scene.scene import Scene
-from ..scene.wiring import depends_on
 from ..text import ending, listed, quoted, say, say_wrapped
 from .call import PICTURES, Call
 

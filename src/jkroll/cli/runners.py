@@ -13,20 +13,20 @@ from ..answers.notes import OfRows, lines_of
 from ..answers.questions import EVERYTHING, QUESTIONS, Question, quantities_named, quantity_named, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import UnknownMaterial
+from ..model.frame import Scene
+from ..model.limits import ENDING_MEANING
+from ..model.plan import formula_of
+from ..model.sweep import Sweep
 from ..quantities.formatting import Format
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
-from ..rows.sweep import Sweep
-from ..scene.doubts import ENDING_MEANING
-from ..scene.scene import Scene
-from ..scene.wiring import formula_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
 from .call import Call, message_of
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
-    from ..rows.columns import Columns, Wanted
+    from ..model.rows import Columns, Wanted
 
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
 WIDTH_OF_EXPORT = 120  # of a comment
@@ -96,7 +96,7 @@ def question_of(call: Call, usual: Question) -> Question:
 
 def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, single: "Answer | None") -> int:
     """Write a row for each scene; return the exit code. `single`: the answer of the only one."""
-    from ..rows.columns import of_single_row
+    from ..model.rows import of_single_row
 
     is_shown = call.kind == "table" and call.target is None and len(sweep) <= sweep.most_in_table
     if call.kind == "bare":
@@ -122,7 +122,7 @@ def _write_columns(
     """
     every = notes.watch(blocks)
     if call.target is not None:
-        from ..batch.run import write_file
+        from ..tables.run import write_file
 
         write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
     elif is_table:
@@ -233,7 +233,7 @@ def _write_curve(call: Call) -> int:
     Raises the failure of the first state if each has one.
     """
     from ..answers.curve import FORCE_CURVE, answers_at_states, curve_columns
-    from ..rows.columns import Columns, Wanted
+    from ..model.rows import Columns, Wanted
 
     check_format(call)
     if call.kind in ("explain", "cite"):
@@ -311,9 +311,9 @@ def run_export(call: Call) -> int:
 def run_infer(call: Call) -> int:
     """Find inputs for every scene and measured value; return the exit code."""
     from ..answers.inferred import Inferred
-    from ..rows.infer import Problems
-    from ..scene.inverse import Problem
-    from ..scene.unsolved import SIZES, inputs_named
+    from ..model.infer import Problems
+    from ..model.inverse import Problem
+    from ..model.unsolved import SIZES, inputs_named
 
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
@@ -347,8 +347,8 @@ def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
 
 def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
-    from ..batch.run import Job, run
-    from ..rows.table import Asked
+    from ..tables.run import Job, run
+    from ..tables.table import Asked
 
     if not call.subject:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
@@ -385,7 +385,7 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
     for option, value in (("quantities", call.quantities), ("alternatives", call.alternatives)):
         if value:
             raise BadRequest(f"--infer and --{option} exclude each other")
-    from ..scene.unsolved import inputs_named
+    from ..model.unsolved import inputs_named
 
     return inputs_named([call.infer])[0], quantity_named(call.measured[0])
 

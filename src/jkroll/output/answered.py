@@ -8,11 +8,7 @@ from ..answers.answer import Answer, Result
 from ..answers.questions import QUESTIONS, Question, question_about
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
-from ..quantities.formatting import AS_USUAL, Format, in_words
-from ..quantities.laws import other_law
-from ..quantities.nomenclature import NOMENCLATURE, XI, named
-from ..quantities.values import Uncertain, ends_of, is_uncertain, middle
-from ..scene.alternatives import (
+from ..model.alternatives import (
     DATA,
     assumes_displacement,
     at_least_measured,
@@ -20,11 +16,15 @@ from ..scene.alternatives import (
     displacements_where_measured,
     rolling,
 )
-from ..scene.scene import Scene
+from ..model.frame import Scene
+from ..quantities.formatting import AS_USUAL, Format, in_words
+from ..quantities.laws import other_law
+from ..quantities.nomenclature import NOMENCLATURE, XI, named
+from ..quantities.values import Uncertain, ends_of, is_uncertain, middle
 from ..text import json_text, listed, quoted, say, spelled
 
 if TYPE_CHECKING:
-    from ..scene.doubts import Doubt
+    from ..model.limits import Doubt
 
 
 def write_plain(answer: Answer, out: TextIO, form: Format, *, alternatives: bool = False) -> None:
@@ -284,8 +284,8 @@ def answer(
     >>> print(str(answered.doubts[0]).partition(", ")[0])
     P_c = 14–15 nN by Maugis' or Lennard-Jones' law
     """
-    from ..scene.containers import Reader
-    from ..scene.solver import materials_of, refuse_arrays, words_in
+    from ..model.containers import Reader
+    from ..model.solver import materials_of, refuse_arrays, words_in
 
     described = Reader().in_si(given)
     refuse_arrays(described)

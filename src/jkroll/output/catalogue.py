@@ -6,12 +6,12 @@ from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
 from ..materials.library import ORIGIN, Material
+from ..model.limits import LIMITS
+from ..model.plan import arguments_of, depends_on, formula_of
+from ..model.rows import Wanted
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, DIGITS, Format, amount, in_words, pretty, symbol_among
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, bracketed, header
-from ..rows.columns import Wanted
-from ..scene.doubts import LIMITS
-from ..scene.wiring import arguments_of, depends_on, formula_of
 from ..text import TextColumn, first_of, json_text, say, say_wrapped, write_table, write_texts
 from .answered import bar_object, numbers_of, write_measure
 from .manual import has_words, without_variants, words_of

@@ -9,12 +9,12 @@ from math import pi
 from typing import NamedTuple
 
 from ..errors import BadRequest, JkrollError
+from ..model.frame import Scene
+from ..model.reasons import OF_IDENTICAL_SPHERES, Failure, reason_of
 from ..physics.motion import STICKS_FROM
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
-from ..scene.failures import OF_IDENTICAL_SPHERES, Failure, reason_of
-from ..scene.scene import Scene
 
 SKIN = 0.2  # of the neighbor lists, in radii of the smaller sphere
 LEAST_SKIN = 0.4  # in δ0: as far as spheres in contact may be apart where the tension is largest

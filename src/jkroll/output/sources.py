@@ -14,14 +14,14 @@ from ..answers.answer import Answer, Result, readings_of
 from ..answers.notes import every_line
 from ..errors import BadRequest
 from ..materials.library import data_of
+from ..model.alternatives import has_other_formulas
+from ..model.frame import Scene, takes
+from ..model.plan import Plan
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount, symbol_of
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.alternatives import has_other_formulas
-from ..scene.scene import Scene, takes
-from ..scene.wiring import Plan
 from ..text import listed, say, say_wrapped
 
 if TYPE_CHECKING:

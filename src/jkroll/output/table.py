@@ -5,19 +5,19 @@ from itertools import chain
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
+from ..model.alternatives import DATA, SIO2, rolled_solid
+from ..model.limits import LAW, codes
+from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, of_sides
-from ..rows.columns import DOUBT, as_list
-from ..scene.alternatives import DATA, SIO2, rolled_solid
-from ..scene.doubts import LAW, codes
 from ..text import TextColumn, first_of, fit_terminal, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
-    from ..rows.columns import Columns
+    from ..model.rows import Columns
 
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 

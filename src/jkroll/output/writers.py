@@ -15,11 +15,11 @@ from math import isnan
 from typing import Any, BinaryIO, TextIO, cast
 
 from ..errors import BadRequest
+from ..model.limits import codes
+from ..model.rows import DOUBT, Columns, Wanted, as_list
 from ..quantities.formatting import Format, in_words, pretty
 from ..quantities.nomenclature import INFINITY, header
 from ..quantities.values import middle
-from ..rows.columns import DOUBT, Columns, Wanted, as_list
-from ..scene.doubts import codes
 from ..text import for_terminal, json_text, quoted, say, spelled, write_texts
 
 STRIP = 256  # rows written at once: their text stays in the cache, and is no large piece of memory

@@ -15,6 +15,9 @@ from ..answers.answer import Answer
 from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..answers.questions import Question
 from ..materials.library import Materials
+from ..model.frame import DEFAULTS, Scene
+from ..model.reasons import BEYOND_PULL_OFF, Failure, NotInLaw
+from ..model.solver import values_of
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment
@@ -24,9 +27,6 @@ from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.failures import BEYOND_PULL_OFF, Failure, NotInLaw
-from ..scene.scene import DEFAULTS, Scene
-from ..scene.solver import values_of
 from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
 from .request import DRAWN_LIMITS, PlotRequest, fixed_inputs, inputs_as_texts, mark_at, notes_on, picture_of
 

@@ -8,11 +8,11 @@ from typing import Any, NamedTuple, TextIO
 
 import numpy
 
+from ..model.frame import Scene
+from ..model.solver import values_of
 from ..quantities.formatting import in_units
 from ..quantities.markup import plain
 from ..quantities.nomenclature import NOMENCLATURE, Quantity, bracketed, header
-from ..scene.scene import Scene
-from ..scene.solver import values_of
 from ..text import TextColumn, padded, say, say_wrapped, terminal_width, width_of, write_table
 
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic

@@ -11,13 +11,13 @@ from ..answers.answer import advised, equation_of, law_advised
 from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, entering
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
+from ..model.frame import Scene
+from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
+from ..model.reasons import RESTS_ON_SPACING, Failure, Kind, MissingInput, reason_of
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
-from ..scene.doubts import LAW, LIMITS, Doubt, Limit, doubts
-from ..scene.failures import RESTS_ON_SPACING, Failure, Kind, MissingInput, reason_of
-from ..scene.scene import Scene
 from ..text import quoted
 from .picture import (
     SAME,

@@ -7,7 +7,7 @@ for a quantity that the law does not have; a name without a route is found by th
 that one law alone routes to belongs to that law: under another it would mix the two, and is refused.
 
 A new law is one more `Law` here, its formulas in `physics`, its reference in `output/references.toml`, the states of
-its force curve in `answers.curve`, and where the physics gives a formula no result, the reason in `scene.failures`. The
+its force curve in `answers.curve`, and where the physics gives a formula no result, the reason in `model.reasons`. The
 nomenclature takes the names of its formulas from the routes.
 """
 

@@ -1,0 +1,49 @@
+"""The columns of a frame: values and the reasons of cells without one, as numbers that hold for all rows, or arrays."""
+
+from math import nan
+from typing import Any, NamedTuple
+
+from ..physics.elementary import NUMBER, where
+from .reasons import HIDDEN, reason
+
+
+class Column(NamedTuple):
+    """The values of a quantity, nan where there is none, and the reasons; a number holds for all rows."""
+
+    values: Any
+    reasons: Any = 0
+
+    @property
+    def is_empty(self) -> bool:
+        """True if no row has a value, all for one reason."""
+        return isinstance(self.reasons, int) and self.reasons != 0
+
+    def or_else(self, number: float) -> Any:
+        """Return the values, and a number where there is none: nan has no place in the order of numbers."""
+        return where(self.reasons == 0, self.values, number)
+
+    def without(self, is_out: Any, number: int) -> "Column":
+        """Return the column where some cells, if they have a value, have a reason in its place."""
+        if not (is_out if isinstance(is_out, bool) else is_out.any()):
+            return self
+        return Column(where(is_out, nan, self.values), first_of(self.reasons, where(is_out, number, 0)))
+
+    def hidden(self, is_shown: Any) -> "Column":
+        """Return the column where only some cells are shown, whatever else is the reason of the others."""
+        if is_shown is True:
+            return self
+        return Column(where(is_shown, self.values, nan), where(is_shown, self.reasons, reason(HIDDEN)))
+
+
+def first_of(reasons: Any, others: Any) -> Any:
+    """Return the reasons of cells that have one, and elsewhere the others: numbers for all rows, or arrays."""
+    if isinstance(reasons, int):
+        return reasons or others
+    if others is reasons or (isinstance(others, int) and not others):
+        return reasons
+    return where(reasons != 0, reasons, others)
+
+
+def at_row(values: Any, row: int) -> Any:
+    """Return the number of a row, by its index, as a Python number."""
+    return values if isinstance(values, NUMBER) else values.flat[row].item()

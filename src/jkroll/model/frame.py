@@ -1,0 +1,574 @@
+"""From what is given to what is asked: a scene evaluates the formulas that questions need, and says what is missing.
+
+The assumptions of a scene are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and
+the names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, from
+1e-30 to 1e30 in SI units. It gives results that doubles hold with all digits, and zeros where the physics has them.
+"""
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from functools import cached_property, reduce
+from itertools import product
+from math import isfinite, nan
+from operator import and_
+from types import MappingProxyType
+from typing import Any
+
+from ..errors import BadRequest, JkrollError
+from ..materials.library import Material
+from ..physics.contact import reduced_radius
+from ..physics.elementary import NUMBER, where
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law
+from ..quantities.nomenclature import (
+    INFINITY,
+    NOMENCLATURE,
+    PROPERTIES,
+    STATE,
+    UP_TO_INFINITE,
+    XI,
+    UnknownQuantity,
+    of_sphere,
+)
+from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain, middle
+from ..text import listed
+from .column import Column, at_row, first_of
+from .plan import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
+from .reasons import (
+    HIDDEN,
+    INFINITE,
+    MISSING,
+    NOT_IN_LAW,
+    RESTS_ON_SPACING,
+    TWO_RIGID_BODIES,
+    Failure,
+    Kind,
+    MissingInput,
+    NotInLaw,
+    failure_of,
+    kind_and_step,
+    reason,
+    reason_for,
+)
+
+# --- Numbers that a scene takes ---------------------------------------------------------------------------------------
+
+LEAST, MOST = 1e-30, 1e30  # of the size of an input in SI units; one that may be 0 may be smaller
+
+
+def check_range(name: str, value: Any) -> None:
+    """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
+    if name not in NOMENCLATURE:
+        raise UnknownQuantity(name)
+    place: tuple[int, ...] = ()
+    if not isinstance(value, NUMBER):
+        if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
+            return  # as nearly always: a range takes all between two of its values
+        are_refused = ~takes(name, value)
+        if not are_refused.any():
+            return
+        place = tuple(places[0].item() for places in are_refused.nonzero())
+        value = value[place].item()
+    if not takes(name, value):
+        limits = NOMENCLATURE[name].range
+        words = "must lie between 1e-30 and 1e30 in SI units" if limits.admits(value) else limits.words
+        raise QuantityError(name, value, words if isfinite(value) else "must be finite", place=place)
+
+
+def takes(name: str, value: Any) -> Any:
+    """Return whether a scene takes a number, or each element of an array, as the value of a quantity."""
+    limits, size = NOMENCLATURE[name].range, abs(value)
+    if isinstance(value, NUMBER) and LEAST <= size <= MOST:  # as nearly always
+        return limits.admits(value)
+    is_large_enough = (size >= LEAST) | limits.admits(0.0)
+    is_small_enough = (size <= MOST) | (value == INFINITY)
+    return limits.admits(value) & is_large_enough & is_small_enough
+
+
+# --- Numbers that a scene gives ---------------------------------------------------------------------------------------
+
+SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
+# The quantities of sphere 2 that are infinite for a plane, such as its mass.
+_OF_A_PLANE = [
+    name for name, quantity in NOMENCLATURE.items()
+    if quantity.range is UP_TO_INFINITE and quantity.sphere == 2 and formula_of(name) is not None
+]  # fmt: skip
+
+
+def is_answer(name: str, value: Any) -> Any:
+    """Return whether doubles are results with all digits, or a zero or an infinity that the physics has."""
+    size = abs(value)
+    is_zero = (value == 0) & NOMENCLATURE[name].may_be_zero
+    return (size >= SMALLEST) & ((size < INFINITY) | (name in _OF_A_PLANE)) | is_zero
+
+
+# --- Scenes -----------------------------------------------------------------------------------------------------------
+
+IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # what says where rolling begins
+DEFAULTS = {
+    XI: 2e-10,
+    "load": 0.0,
+    "gravity": 9.80665,
+    "energy_ratio": 1.0,
+    "atomic_spacing": 4e-10,
+    "cutoff": 1.65e-10,
+}
+# The values of inputs from which more follows than from others: a plane, a rigid body, no load.
+FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
+    "radius2": (INFINITY, {"radius_ratio": 0.0, "rayleigh_frequency2": 0.0, **dict.fromkeys(_OF_A_PLANE, INFINITY)}),
+    "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, it does not matter
+    "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
+    "load": (0.0, {"load_margin": 1.0}),
+}
+
+# Inputs of which one follows from the other.
+EXCLUSIVE = (
+    ("energy", "energy_ratio", "speed"),
+    *product(("surface_energy", "surface_energy2"), ("work_of_adhesion",), ("hamaker", "hamaker2")),
+    ("load", *sorted(STATE)),
+    IN_ITS_PLACE,
+    ("contact_modulus", "modulus_over_energy"),
+    ("radius", "reduced_radius"),
+    ("radius2", "reduced_radius"),
+)
+
+# What was stated in place of a solid's yield displacement, or makes sphere 2 one of another solid.
+_OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
+
+# Quantities that need a contact area: they have no value where both bodies are rigid. All others of JKR follow from
+# them.
+_ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
+    "rolling_frequency_as_printed"})  # fmt: skip
+
+
+class Scene:
+    """Two spheres, as far as they were described, and everything that follows.
+
+    The inputs that were given by name are `stated`; with the properties of the materials, and without uncertainties,
+    they are `given`; with what is assumed and what follows from the value of an input they are `known`. `values` are
+    those of the known names and of all results so far, nan where there is none; `reasons` say why. Both are numbers,
+    which hold for all rows, or arrays.
+
+    >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
+    >>> f"{scene['pull_off_force']:.4e}"
+    '1.1781e-08'
+    >>> scene.replace(radius=2e-7)["reduced_radius"]
+    1e-07
+    """
+
+    few = 800  # places of uncertain inputs that numbers compute in the time of importing numpy: up to three ranges
+
+    def __init__(
+        self,
+        given: Mapping[str, Any],
+        material: Material | None = None,
+        material2: Material | None = None,
+        *,
+        model: str | None = None,
+        moved: Mapping[str, Any] = MappingProxyType({}),
+    ) -> None:
+        """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
+
+        `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
+        value that has an uncertainty; `model.uncertainty` computes with the rest. `moved`: values in place of those of
+        the materials, which are not their data; None stands for none. Raises QuantityError, or BadRequest for arrays
+        that do not broadcast.
+        """
+        self.law = law_named(DEFAULT_LAW if model is None else model)
+        self.stated_model = None if model is None else self.law.name
+        check_exclusive(given)
+        self.material, self.material2, self.moved = material, material2, moved
+        # The materials of the spheres that have one of their own, each with the number of the sphere.
+        self.materials = [(solid, sphere) for solid, sphere in ((material, 1), (material2, 2)) if solid is not None]
+        self.uncertain: dict[str, Uncertain] = {name: value for name, value in given.items() if is_uncertain(value)}
+        self.stated = {**given}
+        # By the name of an input, the material that has it, and its name there.
+        self.of_materials = {
+            of_sphere(sphere, name): (solid, name) for solid, sphere in self.materials for name in solid.properties
+        }
+        of_solids = {given: solid.properties[name] for given, (solid, name) in self.of_materials.items()}
+        every = {**of_solids, **self.stated, **moved}
+        self.given: dict[str, Any] = {name: middle(value) for name, value in every.items() if value is not None}
+        self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
+        self.shape = broadcast(self.arrays)
+        for name, value in self.given.items():
+            check_range(name, value)
+        self.displacement = self._displacement_of_solid()
+        if self.displacement is not None:
+            self.given[XI] = self.displacement.value
+        self.values = {**self._assumed(), **self.given}
+        self.sources: dict[str, str] = {}  # by the name of a value that follows from an input, this input
+        for source, values in _implied(self.values, self.law, self.uncertain).items():
+            self.sources |= dict.fromkeys(values.keys() - self.values.keys(), source)
+            self.values = {**values, **self.values}
+        self.known = frozenset(self.values)
+        self.kind = (self.known, material2 is not None, self.law.name)  # on which plans depend
+        self.reasons: dict[str, Any] = {}  # why values are nan, of those results that have such cells
+        self.steps: dict[str, Plan] = {}  # that made these results
+        # Arrays that were computed, with their reasons, by a step and the identities of its arguments. These are kept
+        # beside them, so that no other value can have their identities.
+        self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle what was described; the rest is computed anew."""
+        return _described, (self.stated, self.material, self.material2, self.stated_model, self.moved)
+
+    def replace(self, **values: Any) -> "Scene":
+        """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
+
+        A value that a material gave is moved, the others are stated. What follows from the same values is not computed
+        again, which saves a tenth of a table with doubts.
+        """
+        model = values.pop("model", self.stated_model)
+        of_materials = self.of_materials.keys() & values.keys() - self.stated.keys()
+        moved = {**self.moved, **{name: values.pop(name) for name in of_materials}}
+        every = {**self.stated, **values}
+        given = {name: value for name, value in every.items() if value is not None}
+        scene = Scene(given, self.material, self.material2, model=model, moved=moved)
+        scene._shared = {**self._shared}
+        return scene
+
+    @cached_property
+    def by_law(self) -> "Scene":
+        """The scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
+        return self.replace(model=other_law(self.law.name))
+
+    @cached_property
+    def by_law_at_spacing(self) -> "Scene":
+        """The same, with its atomic spacing stated."""
+        return self.by_law.replace(atomic_spacing=self.by_law["atomic_spacing"])
+
+    def _displacement_of_solid(self) -> Interval | None:
+        """Return the yield displacement that the solid of both spheres has at these radii, unless it is stated."""
+        material, radius = self.material, self.given.get("radius")
+        if material is None or material.displacement is None or radius is None:
+            return None
+        is_of_two = self.material2 is not None and self.material2.key != material.key
+        if is_of_two or not self.stated.keys().isdisjoint(_OTHER_DISPLACEMENT):
+            return None
+        return material.displacement.scaled(
+            2 * reduced_radius(radius=radius, radius2=self.given.get("radius2", radius))
+        )
+
+    def _assumed(self) -> dict[str, float]:
+        """Return the defaults of what nothing else says. A solid says where rolling begins, if it was measured."""
+        said = {name for names in EXCLUSIVE if not self.given.keys().isdisjoint(names) for name in names}
+        if "hamaker" in self.given:  # from which both follow
+            said.add("atomic_spacing")
+        if any(solid.displacement is not None for solid, _ in self.materials):
+            said.add(XI)
+        return {name: value for name, value in DEFAULTS.items() if name not in said}
+
+    @cached_property
+    def data(self) -> Mapping[str, tuple[Material, str]]:
+        """The inputs that are data of a material, each with this material and its property."""
+        others = self.stated.keys() | self.moved.keys()
+        data = {name: of_solid for name, of_solid in self.of_materials.items() if name not in others}
+        return data if self.displacement is None or self.material is None else {**data, XI: (self.material, XI)}
+
+    def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
+        """Return the materials and those of their properties that are inputs and were not stated otherwise."""
+        return [used for name, used in self.data.items() if name in inputs]
+
+    @cached_property
+    def uncertainties(self) -> Mapping[str, Uncertain]:
+        """The uncertainties of inputs, whether they were stated or are those of materials."""
+        bars = {name: solid.uncertainties.get(of_solid) for name, (solid, of_solid) in self.data.items()}
+        return {name: bar for name, bar in {**bars, XI: self.displacement, **self.uncertain}.items() if bar is not None}
+
+    @cached_property
+    def is_rigid(self) -> Any:
+        """True if both bodies are rigid; an array if some elements of arrays are."""
+        modulus = self.given.get("youngs_modulus")
+        modulus2 = self.given.get("youngs_modulus2", modulus if self.material2 is None else None)
+        is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in self.given)
+        return is_rigid if isinstance(is_rigid, bool) or is_rigid.any() else False
+
+    @property
+    def is_identical(self) -> Any:
+        """True if nothing was said that makes sphere 2 differ from sphere 1, element by element for arrays."""
+        of_2 = {of_sphere(1, name): value for name, value in self.given.items() if NOMENCLATURE[name].sphere == 2}
+        lacking = self.material2 is not None and any(name in self.given and name not in of_2 for name in PROPERTIES)
+        return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacking)
+
+    @property
+    def stated_of_1(self) -> dict[str, Any]:
+        """The stated inputs that hold for two spheres like sphere 1: none of sphere 2, no w of two solids."""
+        of_pair = () if self.material2 is None else ("work_of_adhesion",)
+        return {
+            name: value for name, value in self.stated.items() if NOMENCLATURE[name].sphere != 2 and name not in of_pair
+        }
+
+    def shows(self, name: str) -> Any:
+        """Return whether a quantity that was not asked for by name is shown, or for which elements of arrays."""
+        is_shown = self.shows_to_identical(name)
+        return self.is_identical if is_shown and NOMENCLATURE[name].of_identical else is_shown
+
+    def shows_to_identical(self, name: str) -> bool:
+        """Return whether a quantity that was not asked for by name would be shown for identical spheres."""
+        quantity, stated = NOMENCLATURE[name], self.stated.keys()
+        return (
+            name not in stated
+            and name not in self.law.omits
+            and not (quantity.shown_with and stated.isdisjoint(quantity.shown_with))
+        )
+
+    # --- Plans --------------------------------------------------------------------------------------------------------
+
+    def plan(self, name: str) -> Plan:
+        """Return the plan of a quantity; one without a formula if the scene's inputs do not lead to it."""
+        return plan_for(name, *self.kind)
+
+    def plans(self, *names: str) -> list[Plan]:
+        """Return the plans of quantities; raise MissingInput for the first to which the inputs do not lead."""
+        for name in self.missing(names):
+            raise self.missing_input(name)
+        return [*map(self.plan, names)]
+
+    def formulas_to(self, *wanted: str) -> frozenset[str]:
+        """Return the names of all formulas that lead to the wanted quantities."""
+        return frozenset().union(*(plan.steps for plan in self.plans(*wanted))) - self.known
+
+    def missing(self, names: Iterable[str]) -> list[str]:
+        """Return those of some quantities to which the scene's inputs do not lead."""
+        return [name for name in names if not self.plan(name).is_possible]
+
+    def possible(self, names: Iterable[str]) -> list[str]:
+        """Return those of some quantities to which the scene's inputs lead."""
+        return [name for name in names if self.plan(name).is_possible]
+
+    def inputs_of(self, *wanted: str) -> tuple[str, ...]:
+        """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
+        used = {self.sources.get(name, name) for plan in self.plans(*wanted) for name in plan.steps.keys() & self.known}
+        if XI in used and self.displacement is not None:
+            used |= {"radius", "radius2"}  # by which a material's is scaled
+        return in_order(used & (self.given.keys() | DEFAULTS.keys()))
+
+    def inputs_used(self, names: Sequence[str]) -> Collection[str]:
+        """Return the inputs on which quantities depend, as far as the scene has them."""
+        possible = self.possible(names)
+        return self.inputs_of(*possible) if possible else depends_on(tuple(names)) & self.given.keys()
+
+    def echo(self, used: Collection[str]) -> dict[str, Any]:
+        """Return the inputs that are used or were stated, as understood: the materials, the law and SI values by name.
+
+        What was stated may decide on doubts and on values by other laws, and tells the rows of a list apart.
+        """
+        used = {*used, *(self.stated.keys() & self.given.keys())}
+        echoed: dict[str, Any] = {of_sphere(sphere, "material"): solid.name for solid, sphere in self.materials}
+        if self.stated_model is not None:
+            echoed["model"] = self.stated_model
+        for name in NOMENCLATURE:
+            if name in used:
+                echoed[name] = self.values[name]
+            elif name == "radius2" and "radius" in used:
+                echoed[name] = self.values.get(name, self.values["radius"])
+            elif name == "energy" and "energy_ratio" in used:
+                echoed |= self.numbers("energy")
+        return echoed
+
+    def missing_input(self, name: str) -> MissingInput:
+        """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
+        plan = self.plan(name)
+        if plan.lacking:
+            return NotInLaw(name, in_order(plan.lacking), self.law.title)
+        names = plan.missing
+        if XI in names and "radius" not in self.given:
+            names = names - {XI} | {"radius"}  # by which that of a solid is scaled
+        lacking = {}
+        for each in in_order(names):
+            solid = self.material2 or self.material if NOMENCLATURE[each].sphere == 2 else self.material
+            if solid is not None and solid.name and of_sphere(1, each) in PROPERTIES:
+                lacking[solid.lack_of(of_sphere(1, each))] = True
+        return MissingInput(name, in_order(names), ", ".join(lacking))
+
+    # --- Values and reasons -------------------------------------------------------------------------------------------
+
+    def columns(self, names: Iterable[str]) -> dict[str, Column]:
+        """Return the columns of quantities."""
+        with self._quiet:
+            return {name: self.column(name) for name in names}
+
+    @property
+    def _quiet(self) -> AbstractContextManager[Any]:
+        """The context in which numpy gives no warnings about elements without a value."""
+        if not self.arrays:
+            return nullcontext()
+        import numpy
+
+        return numpy.errstate(all="ignore")
+
+    def column(self, name: str) -> Column:
+        """Return the column of a quantity."""
+        plan = self.plan(name)
+        if not plan.is_possible:
+            return Column(nan, reason(NOT_IN_LAW if plan.lacking else MISSING))
+        if plan.name not in self.values:
+            for step in plan.steps.values():
+                if step.name not in self.values:
+                    self._take(step)
+        column = Column(self.values[plan.name], self.reasons.get(plan.name, 0))
+        if column.is_empty:
+            return column
+        return column.without(self.rests_on_spacing(name), reason(RESTS_ON_SPACING, name))
+
+    def shown(self, names: Iterable[str], named: Collection[str]) -> dict[str, Column]:
+        """Return the columns of quantities that concern some row; an infinite number is no value.
+
+        `named`: quantities that were asked for by name, and concern every row.
+        """
+        concern = {name: name in named or self.shows(name) for name in names}
+        shown = {}
+        for name, column in self.columns(name for name, is_shown in concern.items() if is_shown is not False).items():
+            is_infinite = name in _OF_A_PLANE and abs(column.values) == INFINITY
+            shown[name] = column.without(is_infinite, reason(INFINITE, name)).hidden(concern[name])
+        return shown
+
+    def may_rest_on_spacing(self, name: str) -> bool:
+        """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
+        if not self.law.by_spacing or not self.given.keys().isdisjoint(("atomic_spacing", "hamaker")):
+            return False
+        return not self.law.by_spacing.isdisjoint(self.plan(name).steps.keys() - {name})
+
+    def rests_on_spacing(self, name: str) -> Any:
+        """Return whether it does so here, row by row."""
+        return self.may_rest_on_spacing(name) and self.column("transition_parameter").values < 1
+
+    def drop(self, name: str, kind: Kind) -> None:
+        """Take a reason in place of the value of a quantity."""
+        step = self.plan(name)
+        self.values[step.name], self.reasons[step.name], self.steps[step.name] = nan, reason(kind, name), step
+
+    def _take(self, step: Plan) -> None:
+        """Compute a step; with arrays, only where it was not computed of the same arguments before."""
+        given = {parameter: self.values[name] for parameter, name in step.arguments.items()}
+        reasons = self._inherited(step)
+        if isinstance(reasons, int) and reasons:
+            values: Any = nan
+        elif not self.arrays:  # to compute a number takes less than to look for it
+            values, reasons = made_of(step, given, reasons)
+        else:
+            key = (step.name, *map(id, given.values()), id(self.is_rigid))
+            if key not in self._shared:
+                self._shared[key] = made_of(step, given, reasons), (given, self.is_rigid)
+            values, reasons = self._shared[key][0]
+        self.values[step.name] = values
+        if not isinstance(reasons, int) or reasons:
+            self.reasons[step.name], self.steps[step.name] = reasons, step
+
+    def _inherited(self, step: Plan) -> Any:
+        """Return the reasons that a step has from its arguments: in each cell that of the first without a value."""
+        reasons: Any = 0
+        for name in step.arguments.values():
+            reasons = first_of(reasons, self.reasons.get(name, 0))
+        if step.name in _ON_AREA and self.is_rigid is not False:
+            reasons = first_of(reasons, where(self.is_rigid, reason(TWO_RIGID_BODIES), 0))
+        return reasons
+
+    # --- Numbers and errors -------------------------------------------------------------------------------------------
+
+    def __getitem__(self, name: str) -> Any:
+        """Return the value of a quantity, nan for rows without one.
+
+        Raises MissingInput, or NoResult where the physics has no answer for any row.
+        """
+        column = self.columns((name,))[name]
+        if column.is_empty:
+            raise self.error(name, column.reasons)
+        return column.values
+
+    def numbers(self, *names: str) -> dict[str, Any]:
+        """Return the values of quantities, without those that have none."""
+        return {name: column.values for name, column in self.columns(names).items() if not column.is_empty}
+
+    def error(self, name: str, number: int, row: int = 0) -> JkrollError:
+        """Return the reason why a quantity has no value in a row as an error, with the numbers of this row."""
+        kind, step = kind_and_step(number)
+        if kind in (None, MISSING, NOT_IN_LAW):
+            return self.missing_input(name)
+        if not kind.name:
+            return Failure(kind, step)
+        arguments = self.steps[step].arguments
+        return failure_of(number, {parameter: at_row(self.values[each], row) for parameter, each in arguments.items()})
+
+    def errors(self, columns: Mapping[str, Column], row: int = 0) -> dict[str, JkrollError]:
+        """Return the errors of those columns that have no value in a row, by name, but for quantities not shown."""
+        numbers = {name: at_row(column.reasons, row) for name, column in columns.items()}
+        return {name: self.error(name, n, row) for name, n in numbers.items() if n not in (0, reason(HIDDEN))}
+
+
+def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, Any]:
+    """Return the values that a formula makes of its arguments, and the reasons of cells that have none.
+
+    `reasons`: those of the arguments, which come first.
+    """
+    try:
+        values = step.formula(**given)
+    except (ArithmeticError, ValueError):  # of numbers; arrays have nan or an infinity
+        values = INFINITY
+    if isinstance(reasons, int) and _are_usual(values):
+        return values, 0
+    has_answer = is_answer(step.name, values)
+    if not _all(has_answer | (reasons != 0)):
+        reasons = first_of(reasons, where(has_answer, 0, reason_for(step.name, given)))
+    return where(reasons == 0, values, nan), reasons
+
+
+def _are_usual(values: Any) -> bool:
+    """Return whether a number, or all of an array, are results with all digits, as nearly always."""
+    if isinstance(values, NUMBER):
+        return SMALLEST <= values < INFINITY
+    return bool(values.size and values.min() >= SMALLEST and values.max() < INFINITY)
+
+
+def _all(condition: Any) -> bool:
+    return condition if isinstance(condition, bool) else bool(condition.all())
+
+
+def _described(
+    given: Mapping[str, Any],
+    material: Material | None,
+    material2: Material | None,
+    model: str | None,
+    moved: Mapping[str, Any],
+) -> Scene:
+    """Return a scene that was pickled."""
+    return Scene(given, material, material2, model=model, moved=moved)
+
+
+def check_exclusive(given: Collection[str], word_of: Callable[[str], str] = str) -> None:
+    """Raise BadRequest for inputs of which one follows from the other. `word_of` returns the word for an input."""
+    for names in EXCLUSIVE:
+        if len(both := [name for name in names if name in given]) > 1:
+            raise BadRequest(f"{listed(map(word_of, both))} exclude each other: one follows from the other")
+
+
+def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
+    """Return the shape of the arrays together; raise BadRequest if they do not broadcast."""
+    if not arrays:
+        return ()
+    import numpy
+
+    try:
+        return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {value.shape}" for name, value in arrays.items())
+        raise BadRequest(f"these arrays do not broadcast: {shapes}") from None
+
+
+def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) -> dict[str, Mapping[str, float]]:
+    """Return by each input the values that follow from it, or from its absence, and then need nothing else.
+
+    Nothing follows from the middle of an uncertainty, as the rest has other values.
+    """
+    implied = {
+        name: follows
+        for name, (value, follows) in FOLLOWS.items()
+        if name not in uncertain and isinstance(values.get(name), NUMBER) and values[name] == value
+    }
+    if "radius2" not in values:
+        implied["radius2"] = {"radius_ratio": 1.0}
+    if "poisson_ratio2" not in values:
+        implied.pop("youngs_modulus", None)  # sphere 2, which deforms, would take the ratio over
+    if law.tables[ALWAYS].get("load_margin", "") is None:
+        implied.pop("load", None)
+    return implied

@@ -1,0 +1,369 @@
+"""The limits of the model in one table, and how they are judged for the results of a frame."""
+
+from collections.abc import Callable, Collection, Iterable, Mapping
+from functools import cache, cached_property, reduce
+from math import exp, inf, nan
+from operator import ge, gt, le, lt, or_
+from typing import Any, Literal
+
+from ..errors import JkrollError
+from ..physics.elementary import at_least, at_most, ln, where
+from ..quantities.formatting import Format, amount
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
+from .alternatives import factor_of_data, factor_of_law, is_smooth, rolled_solid
+from .column import Column
+from .frame import Scene
+from .plan import taken_by
+from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, kind_and_step, reason, register
+
+# --- Limits -----------------------------------------------------------------------------------------------------------
+
+_COMPARISONS = {"<": lt, "<=": le, ">": gt, ">=": ge}
+
+
+class Limit:
+    """A number that limits the model, the quantities whose use it touches, and what follows beyond it.
+
+    A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order
+    in which a value meets them, each with the code of the doubt.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        touches: frozenset[str],
+        sign: Literal["<", "<=", ">", ">="],
+        codes: Mapping[float, str],  # by threshold
+        consequence: str,  # for a number beyond the threshold
+        applies: Callable[[Scene, Collection[str]], bool] | None = None,  # to some results of a scene; None: to all
+        ends_meaning: bool = False,  # a number that is said to be in doubt has no meaning
+        conclusion: str = "",  # the name of what follows, if it is not that of the number
+        # What is judged in place of the number, for columns of results: of laws and data the factor between answers.
+        factor: Callable[[Scene, Mapping[str, Column]], Any] | None = None,
+        where: Callable[[Scene], Any] | None = None,  # the rows for which it is judged
+        is_told: bool = True,  # below an answer, and not in explanations alone
+    ) -> None:
+        self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
+        self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
+        self.conclusion, self.factor, self.where, self.is_told = conclusion, factor, where, is_told
+        self.threshold = next(iter(codes))  # the first one
+
+    def is_beyond(self, number: Any, threshold: float) -> Any:
+        """Return whether a number, or each element of an array, is in doubt by a threshold."""
+        return _COMPARISONS[self.sign](number, threshold)
+
+    def excess(self, number: Any) -> Any:
+        """Return how far numbers are beyond the first threshold: ln of their ratio, or the distance from 0."""
+        size = ln(number / self.threshold) if self.threshold else number
+        return size if self.sign.startswith(">") else -size
+
+    @property
+    def bits(self) -> int:
+        """All codes as bits."""
+        return sum(BITS[code] for code in self.codes.values())
+
+
+class Doubt:
+    """A limit that was judged: its number, and what is judged, which is another where the limit has a factor.
+
+    Both are numbers, or arrays.
+    """
+
+    def __init__(
+        self, limit: Limit, value: Any, judged: Any, error: JkrollError | None = None, unjudged: Any = False
+    ) -> None:
+        """`error`: why no row could be judged; `unjudged`: the rows that could not be."""
+        self.limit, self.value, self.judged, self.error, self.unjudged = limit, value, judged, error, unjudged
+
+    @property
+    def excess(self) -> Any:
+        """The distance beyond the first threshold, as the logarithm of a factor."""
+        return self.limit.excess(self.judged)
+
+    @property
+    def is_exceeded(self) -> bool:
+        """True if the number is in doubt."""
+        return bool(self.limit.is_beyond(self.judged, self.limit.threshold))
+
+    @property
+    def code(self) -> str:
+        """The code of the last threshold that is passed; empty where the limit holds, UNCHECKED if not judged."""
+        return codes(self.bits)
+
+    @property
+    def factor(self) -> float | None:
+        """The number over the first threshold, below 1 where the limit holds; None if infinite or over 0."""
+        return exp(self.excess) if self.limit.threshold and self.excess < inf else None
+
+    @property
+    def text(self) -> str:
+        """The consequence of the number for an answer, with it: "contact radius below 3 atoms (a/z0 = 2.15)"."""
+        if not self.is_exceeded:
+            return "within the limit"
+        if self.limit.ends_meaning and self.limit.name in self.limit.touches:  # the number has no meaning
+            return self.limit.consequence
+        number = amount(self.limit.name, self.value, Format(digits=3))
+        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number})"
+
+    @cached_property
+    def bits(self) -> Any:
+        """The code as a bit: a whole number, or an array."""
+        if self.error is not None:
+            return NOT_JUDGED
+        bits: Any = 0
+        for threshold, code in self.limit.codes.items():
+            bits = where(self.limit.is_beyond(self.judged, threshold), BITS.get(code, 0), bits)
+        return where(self.unjudged, NOT_JUDGED, bits)
+
+
+# What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does
+# Q/P_c without load.
+_ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
+_DISPLACEMENT = frozenset({"yield_displacement"})
+JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
+_PUSHED = frozenset({"yield_force", "yield_force_fixed_load", "yield_force_ratio"})
+_TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
+_PULLED = frozenset({"pull_off_force", "bond_number"})
+
+LAW_MATTERS = 1.05  # factor between the answers of two laws
+
+
+SOFT = 1e8  # contact modulus below which solids, rubbers and gels, close over their roughness, in Pa
+RUBBERY = 0.49  # Poisson's ratio from which on a solid is stretched, and does not yield
+
+
+def _may_be_rough(scene: Scene) -> Any:
+    """Return whether roughness can part two solids: not soft ones, nor mica from mica."""
+    if is_smooth(scene.material) and (scene.material2 is None or is_smooth(scene.material2)):
+        return False
+    return scene.numbers("contact_modulus").get("contact_modulus", INFINITY) >= SOFT
+
+
+def _is_rubbery(scene: Scene) -> Any:
+    """Return whether the softer of two bodies keeps its volume, as rubbers and gels do."""
+    known = scene.numbers("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
+    if len(known) < 4:
+        return False
+    is_second = known["youngs_modulus2"] < known["youngs_modulus"]
+    return where(is_second, known["poisson_ratio2"], known["poisson_ratio"]) >= RUBBERY
+
+
+def _is_not_rubbery(scene: Scene) -> Any:
+    """Return whether it does not."""
+    return where(_is_rubbery(scene), False, True)
+
+
+# What ends the meaning of results; then the law of attraction; then what makes results inexact.
+CONTACT_EXCEEDS_SPHERE = Limit(
+    "contact_over_sphere", _ELASTICITY | _DISPLACEMENT, ">", {1.0: "contact-exceeds-sphere"},
+    "the contact is wider than the smaller sphere; what matters then is the surface tension of the solid",
+    ends_meaning=True,
+)  # fmt: skip
+ENDING = (
+    CONTACT_EXCEEDS_SPHERE,
+    Limit(
+        "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "xi-over-limit"},
+        "ξ is too large for the formula",
+        ends_meaning=True,
+    ),
+    Limit(
+        "displacement_over_contact_radius", _DISPLACEMENT, ">", {1.0: "xi-over-contact"},
+        "ξ is larger than the contact",
+        ends_meaning=True,
+    ),
+    Limit(
+        "rolling_over_sliding", _PUSHED, ">=", {1.0: "slides-first"},
+        "the contact slides or peels off before it rolls",
+        ends_meaning=True,
+    ),
+    Limit(
+        "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "bend-below-sphere"},
+        "no chain bends within one of its spheres",
+        ends_meaning=True,
+    ),
+    Limit(
+        "n_grav", frozenset({"n_grav"}), "<", {1.0: "no-chain"},
+        "held out level, even one sphere rolls down; it falls off where Bo is below 1",
+        ends_meaning=True,
+    ),
+    *(
+        Limit(
+            "energy_over_yield", frozenset({turns}), "<=", {least: code},
+            f"{energy} of the energy cannot begin rolling",
+            ends_meaning=True,
+        )
+        for turns, least, code, energy in (
+            ("n_roll", 7 / 2, "does-not-roll-sliding", "2/7"),
+            ("n_roll_after_impact", 7 / 5, "does-not-roll-after-impact", "5/7"),
+            ("n_roll_energy_balance", 1.0, "does-not-roll", "all"),
+        )
+    ),
+    Limit(
+        "flight_ratio", _TURNS, ">", {1.0: "flies-off"},
+        "too fast to roll around body 2: it flies off",
+        ends_meaning=True,
+    ),
+)  # fmt: skip
+LAW = Limit(
+    "tabor_parameter", _ELASTICITY, ">",
+    {LAW_MATTERS: "law-off-5%", 1.25: "law-off-25%", 2.0: "law-off-2x"},
+    "another law differs",
+    factor=factor_of_law,
+)  # fmt: skip
+INEXACT = (
+    LAW,
+    Limit(
+        "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
+        "only fixed grips hold this state",
+        lambda scene, _: not STATE_OR_LOAD.isdisjoint(scene.stated),
+    ),
+    Limit(
+        "yield_force_fixed_load", frozenset({"yield_force_fixed_load"}), ">", {1.0: "rolls-by-itself"},
+        "a load that keeps its direction rolls sphere 1 by itself: Q_P is the force that holds it back",
+        factor=lambda scene, _: 1 - scene["yield_force_fixed_load"] / scene["yield_force"],  # turning over resisting
+    ),
+    Limit(
+        "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
+        "the contact peels off before it slides, if it is brittle",
+    ),
+    Limit(
+        "yield_angle", frozenset({"yield_angle", "r_min"}), ">", {1.0: "large-angle"},
+        "angles are small in the model",
+    ),
+    Limit(
+        "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
+        "head-on and free, they bounce if adhesion is the only loss; others let them stick at higher speeds",
+        lambda scene, _: "speed" in scene.stated,
+        is_told=False,  # e says it
+    ),
+    Limit(
+        "hysteresis_ratio", frozenset({"yield_moment", "yield_force"}), ">", {1.0: "moment-unexplained"},
+        "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
+    ),
+    Limit(
+        "tabor_parameter", frozenset({"sticking_energy", "sticking_speed"}), "<", {JUMP: "sticking-unsure"},
+        "the contact forms and opens smoothly; adhesion alone loses almost no energy, other losses decide what sticks",
+        conclusion="has_jump",
+    ),
+    Limit(
+        "viscosity_number", frozenset({"viscous_time", "viscosity_number"}), ">", {0.0: "fitted-elsewhere"},
+        "the viscous time was fitted at one size, and v_stick holds there alone; the speeds measured on silica mean "
+        "23 ps for 0.6 µm and 7 ps for 0.25 µm, if γ is 25 mJ/m², and the damping is for T* well below 1",
+    ),
+    Limit(
+        "radius", _PULLED, ">=", {1e-6: "rough-matters"},
+        "rough spheres of hard solids had 1/2 to 1/100 of this",
+        lambda _, names: not _PULLED.isdisjoint(names),
+        factor=lambda scene, _: at_most(scene["radius"], scene["radius2"]),
+        where=_may_be_rough,
+    ),
+    Limit(
+        "filling_factor", frozenset({"tensile_strength"}), ">", {1.0: "filling-out-of-range"},
+        "the formula of P_tens was fitted to filling factors of 0.01 to 0.5",
+        factor=lambda scene, _: at_least(scene["filling_factor"] / 0.5, 0.01 / scene["filling_factor"]),
+    ),
+    Limit(
+        "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
+        "contact radius below 3 atoms",
+    ),
+    Limit(
+        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "may-yield"},
+        "more pressure than even a solid without flaws bears; no plasticity is modelled",
+        where=_is_not_rubbery,
+    ),
+    Limit(
+        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "large-strain"},
+        "strains too large for linear elasticity",
+        where=_is_rubbery,
+    ),
+    Limit(
+        "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
+        "contact too wide for the formulas; their shape of a sphere is off by e_h at its edge",
+    ),
+)  # fmt: skip
+LIMITS = (*ENDING, *INEXACT)
+
+# Of an answer about one pair alone, without a code: rows of several solids are judged together, and have no name.
+ASSUMED_DISPLACEMENT = Limit(
+    XI, _DISPLACEMENT, ">", {1.0: ""},
+    "ξ is assumed, and forces measured on the same solid mean another",
+    lambda scene, _: bool(rolled_solid(scene)) and not scene.missing(["reduced_radius"]),
+    factor=factor_of_data,
+)  # fmt: skip
+
+# In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
+UNCHECKED = "unchecked"
+CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
+BITS = {code: 1 << place for place, code in enumerate((*CODES, UNCHECKED))}
+ENDING_MEANING = sum(limit.bits for limit in ENDING)
+NOT_JUDGED = BITS[UNCHECKED]
+EVERY_DOUBT = sum(BITS.values())
+# The explanations of codes that end the meaning of results, which are the reasons of these, and of what is not judged.
+MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
+ENDS = {code: register(EndOfMeaning(words, words)) for code, words in MEANINGS.items()}
+MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
+# What no limit ends: the numbers by which limits are judged, unless a limit is that of a result, and w, of the solids.
+NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(
+    *(limit.touches for limit in LIMITS if "work_of_adhesion" not in limit.touches)
+)
+
+
+def doubts(scene: Scene, columns: Mapping[str, Column], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
+    """Return the limits of the results in columns, judged or with the reason why not.
+
+    Those whose numbers law or contact do not have are left out.
+    """
+    concerned = touched(scene, columns, limits)
+    numbers = scene.columns(limit.name for limit in concerned)
+    every = []
+    for limit in concerned:
+        values, reasons = column = numbers[limit.name]
+        if column.is_empty:
+            kind, _ = kind_and_step(reasons)
+            if kind is MISSING:
+                every.append(Doubt(limit, nan, nan, scene.missing_input(limit.name)))
+            elif kind is RESTS_ON_SPACING:
+                every.append(Doubt(limit, nan, nan, Failure(kind, next(iter(limit.codes.values())))))
+            continue
+        judged = values if limit.factor is None else where(reasons == 0, limit.factor(scene, columns), nan)
+        if limit.where is not None:
+            judged = where(limit.where(scene), judged, 0.0)
+        every.append(Doubt(limit, values, judged, unjudged=reasons == reason(RESTS_ON_SPACING, limit.name)))
+    return every
+
+
+def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
+    """Return the limits that concern the results of these names."""
+    concerned = (limit for limit in limits if concerns(limit, scene, names))
+    return [limit for limit in concerned if limit.where is None or limit.where(scene) is not False]
+
+
+def concerns(limit: Limit, scene: Scene, names: Collection[str]) -> bool:
+    """Return whether a limit touches the results of these names, and applies to them."""
+    if limit.touches.isdisjoint(taken_by(tuple(names), *scene.kind)):
+        return False
+    return limit.applies is None or limit.applies(scene, names)
+
+
+def bits_of(scene: Scene, is_judged: Mapping[str, Any], every: Iterable[Doubt]) -> Any:
+    """Return the codes of doubts as bits, of each limit in the rows where a quantity that it concerns is judged.
+
+    `is_judged`: the rows, by quantity.
+    """
+    bits: Any = 0
+    is_same = all(rows is True for rows in is_judged.values())
+    for doubt in every:
+        rows = True if is_same else rows_of(doubt.limit, scene, is_judged)
+        bits = bits | where(rows, doubt.bits, 0)
+    return bits
+
+
+def rows_of(limit: Limit, scene: Scene, is_judged: Mapping[str, Any]) -> Any:
+    """Return the rows in which some quantity is judged that a limit concerns."""
+    return reduce(or_, (rows for name, rows in is_judged.items() if concerns(limit, scene, [name])), False)
+
+
+@cache  # many rows have the same doubts
+def codes(bits: int) -> str:
+    """Return the codes that bits stand for, the last of which is UNCHECKED, as a text."""
+    return " ".join(code for code, bit in BITS.items() if bits & bit)

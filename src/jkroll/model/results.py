@@ -1,0 +1,180 @@
+"""The results of a frame, of one row or many: columns, and what they rest on, computed when something shows it."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+from ..errors import JkrollError
+from ..physics.elementary import where
+from ..quantities.nomenclature import NOMENCLATURE
+from .column import Column, at_row
+from .limits import (
+    BITS,
+    ENDING,
+    ENDING_MEANING,
+    ENDS,
+    INEXACT,
+    NOT_JUDGED,
+    NUMBERS_OF_LIMITS,
+    Doubt,
+    bits_of,
+    concerns,
+    doubts,
+)
+from .reasons import HIDDEN, OF_ANOTHER_PAIR, OF_IDENTICAL_SPHERES, RESTS_ON_SPACING, EndOfMeaning, Failure, reason
+from .uncertainty import ErrorBar, Sources, error_bars, no_error_bar, sources_of_results
+
+ROW = ""  # stands for the row as a whole, in place of the name of a quantity
+
+
+class Results:
+    """The columns of quantities of a frame with their inputs, error bars and limits.
+
+    A result has no value where a limit ends its meaning, unless bare numbers are wanted.
+    """
+
+    def __init__(self, scene: Any, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
+        """`computed`: the columns; `keeps_all`: whether values without a meaning stay, as bare numbers do."""
+        self.scene, self.computed, self.keeps_all = scene, computed, keeps_all
+
+    # --- Columns ------------------------------------------------------------------------------------------------------
+
+    @property
+    def columns(self) -> Mapping[str, Column]:
+        """The columns, in which a reason takes the place of a value without a meaning."""
+        return self.computed if self.keeps_all else self.meant
+
+    @cached_property
+    def meant(self) -> Mapping[str, Column]:
+        """The columns without values that have no meaning."""
+        return {name: self.without_meaning(name, column, [name]) for name, column in self.computed.items()}
+
+    def without_meaning(self, name: str, column: Column, touching: Iterable[str]) -> Column:
+        """Return a column with a reason in rows where a limit ends the meaning of some quantities."""
+        for touched in touching:
+            for doubt in () if touched in NUMBERS_OF_LIMITS else self.ending:
+                if concerns(doubt.limit, self.scene, [touched]):
+                    for code in doubt.limit.codes.values():
+                        column = column.without((doubt.bits & BITS[code]) != 0, reason(ENDS[code], name))
+            if NOMENCLATURE[touched].of_identical:
+                is_unlike = where(self.scene.is_identical, False, True)
+                column = column.without(is_unlike, reason(OF_ANOTHER_PAIR, name))
+        return column
+
+    @cached_property
+    def values(self) -> dict[str, Any]:
+        """The values of the columns that have some."""
+        return {name: column.values for name, column in self.columns.items() if not column.is_empty}
+
+    @cached_property
+    def ended(self) -> dict[str, Any]:
+        """The rows in which a limit ends the meaning of a result, by quantity: those that have such rows."""
+        both = ((name, column, self.meant[name]) for name, column in self.computed.items())
+        return {name: (old.reasons == 0) & (new.reasons != 0) for name, old, new in both if old is not new}
+
+    # --- Inputs and error bars ----------------------------------------------------------------------------------------
+
+    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
+        """Return the inputs that were stated or enter quantities, as they were understood, with their error bars."""
+        inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names))
+        if self.sources is not None:
+            inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
+        return inputs
+
+    @cached_property
+    def sources(self) -> Sources | None:
+        """The sources of uncertainty that enter; None if there are none.
+
+        Raises a JkrollError for sources that do not go together.
+        """
+        return sources_of_results(self.scene, [*self.computed]) if self.scene.uncertainties else None
+
+    @cached_property
+    def bars(self) -> Mapping[str, ErrorBar]:
+        """The error bars of values that have some, in some row."""
+        if self.sources is None:
+            return {}
+        bars = error_bars(self.scene, self.values, sources=self.sources)
+        for name in () if self.keeps_all else bars.keys() & self.ended.keys():
+            bars[name] = bars[name].without(self.ended[name])
+        return bars
+
+    # --- Limits of the model ------------------------------------------------------------------------------------------
+
+    @cached_property
+    def ending(self) -> Sequence[Doubt]:
+        """The limits that end the meaning of results, judged for all values."""
+        return doubts(self.scene, {n: column for n, column in self.computed.items() if not column.is_empty}, ENDING)
+
+    @cached_property
+    def validity(self) -> Sequence[Doubt]:
+        """The limits of the model, judged for the values with a meaning, or with the reason why not."""
+        known = {name: column for name, column in self.meant.items() if not column.is_empty}
+        unjudged = [doubt for doubt in self.inexact(self._resting) if doubt.error is not None]
+        return [*self.ending, *self.inexact(known), *unjudged]
+
+    def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
+        """Return the limits that end no meaning, judged for columns."""
+        return doubts(self.scene, columns, INEXACT)
+
+    @property
+    def _resting(self) -> dict[str, Column]:
+        """The columns that have no value in some rows, as they rest on the atomic spacing, which was not given."""
+        return {
+            name: column
+            for name, column in self.computed.items()
+            if self.scene.may_rest_on_spacing(name) and _has(column.reasons == reason(RESTS_ON_SPACING, name))
+        }
+
+    @property
+    def bits(self) -> Any:
+        """The codes of the limits that do not hold as bits, by row; UNCHECKED is one of them."""
+        has_meaning = {name: column.reasons == 0 for name, column in self.meant.items() if not column.is_empty}
+        inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
+        rests = {name: column.reasons == reason(RESTS_ON_SPACING, name) for name, column in self._resting.items()}
+        unjudged = bits_of(self.scene, rests, self.inexact(self._resting)) & NOT_JUDGED
+        return self._bits_of_ending | bits_of(self.scene, has_meaning, inexact) | unjudged
+
+    @property
+    def ending_bits(self) -> Any:
+        """The codes of the limits that end the meaning of results as bits, by row."""
+        return self._bits_of_ending & ENDING_MEANING
+
+    @property
+    def _bits_of_ending(self) -> Any:
+        has_value = {name: column.reasons == 0 for name, column in self.computed.items() if not column.is_empty}
+        return bits_of(self.scene, has_value, self.ending)
+
+    # --- Reasons ------------------------------------------------------------------------------------------------------
+
+    def errors(self, row: int = 0) -> dict[str, JkrollError]:
+        """Return why quantities have no value in a row, by name, with the numbers of this row.
+
+        ROW stands for all of them, where none concerns the row.
+        """
+        if all(at_row(column.reasons, row) == reason(HIDDEN) for column in self.columns.values()):
+            return {ROW: Failure(OF_IDENTICAL_SPHERES)}
+        errors: dict[str, JkrollError] = self.scene.errors(self.columns, row)
+        return errors
+
+    def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
+        """Return why values have no error bar in a row, as there is no value at an end of an input."""
+        return {
+            name: no_error_bar(self.scene, name, bar, row, sources=self.sources)
+            for name, bar in self.bars.items()
+            if at_row(bar.place, row)
+        }
+
+
+def is_end_of_meaning(error: JkrollError) -> bool:
+    """Return whether an error is the reason of a result that has a number without a meaning."""
+    return isinstance(error, Failure) and isinstance(error.kind, EndOfMeaning)
+
+
+def has_code(error: JkrollError) -> bool:
+    """Return whether a code among the doubts says the same as an error."""
+    return is_end_of_meaning(error) and error.args[0] != OF_ANOTHER_PAIR
+
+
+def _has(rows: Any) -> bool:
+    return rows if isinstance(rows, bool) else bool(rows.any())

@@ -1,0 +1,565 @@
+"""The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells without a value.
+
+Rows that have the same inputs are one frame. Those of a list that is short are frames of numbers, one by one.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from functools import cached_property, reduce
+from itertools import chain
+from math import nan
+from operator import or_
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+from ..errors import BadRequest, JkrollError
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import Measured, Uncertain, is_uncertain
+from ..text import first_of, listed
+from .alternatives import DATA, Alternative, alternatives_of, names_with_alternatives
+from .column import Column, at_row
+from .frame import FOLLOWS, Scene, takes
+from .limits import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
+from .reasons import HIDDEN, Failure, MissingInput, grouped, needs_in_words, reason
+from .results import ROW, Results, has_code, is_end_of_meaning
+from .uncertainty import ErrorBar, number_of_places, sources_of_results
+
+if TYPE_CHECKING:
+    import numpy
+
+    Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
+else:
+    Indices = Any  # numpy is imported where there are arrays
+
+BLOCK = 5 << 10  # rows computed together as arrays: many for the calls of numpy, few for the cache and the memory
+AT_ONCE = 1 << 15  # rows times the places of their uncertain inputs, in one frame
+SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
+_MOST = 1 << 62  # of a whole number that an array holds
+BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
+_EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
+DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
+STATUS = "status"  # the column of reasons
+UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
+_NO_DOUBTS: Counter[int] = Counter()
+_BY = "_by_"  # between a quantity and the kind of what may stand in its place, in a key
+Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
+Gaps = tuple[int, int, str]  # rows with one status: their number, the first, counted from 1, and its reasons in full
+_NONE: Mapping[str, Any] = {}  # which can be pickled
+
+
+class Wanted:
+    """The columns of rows, known from the plan and the names before anything is computed."""
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        named: Collection[str] = (),  # those that were asked for by name, and concern any row
+        inputs: Sequence[str] = (),  # that stand before them
+        sides: Collection[str] | None = None,  # those of uncertainties that have columns; None: they are not wanted
+        doubts: bool = True,  # whether limits are judged
+        # By kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
+        alternatives: Mapping[str, Sequence[str]] = _NONE,
+        keeps_all: bool = False,  # whether numbers without a meaning stay
+    ) -> None:
+        self.names, self.named, self.inputs, self.sides = names, named, inputs, sides
+        self.doubts, self.alternatives, self.keeps_all = doubts, alternatives, keeps_all
+
+    def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str]) -> "Wanted":
+        """Return the same quantities, some of them with columns of what may stand in their place.
+
+        `scenes`: of each kind of rows.
+        """
+        names_of = names_with_alternatives(scenes, [name for name in self.names if name in names])
+        of_law, sides = next(iter(names_of.values())), {*(self.sides or ())}
+        with suppress(JkrollError):  # sources of two kinds give no error bars
+            sides |= sides_in((scene.by_law, of_law) for scene in scenes)
+        return Wanted(self.names, self.named, self.inputs, sides, self.doubts, names_of, self.keeps_all)
+
+    @cached_property
+    def keys(self) -> tuple[str, ...]:
+        """The keys of all columns of numbers."""
+        return tuple(key for name in self.names for key in self.keys_of(name))
+
+    def keys_of(self, name: str) -> list[str]:
+        """Return the keys of the columns of a quantity and of what may stand in its place, with their uncertainties."""
+        values = (name, *self.alternatives_of(name).values())
+        return [each for key in values for each in (key, *self.sides_of(key).values())]
+
+    def sides_of(self, key: str) -> dict[str, str]:
+        """Return the keys of the columns of the uncertainty of a column, by the side: "radius_minus"."""
+        sides = ("low", "high") if key.endswith(f"{_BY}{DATA}") else self.sides or ()
+        return {side: f"{key}_{side}" for side in SIDES if side in sides}
+
+    def alternatives_of(self, name: str) -> dict[str, str]:
+        """Return the keys of the columns of what may stand in place of a quantity: "pull_off_force_by_maugis"."""
+        return {kind: f"{name}{_BY}{kind}" for kind, names in self.alternatives.items() if name in names}
+
+    def heads(self, header: Callable[[str], str]) -> list[str]:
+        """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
+        return [header(name).replace(name, key, 1) for name in self.names for key in self.keys_of(name)]
+
+    def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
+        """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
+        return (DOUBT, STATUS) if doubt and self.doubts else (STATUS,)
+
+    # --- Results ------------------------------------------------------------------------------------------------------
+
+    def results(self, scene: Any) -> Results:
+        """Return the results of a frame."""
+        return Results(scene, scene.shown(self.names, self.named), keeps_all=self.keeps_all)
+
+    def alternatives_to(self, results: Results) -> dict[str, Alternative]:
+        """Return what may stand in place of results that have a meaning, by the keys of columns."""
+        shown = results.computed
+        names_of = {kind: [name for name in names if name in shown] for kind, names in self.alternatives.items()}
+        every = alternatives_of(results.scene, names_of) if self.alternatives else {}
+        return {
+            f"{name}{_BY}{kind}": each.without(results.ended.get(name, False))
+            for kind, of_kind in every.items()
+            for name, each in of_kind.items()
+        }
+
+    def places(self, scene: Any) -> int:
+        """Return the number of places of uncertain inputs at which rows are computed for their error bars."""
+        return number_of_places(scene, self.names) if self.sides is not None and scene.uncertainties else 1
+
+    def has_bars(self, results: Results) -> bool:
+        """Return whether there are columns for the error bars of results."""
+        return self.sides is not None and results.sources is not None and results.sources.sides <= {*self.sides}
+
+    def lacks_bars(self, results: Results) -> BadRequest | None:
+        """Return the remark on error bars for which there are no columns; None if there are none."""
+        if self.sides is None or results.sources is None or self.has_bars(results):
+            return None
+        problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
+        return BadRequest(f"{listed(results.sources.given)}: {problem}", "error bars left out")
+
+
+def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> set[str]:
+    """Return the sides of the uncertainties that enter quantities; `kinds`: scenes with the quantities of each.
+
+    Raises a JkrollError for sources that do not go together.
+    """
+    every = (sources_of_results(scene, names) for scene, names in kinds if scene.uncertainties)
+    return {side for sources in every for side in sources.sides}
+
+
+class Gap(NamedTuple):
+    """The rows that have cells without a value for the same reasons."""
+
+    phrase: str  # of their status
+    is_failed: bool  # without a contact, or without any value
+    first: int  # the index of the first row
+    reasons: Reasons  # of this row
+
+
+class Columns:
+    """The columns of rows, in their order: arrays, or lists of few rows. Writers index them and iterate."""
+
+    def __init__(self, wanted: Wanted, size: int, *, few: bool) -> None:
+        """`few`: the columns are lists, for which numpy is not imported."""
+        self.wanted, self.few = wanted, few
+        self.inputs: dict[str, Any] = {name: [None] * size for name in wanted.inputs}
+        if few:
+            self.numbers: Any = [[nan] * size for _ in wanted.keys]  # a column for each key
+            self.doubts: Any = [0] * size  # as bits
+            self._gap_of: Any = [0] * size  # numbers of gaps, from 1 on
+        else:
+            import numpy
+
+            self.numbers = numpy.full((len(wanted.keys), size), nan)
+            self.doubts, self._gap_of = numpy.zeros((2, size), dtype=numpy.int64)
+        self.gaps: list[Gap] = []
+        self._gap_numbers: dict[tuple[str, bool], int] = {}
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return len(self.doubts)
+
+    @property
+    def told(self) -> int:
+        """The doubts that are told of rows: not those of a law where columns of the other one say how far it is off."""
+        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.wanted.alternatives else 0)
+
+    def column(self, key: str) -> Any:
+        """Return the numbers of a column."""
+        return self.numbers[self.wanted.keys.index(key)]
+
+    # --- Results are taken --------------------------------------------------------------------------------------------
+
+    def put(self, rows: Any, results: Results) -> None:
+        """Take the results of a frame. `rows`: the indices of its rows, an array, or that of a single row."""
+        wanted, place = self.wanted, rows
+        if not isinstance(rows, int) and len(rows) == len(self):
+            place = slice(None)
+        others = wanted.alternatives_to(results)
+        bars = results.bars if wanted.has_bars(results) else {}
+        for key, column in (*results.columns.items(), *((key, other.column) for key, other in others.items())):
+            self.column(key)[place] = column.values
+        for key, bar in (*bars.items(), *((key, other.bar) for key, other in others.items() if other.bar)):
+            for side, of_side in wanted.sides_of(key).items():
+                if side in bar.sides:
+                    self.column(of_side)[place] = bar.sides[side]
+        if wanted.inputs:
+            self._put_inputs(rows, results.inputs_of(wanted.names))
+        if wanted.doubts:
+            self.doubts[place] = results.bits
+        elif not wanted.keeps_all:
+            self.doubts[place] = results.ending_bits
+        self._put_gaps(rows, results, bars)
+
+    def refuse(self, row: int, error: JkrollError) -> None:
+        """Take the error of a row that makes no frame."""
+        self._put_gap(row, row, {ROW: error}, is_failed=True)
+
+    def _put_inputs(self, rows: Any, inputs: Mapping[str, Any]) -> None:
+        """Take the inputs of a frame, with their uncertainties."""
+        for name in self.inputs.keys() & inputs.keys():
+            value = inputs[name]
+            if isinstance(rows, int):
+                self.inputs[name][rows] = value
+                continue
+            column = rows_of(value, len(rows))
+            if len(rows) == len(self):
+                self.inputs[name] = column
+                continue
+            for row, cell in zip(rows.tolist(), as_list(column), strict=True):
+                self.inputs[name][row] = cell
+
+    def _put_gaps(self, rows: Any, results: Results, bars: Mapping[str, ErrorBar]) -> None:
+        """Note why cells of a frame have no value, once for all rows that have the same reasons."""
+        wanted, remark = self.wanted, self.wanted.lacks_bars(results)
+        columns = [results.columns.get(name, _HIDDEN) for name in wanted.names]
+        numbers = [column.reasons for column in columns] + [bar.place for bar in bars.values()]
+        distinct = {id(each): each for each in numbers}.values()  # many columns share theirs
+        arrays = [each for each in distinct if not isinstance(each, int)]
+        if not arrays and not any(distinct) and remark is None:
+            return
+        if isinstance(rows, int):
+            parts = [(0, rows, rows)]
+        else:
+            parts = [(int(part[0]), int(rows[part[0]]), rows[part]) for part in alike(_indices(len(rows)), arrays)]
+        for row, first, places in parts:
+            reasons = {**results.errors(row), **(results.open_bars(row) if bars else {})}
+            if remark is not None:
+                reasons[UNCERTAINTY] = remark
+            if reasons:
+                is_failed = all(at_row(column.reasons, row) for column in columns)
+                self._put_gap(places, first, reasons, is_failed=is_failed)
+
+    def _put_gap(self, rows: Any, first: int, reasons: Reasons, *, is_failed: bool) -> None:
+        """Note the reasons of rows. `is_failed`: whether they have no value."""
+        has_number = any(map(is_end_of_meaning, reasons.values()))  # a number without a meaning is an answer
+        is_failed = lack(reasons) is not None or (is_failed and not has_number)
+        gap = Gap(status_of(reasons), is_failed, first, reasons)
+        number = self._gap_numbers.setdefault(gap[:2], len(self.gaps) + 1)
+        if number > len(self.gaps):
+            self.gaps.append(gap)
+        elif first < self.gaps[number - 1].first:
+            self.gaps[number - 1] = gap
+        self._gap_of[rows] = number
+
+    # --- Gaps and doubts, counted -------------------------------------------------------------------------------------
+
+    def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
+        """Empty the error bars of rows that have values. `rows`: the reasons, by row."""
+        others = (key for name in self.wanted.names for key in (name, *self.wanted.alternatives_of(name).values()))
+        keys = [side for key in others if not key.endswith(DATA) for side in self.wanted.sides_of(key).values()]
+        for row, error in rows.items():
+            gap = self.gap_of(row)
+            reasons = _NONE if gap is None else gap.reasons
+            if lack(reasons) is None:
+                is_failed = gap is not None and gap.is_failed
+                self._put_gap(row, row, {**reasons, UNCERTAINTY: error}, is_failed=is_failed)
+                for key in keys:
+                    self.column(key)[row] = nan
+
+    def gap_of(self, row: int) -> Gap | None:
+        """Return the gap in which a row is; None for a row without one."""
+        number = int(self._gap_of[row])
+        return self.gaps[number - 1] if number else None
+
+    @property
+    def status(self) -> list[str | None] | None:
+        """The phrase of each row that has cells without a value; None if no row has."""
+        phrases = [None, *(gap.phrase for gap in self.gaps)]
+        return [phrases[number] for number in as_list(self._gap_of)] if self.gaps else None
+
+    @property
+    def counted_gaps(self) -> list[tuple[Gap, int]]:
+        """The gaps with their numbers of rows, by the first row."""
+        counts = Counter(as_list(self._gap_of)) if self.gaps else Counter[int]()
+        numbered = sorted(enumerate(self.gaps, 1), key=lambda item: item[1].first)
+        return [(gap, counts[number]) for number, gap in numbered if counts[number]]
+
+    @property
+    def first_failed(self) -> Gap | None:
+        """The reasons of the first row without a contact, or without any value; None without such a row."""
+        return next((gap for gap, _ in self.counted_gaps if gap.is_failed), None)
+
+    @cached_property
+    def distinct_doubts(self) -> tuple[Any, Any, Any]:
+        """The bits of doubts that differ, the place of each row's among them, and the number of rows of each."""
+        import numpy
+
+        return numpy.unique(self.doubts, return_inverse=True, return_counts=True)
+
+    @property
+    def counted_doubts(self) -> Counter[int]:
+        """The numbers of rows, by the bits of their doubts."""
+        if self.few:
+            return Counter(self.doubts)
+        distinct, _, counts = self.distinct_doubts
+        return Counter(dict(zip(distinct.tolist(), counts.tolist(), strict=True)))
+
+
+_HIDDEN = Column(nan, reason(HIDDEN))
+
+
+def rows_of(value: Any, size: int) -> Any:
+    """Return the value of an input as a column of rows, with its uncertainty."""
+    if isinstance(value, str):
+        return [value] * size
+    import numpy
+
+    if not is_uncertain(value):
+        return numpy.broadcast_to(numpy.asarray(value, dtype=float), size)
+    numbers, *sides = (as_list(numpy.broadcast_to(cells, size)) for cells in (value.value, *value.sides.values()))
+    return [
+        type(value).of(number, **dict(zip(value.sides, of_row, strict=True)))
+        for number, *of_row in zip(numbers, *sides, strict=True)
+    ]
+
+
+def _indices(size: int) -> Any:
+    import numpy
+
+    return numpy.arange(size)
+
+
+def of_single_row(wanted: Wanted, results: Results) -> Columns:
+    """Return the columns of a single row."""
+    columns = Columns(wanted, 1, few=True)
+    columns.put(0, results)
+    return columns
+
+
+def as_list(column: Any) -> list[Any]:
+    """Return the values of a column, an array or a list, as a list."""
+    return column if isinstance(column, list) else column.tolist()
+
+
+# --- Blocks -----------------------------------------------------------------------------------------------------------
+
+
+class Numbers(NamedTuple):
+    """A column: SI values, nan where there is none.
+
+    Beside them stand the cells that are no numbers, and the values that have uncertainties.
+    """
+
+    values: Any
+    odd: Sequence[int] = ()
+    uncertain: Mapping[int, Uncertain] = MappingProxyType({})
+
+
+class Block(Protocol):
+    """Rows that are computed together, as they stand in a list or in a table."""
+
+    size: int
+    numbers: Mapping[str, Numbers]  # by input
+    kinds: Sequence[Any]  # arrays: rows with other whole numbers have other laws or solids, BAD are refused
+
+    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the frame of rows that are alike. Raises a JkrollError if one of them makes no frame with others."""
+
+    def scene_of(self, row: int) -> Any:
+        """Return the frame of a single row. Raises the error of what is wrong with it."""
+
+
+def evaluated(wanted: Wanted, block: Block) -> Columns:
+    """Return the columns of a block. A row that makes no frame has the error for all of its cells."""
+    import numpy
+
+    columns = Columns(wanted, block.size, few=False)
+    is_left = numpy.ones(block.size, dtype=bool)  # where a row alone says what is wrong
+    for group in groups(block):
+        with suppress(JkrollError):
+            scene, size = block.scene(group.given(group.rows), group.rows), len(group.rows)
+            at_once = max(1, min(size, AT_ONCE // wanted.places(scene)))
+            for start in range(0, size, at_once):
+                rows = group.rows[start : start + at_once]
+                with suppress(JkrollError):
+                    part = scene if at_once == size else block.scene(group.given(rows), rows)
+                    columns.put(rows, wanted.results(part))
+                    is_left[rows] = False
+    put_single_rows(columns, block.scene_of, numpy.flatnonzero(is_left).tolist())
+    return columns
+
+
+def put_single_rows(columns: Columns, scene_of: Callable[[int], Any], rows: Iterable[int]) -> None:
+    """Put rows of which each is a frame, or is refused."""
+    for row in rows:
+        try:
+            columns.put(row, columns.wanted.results(scene_of(row)))
+        except JkrollError as error:
+            columns.refuse(row, error)
+
+
+class Group(NamedTuple):
+    """Rows of a block that have the same inputs."""
+
+    rows: Indices
+    columns: Mapping[str, tuple[Numbers, int]]  # of inputs, with the kind of their cells
+
+    def given(self, rows: Indices) -> dict[str, Any]:
+        """Return the inputs of some of the rows."""
+        return {name: _values(column, rows, kind) for name, (column, kind) in self.columns.items()}
+
+
+def groups(block: Block) -> Iterator[Group]:
+    """Iterate over rows that have the same inputs, and the same of those from which more follows. BAD rows are left."""
+    import numpy
+
+    kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
+    columns = [*kinds.values(), *block.kinds]
+    is_bad = reduce(or_, (of_column == BAD for of_column in columns), numpy.zeros(block.size, dtype=bool))
+    for rows in alike(numpy.flatnonzero(~is_bad), columns):
+        if len(rows):
+            of_cells = {name: int(of_column[rows[0]]) for name, of_column in kinds.items()}
+            yield Group(rows, {name: (block.numbers[name], kind) for name, kind in of_cells.items() if kind != _EMPTY})
+
+
+def alike(rows: Indices, columns: Iterable[Any]) -> Iterator[Indices]:
+    """Divide rows into groups that have the same whole number in each column, and iterate over these.
+
+    `rows`: the indices of the rows.
+    """
+    import numpy
+
+    keys, size = numpy.zeros(len(rows), dtype=numpy.int64), 1
+    for column in columns:
+        numbers = column[rows]
+        least, most = int(numbers.min(initial=_MOST)), int(numbers.max(initial=-_MOST))
+        if least < most:
+            span = most - least + 1
+            if size * span >= _MOST:  # as good as never
+                distinct, keys = numpy.unique(keys, return_inverse=True)
+                size = len(distinct)
+            keys, size = keys * span + (numbers - least), size * span
+    if size == 1:
+        yield rows
+        return
+    for key in numpy.unique(keys):
+        yield rows[keys == key]
+
+
+def _kinds(name: str, column: Numbers) -> Indices:
+    """Return the kind of each cell of a column."""
+    import numpy
+
+    kinds = numpy.full(len(column.values), _PLAIN)
+    kinds[~takes(name, column.values)] = BAD
+    kinds[numpy.isnan(column.values)] = _EMPTY
+    if name in FOLLOWS:
+        kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
+    kinds[[*column.odd]] = BAD
+    for row, value in column.uncertain.items():
+        if kinds[row] != BAD:
+            kinds[row] = _MEASURED if isinstance(value, Measured) else _INTERVAL
+    return kinds
+
+
+def _values(column: Numbers, rows: Indices, kind: int) -> Any:
+    """Return the values of cells of one kind: a number where more follows from it, else an array."""
+    import numpy
+
+    values = column.values if len(rows) == len(column.values) else column.values[rows]
+    if kind == _SPECIAL:
+        return float(values[0])
+    if kind == _PLAIN:
+        return values
+    uncertain: list[Any] = [column.uncertain[row] for row in rows.tolist()]
+    sides = {side: numpy.array([value.sides[side] for value in uncertain]) for side in uncertain[0].sides}
+    return type(uncertain[0]).of(values, **sides)
+
+
+# --- Reasons ----------------------------------------------------------------------------------------------------------
+
+
+def lack(reasons: Reasons) -> JkrollError | None:
+    """Return why a row has no contact, or is no scene; None if it has one at the middles of its inputs."""
+    for name, error in reasons.items():
+        has_contact = not isinstance(error, Failure) or error.kind.has_contact
+        if name == ROW or (not has_contact and name in NOMENCLATURE):
+            return error
+    return None
+
+
+def status_of(reasons: Reasons) -> str:
+    """Return a phrase for each kind of reason. All inputs that quantities lack are in one."""
+    lacked = (error.missing for error in reasons.values() if isinstance(error, MissingInput))
+    needs = needs_in_words(dict.fromkeys(chain.from_iterable(lacked)))
+    phrases = (
+        needs if isinstance(error, MissingInput) and error.missing else error.phrase or str(error)
+        for error in reasons.values()
+    )
+    return "; ".join(dict.fromkeys(phrases))
+
+
+def worded(reasons: Reasons, word_of: Callable[[str], str] = str) -> str:
+    """Return reasons in full; `word_of` returns the word of a quantity, by default its name."""
+    if (error := lack(reasons)) is not None:
+        return str(error)
+    errors = {name: error for name, error in reasons.items() if name != UNCERTAINTY}
+    clauses = [f"{first_of([*map(word_of, names)])}: {reason}" for names, reason in grouped(errors)]
+    clauses += [str(reasons[UNCERTAINTY])] if UNCERTAINTY in reasons else []
+    return "; ".join(clauses)
+
+
+# --- Counts -----------------------------------------------------------------------------------------------------------
+
+
+class Tally(NamedTuple):
+    """The rows of a run, and those of them that failed, have empty cells, or exceed limits."""
+
+    rows: int = 0
+    failed: int = 0
+    gaps: Mapping[str, Gaps] = _NONE  # rows with empty cells, by their status
+    doubts: Counter[int] = _NO_DOUBTS  # rows, by the bits of their doubts
+    inferred: tuple[Any, ...] = ()  # the values of the unknown of a table, in parts
+    said: tuple[str, ...] = ()  # of each table as a whole
+
+    @classmethod
+    def of(cls, columns: Columns, word_of: Callable[[str], str] = str) -> "Tally":
+        """Return the counts of some rows; `word_of` as `worded` has it."""
+        gaps: dict[str, Gaps] = {}
+        for gap, number in columns.counted_gaps:
+            # A code says in how many rows it ends the meaning of results.
+            told = {name: error for name, error in gap.reasons.items() if not has_code(error)}
+            if told:
+                phrase = status_of(told)
+                rows, first, words = gaps.get(phrase) or (0, gap.first + 1, worded(told, word_of))
+                gaps[phrase] = (rows + number, first, words)
+        failed = sum(number for gap, number in columns.counted_gaps if gap.is_failed)
+        return cls(len(columns), failed, gaps, columns.counted_doubts)
+
+    def plus(self, other: "Tally", table: str = "") -> "Tally":
+        """Return the counts with those of some more rows, or of a table, which has a row 1 of its own."""
+        gaps = dict(self.gaps)
+        for status, (more, place, text) in other.gaps.items():
+            rows, first, words = gaps.get(status, (0, place + (0 if table else self.rows), f"{table}{text}"))
+            gaps[status] = (rows + more, first, words)
+        others = [name for name in self._fields if name != "gaps"]
+        sums: dict[str, Any] = {name: getattr(self, name) + getattr(other, name) for name in others}
+        return Tally(gaps=gaps, **sums)
+
+    def with_doubts(self, bits: int) -> int:
+        """Return the number of rows with any of the doubts that bits stand for."""
+        return sum(rows for doubts, rows in self.doubts.items() if doubts & bits)
+
+    def counted(self, bits: int) -> list[tuple[str, int]]:
+        """Return the codes that bits stand for with their numbers of rows, the most frequent first."""
+        counts = {code: self.with_doubts(bit) for code, bit in BITS.items() if bit & bits}
+        return [(code, rows) for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]

@@ -1,0 +1,185 @@
+"""The rows of lists and ranges: each pair of materials with all values of its inputs, and these with each law.
+
+Few rows are frames of numbers, many are frames of arrays: where they would take longer one by one than numpy takes to
+be imported.
+"""
+
+from bisect import bisect
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property, partial
+from itertools import accumulate, chain, product
+from math import prod
+from typing import Any
+
+from ..materials.library import Material
+from ..quantities.nomenclature import NOMENCLATURE, of_sphere
+from ..quantities.values import Spread
+from .frame import FOLLOWS, Scene
+from .plan import in_order
+from .reasons import OF_IDENTICAL_SPHERES, Failure
+from .rows import BLOCK, Columns, Indices, Numbers, Wanted, evaluated, sides_in
+
+Pair = tuple[Material | None, Material | None]
+
+
+class Sweep:
+    """The rows of a call."""
+
+    most_answers = 1_000_000  # that are written one by one
+    most_in_table = 10_000  # rows of a table on a terminal
+    few = 300  # rows that take about as long one by one as to import numpy and orjson
+
+    def __init__(
+        self, pairs: Sequence[Pair], spreads: Mapping[str, Sequence[Spread]], models: Sequence[str | None]
+    ) -> None:
+        """`spreads`: the lists and ranges of each input, by name."""
+        self.pairs, self.spreads, self.models = pairs, spreads, models
+
+    def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Any:
+        """Return a row of inputs, of the materials of its spheres, and of a law."""
+        return Scene(given, *spheres, model=model)
+
+    @cached_property
+    def starts(self) -> dict[str, list[int]]:
+        """By input, the place of the first value of each list or range, and behind them the number of all values."""
+        return {name: [*accumulate(map(len, spreads), initial=0)] for name, spreads in self.spreads.items()}
+
+    @property
+    def sizes(self) -> list[int]:
+        """The numbers of pairs, of the values of each input, and of laws; the rows are their combinations."""
+        return [len(self.pairs), *(starts[-1] for starts in self.starts.values()), len(self.models)]
+
+    def value(self, name: str, place: int) -> Any:
+        """Return the value of an input at a place of its lists and ranges, which stand behind each other."""
+        starts = self.starts[name]
+        number = bisect(starts, place) - 1
+        spread = self.spreads[name][number]
+        return spread.uncertainty or spread.value(place - starts[number])
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return prod(self.sizes)
+
+    def row(self, place: int) -> Any:
+        """Return a row as a scene of numbers."""
+        place, law = divmod(place, len(self.models))
+        given = {}
+        for name in reversed([*self.spreads]):  # the last one changes first
+            place, of_input = divmod(place, self.starts[name][-1])
+            given[name] = self.value(name, of_input)
+        return self.scene({name: given[name] for name in self.spreads}, *self.pairs[place], model=self.models[law])
+
+    def scenes(self) -> Iterator[Any]:
+        """Iterate over the rows as scenes of numbers."""
+        return map(self.row, range(len(self)))
+
+    # --- What is wanted -----------------------------------------------------------------------------------------------
+
+    @cached_property
+    def kinds(self) -> list[Any]:
+        """A scene for each pair of materials, each law and each kind of values: all rows of a kind have one plan."""
+        of_inputs = [_of_each_kind(name, spreads) for name, spreads in self.spreads.items()]
+        rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
+        return [self.scene(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
+
+    def wanted(self, quantities: Sequence[str], named: Sequence[str], *, keeps_all: bool = False) -> Wanted:
+        """Return the columns of the rows: the inputs that were stated or enter a row, and the quantities for it.
+
+        `keeps_all`: whether numbers without a meaning stay. Raises a Failure where no quantity concerns a row.
+        """
+        shown = {*named, *chain.from_iterable(self.shown(scene, quantities, named) for scene in self.kinds)}
+        if not shown:
+            raise Failure(OF_IDENTICAL_SPHERES)
+        names = [name for name in quantities if name in shown]
+        kinds = [(scene, self.shown(scene, names, named)) for scene in self.kinds]
+        inputs = {name for scene, of_kind in kinds for name in scene.echo(scene.inputs_used(of_kind))}
+        inputs_shown = in_order(inputs - shown)
+        return Wanted(names, named=named, inputs=inputs_shown, sides=sides_in(kinds), keeps_all=keeps_all)
+
+    def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
+        """Return the columns of quantities alone, with all numbers.
+
+        Those not asked for by name may concern identical spheres only.
+        """
+        shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
+        return Wanted(quantities, named=shown, doubts=doubts, keeps_all=True)
+
+    def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:
+        """Return a scene of each kind of rows, with the quantities that it shows."""
+        return [(scene, self.shown(scene, wanted.names, wanted.named)) for scene in self.kinds]
+
+    def shown(self, scene: Scene, quantities: Sequence[str], named: Collection[str]) -> list[str]:
+        """Return those of some quantities that were asked for by name, or that concern some row of a kind."""
+        shows = scene.shows_to_identical if any(map(self._may_be_alike, self.spreads)) else scene.shows
+        return [name for name in quantities if name in named or shows(name)]
+
+    def _may_be_alike(self, name: str) -> bool:
+        """Return whether an input of sphere 2 may have a value of sphere 1, and one of them has several."""
+        second, first = self.spreads[name], self.spreads.get(of_sphere(1, name), ())
+        several = sum(map(len, second)) + sum(map(len, first)) > 2
+        overlap = any(spread.low <= other.high and other.low <= spread.high for spread in second for other in first)
+        return NOMENCLATURE[name].sphere == 2 and several and overlap
+
+    # --- Columns ------------------------------------------------------------------------------------------------------
+
+    def columns(self, wanted: Wanted) -> Iterator[Columns]:
+        """Iterate over the columns of the rows, block by block."""
+        size = len(self)
+        if size <= self.few:
+            columns = Columns(wanted, size, few=True)
+            for row, scene in enumerate(self.scenes()):
+                columns.put(row, wanted.results(scene))
+            yield columns
+            return
+        for start in range(0, size, BLOCK):
+            yield evaluated(wanted, Lists(self, start, min(start + BLOCK, size)))
+
+
+def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
+    """Return a value of each kind that an input has: plain, one from which more follows, and uncertain."""
+    special = FOLLOWS[name][0] if name in FOLLOWS else None
+    values: dict[object, Any] = {}
+    for spread in spreads:
+        kind = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
+        values.setdefault(kind, spread.uncertainty or spread.low)
+    return [*values.values()]
+
+
+# --- Blocks -----------------------------------------------------------------------------------------------------------
+
+
+class Lists:
+    """Some rows of a call, as a block: those of a pair of materials and of a law are alike."""
+
+    def __init__(self, sweep: Sweep, start: int, stop: int) -> None:
+        """`start`, `stop`: the places of the rows in the sweep."""
+        import numpy
+
+        pairs, *places, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.sizes)
+        self.sweep, self.start, self.pairs, self.laws = sweep, start, pairs, laws
+        self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
+        of_inputs = zip(sweep.spreads, places, strict=True)
+        self.size = stop - start
+        self.numbers: Mapping[str, Numbers] = {
+            name: self._numbers(name, of_input) for name, of_input in of_inputs if name not in self.fixed
+        }
+        self.kinds: Sequence[Any] = [pairs, laws]
+
+    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the scene of the inputs of rows that are alike."""
+        pair, model = self.sweep.pairs[self.pairs[rows[0]]], self.sweep.models[self.laws[rows[0]]]
+        return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
+
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself."""
+        return self.sweep.row(self.start + row)
+
+    def _numbers(self, name: str, places: Indices) -> Numbers:
+        """Return the values of an input. `places`: those of the values in its lists and ranges."""
+        import numpy
+
+        distinct, back = numpy.unique(places, return_inverse=True)
+        values = [*map(partial(self.sweep.value, name), distinct.tolist())]
+        numbers = numpy.array([value if isinstance(value, float) else value.value for value in values])
+        uncertain = {row: values[place] for row, place in enumerate(back) if not isinstance(values[place], float)}
+        return Numbers(numbers[back], (), uncertain)

@@ -1,0 +1,324 @@
+"""Columns of texts as SI numbers and as materials.
+
+orjson reads all numbers at once, with the power of ten of the unit in the number's own text: so each is rounded once,
+as in a one-liner. A cell that is no plain number with a decimal unit is read by itself.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Mapping, Sequence
+from functools import lru_cache
+from math import isfinite
+from typing import Any, NamedTuple
+
+import numpy
+import orjson
+
+from ..errors import JkrollError
+from ..materials.library import Material, Materials, UnclearMaterial
+from ..model.alternatives import is_smooth, measured_solid
+from ..model.rows import Numbers
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.units import Unit, dimension_of, exponent_of
+from ..quantities.values import QuantityError, Uncertain, has_uncertainty, is_uncertain, middle, unit_of, value_of
+from ..text import quoted
+
+Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
+
+PLAIN = b"0123456789.eE+-, "
+MAX_KEPT = 10_000  # texts whose meaning is remembered
+_NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
+_CELL = re.compile(rb"\s*(" + _NUMBER + rb")((?![A-Za-z][-+]?[0-9]) ?[^\s0-9.,][^,]*)?\s*")  # 1.25d1 has no unit
+_NUMBER_FIRST = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
+_POWER = rb"e([+-]?[0-9]{1,3})"
+_TINY = re.compile(rb"[eE]-[0-9]{3}")
+_HAS_UNIT = re.compile(r"[^\W\d_eEx⁰¹²³⁴⁵⁶⁷⁸⁹]|[%°]")  # the letters of a number are those of its power of ten
+_NO_VALUES = ("", "nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
+
+
+class Column(NamedTuple):
+    """The column of an input, with the unit of the cells that carry none, and the columns of its uncertainty.
+
+    A range has no column but those of its ends, of which the first is the low one.
+    """
+
+    place: int
+    name: str
+    unit_text: str
+    unit: Unit | None
+    sides: tuple[tuple[str, int], ...] = ()  # the parts of the uncertainty, as `Reading` has them, and their places
+    error_unit: str = ""  # of the cells of ±; an empty text where it is that of the values
+    coverage: float = 1.0  # the uncertainties of the cells in standard ones, as in k = 2
+
+    @property
+    def places(self) -> dict[str, int]:
+        """The places of the columns whose cells make a value."""
+        values = {} if self.is_range else {self.name: self.place}
+        return values | {f"{self.name}_{part}": place for part, place in self.sides}
+
+    @property
+    def is_range(self) -> bool:
+        """True if a value is known by its ends."""
+        return "low" in dict(self.sides)
+
+    def joined(self, *cells: str) -> str:
+        """Return the cells of a value as one: 25 and 5 as 25±5. Cells with units of their own keep them."""
+        if without := next((cell for cell in cells if cell.strip() and has_no_value(cell)), ""):
+            return without
+        first, *others = (cell.strip() for cell in cells)
+        is_single = first == others[0] if self.is_range else not any(others)
+        if self.is_range and all(map(is_number, cells)):
+            is_single = float(first) == float(others[0])  # 25 and 25.0
+        if is_single:
+            return first
+        if self.coverage != 1:
+            others = [_NUMBER_FIRST.sub(self._standard, cell) for cell in others]
+        is_bare = not self.error_unit and not any(map(_HAS_UNIT.search, (first, *others)))
+        if not is_bare:
+            first = _in_unit(first, self.unit_text)
+            others = [_in_unit(cell, self.error_unit or self.unit_text) for cell in others]
+        if "both" in dict(self.sides):
+            return f"({first}±{others[0]})" if is_bare else f"{first}±{others[0]}"
+        if self.is_range:
+            return f"{first or '?'} to {others[0] or '?'}"
+        if not all(others):
+            return first  # and `half_bars` has the row
+        minus, plus = others[0].removeprefix("-"), others[1].removeprefix("+")
+        return f"{first} +{plus}/-{minus}"
+
+    def half_bars(self, columns: Mapping[str, Sequence[bytes]]) -> list[int]:
+        """Return the rows of a block in which one side of the error bar is empty and the other is not."""
+        cells = [columns[f"{self.name}_{part}"] for part, _ in self.sides if part in ("minus", "plus")]
+        rows = enumerate(zip(*cells, strict=True))
+        return [row for row, (minus, plus) in rows if bool(minus.strip()) != bool(plus.strip())]
+
+    def _standard(self, number: re.Match[str]) -> str:
+        """Return the number of an expanded uncertainty as that of a standard one."""
+        return repr(float(number[0]) / self.coverage)
+
+    @property
+    def exponent(self) -> int | None:
+        """The unit as a power of ten of the SI unit; None if it is no power of ten, or if there is no unit."""
+        if self.unit is None:
+            return 0 if NOMENCLATURE[self.name].unit == "1" else None
+        return exponent_of(self.unit)
+
+    def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
+        """Return the numbers of a block of cells, by the names of the columns."""
+        cells = columns[self.name] if not self.sides else self._with_sides(columns)
+        values = None if self.exponent is None else plain_numbers(cells, self.exponent)
+        return Numbers(values) if values is not None else self._of_many_kinds(cells)
+
+    def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
+        """Return the cells of the values, each with its uncertainty."""
+        rows = zip(*(columns[name] for name in self.places), strict=True)
+        return [self.joined(*(cell.decode(errors="replace") for cell in row)).encode() for row in rows]
+
+    def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
+        """Return the numbers of cells of which some are no numbers, or have units of their own."""
+        values = numpy.full(len(cells), numpy.nan)
+        by_unit: dict[bytes | None, dict[int, bytes]] = {}
+        others: list[int] = []
+        for place, cell in enumerate(cells):
+            if match := _CELL.fullmatch(cell):
+                by_unit.setdefault(match[2], {})[place] = match[1]
+            elif cell and not cell.isspace():
+                others.append(place)
+        for unit, texts in by_unit.items():
+            exponent = _exponent(unit, self.name) if unit else self.exponent
+            numbers = None if exponent is None else plain_numbers([*texts.values()], exponent)
+            if numbers is None:
+                others += texts
+            else:
+                values[[*texts]] = numbers
+        meanings = {place: _meaning(self, cells[place]) for place in others}
+        odd = [place for place, meaning in meanings.items() if isinstance(meaning, JkrollError)]
+        uncertain = {place: meaning for place, meaning in meanings.items() if is_uncertain(meaning)}
+        for place in meanings.keys() - {*odd}:
+            values[place] = middle(meanings[place])
+        return Numbers(values, odd, uncertain)
+
+    def read(self, text: str) -> float | Uncertain:
+        """Return the SI value of a cell, with its uncertainty if it states one.
+
+        A cell without a unit has that of the column.
+        """
+        if has_no_value(text):
+            raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
+        return value_of(text, self.name, self.unit)
+
+
+def _in_unit(number: str, unit_text: str) -> str:
+    """Return the text of a number with a unit, unless it has one."""
+    return f"{number} {unit_text}" if number and unit_text and not _HAS_UNIT.search(number) else number
+
+
+def has_no_value(text: str) -> bool:
+    """Return whether a cell has no value, as programs write it."""
+    return text.strip().casefold() in _NO_VALUES
+
+
+def is_number(text: str) -> bool:
+    """Return whether a text is a finite number as programs write it."""
+    try:
+        return isfinite(float(text))
+    except ValueError:
+        return False
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
+    """Return the value of a cell, or the error about it, which takes as long as a hundred rows to word."""
+    try:
+        return column.read(cell.decode(errors="replace"))
+    except JkrollError as error:
+        return error.with_traceback(None)
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _exponent(unit_text: bytes, name: str) -> int | None:
+    """Return the power of ten of a unit of a quantity; None for any other text."""
+    try:
+        text = unit_text.decode().strip()
+        unit = None if not text or has_uncertainty(text) else unit_of(text, name)
+    except (QuantityError, UnicodeDecodeError):
+        return None
+    return exponent_of(unit) if unit and unit[2] == dimension_of(NOMENCLATURE[name].unit) else None
+
+
+def cell_of(value: object) -> str:
+    """Return a value in a format with types as a cell of text: no value is an empty cell."""
+    if isinstance(value, bytes):
+        return value.decode(errors="replace")
+    return "" if value is None else str(value)
+
+
+def cells_of(values: Any) -> list[bytes]:
+    """Return values in a format with types, a list or an array of numbers, as cells of texts."""
+    if not len(values):
+        return []
+    is_list = isinstance(values, list)
+    if not is_list or {*map(type, values)} <= {int, float, type(None)}:
+        cells = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1].split(b",")
+        nulls = values.count(None) if is_list else 0
+        if cells.count(b"null") == nulls:  # orjson has no nan and no infinity
+            return [b"" if cell == b"null" else cell for cell in cells] if nulls else cells
+    return [cell_of(value).encode() for value in values]
+
+
+def plain_numbers(cells: Sequence[bytes], exponent: int) -> Floats | None:
+    """Return the numbers of cells, times a power of ten; nan for an empty cell.
+
+    Returns None if some cell has any other text, or a 0 that may be a number below the doubles.
+
+    >>> plain_numbers([b"1", b"2.5", b"+1E2", b"5.0e-1", b""], -9)
+    array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
+    """
+    end = b"e%d," % exponent if exponent else b","
+    text = (b"," + end.join(cells) + end).replace(b"E", b"e")
+    if text.translate(None, PLAIN):
+        return None
+    if b"+" in text and b"+-" not in text:
+        text = text.replace(b",+", b",")
+    if exponent and text.count(b"e") > len(cells):  # some have powers of their own
+        for power in set(re.findall(_POWER + end, text)):
+            text = text.replace(b"e" + power + end, b"E%d," % (int(power) + exponent))
+    values = _members(text)
+    if len(values) != len(cells):  # there are empty cells, or others that are no numbers
+        empty = b"," + end
+        while empty in text:  # in a run of them, every other one is found
+            text = text.replace(empty, b",null,")
+        values = _members(text)
+    if len(values) != len(cells):
+        return None
+    numbers = numpy.array(values, dtype=float)
+    return None if not numbers.all() and _TINY.search(text) else numbers
+
+
+def _members(text: bytes) -> list[Any]:
+    """Return the members of a text between commas, as JSON has them; none if some are no JSON."""
+    try:
+        members: list[Any] = orjson.loads(b"[" + text[1:-1] + b"]")
+    except orjson.JSONDecodeError:
+        return []
+    return members
+
+
+# --- Materials --------------------------------------------------------------------------------------------------------
+
+LABEL = Material("", "", "")  # placeholder for a name that is not a material: it has no properties
+
+Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
+
+
+class Lookup:
+    """The materials of a column, with indices as they come: 0 is that of an empty cell."""
+
+    def __init__(self, materials: Materials, otherwise: Material | None) -> None:
+        """`otherwise`: the material of a row whose cell is empty."""
+        self.materials = materials
+        self.known: list[Material | None] = [otherwise]
+        self.errors: dict[bytes, JkrollError] = {}  # by cell, of those that name no material
+        self._indices: dict[bytes, int] = {}  # by cell
+
+    def indices(self, cells: Sequence[bytes]) -> Indices:
+        """Return the indices of the materials that cells name; that of LABEL for a cell that names none."""
+        if len(self._indices) > MAX_KEPT:
+            self._indices.clear()
+            self.errors.clear()
+        for cell in [cell for cell in dict.fromkeys(cells) if cell not in self._indices]:
+            text = cell.decode(errors="replace")
+            try:
+                solid = self.materials[text] if text.strip() else self.known[0]
+            except JkrollError as error:
+                solid, self.errors[cell] = LABEL, error.with_traceback(None)
+            if solid not in self.known:
+                self.known.append(solid)
+            self._indices[cell] = self.known.index(solid)
+        return numpy.array([*map(self._indices.__getitem__, cells)], dtype=numpy.int64)
+
+    @property
+    def remarks(self) -> list[str]:
+        """The remarks on cells beside labels: names of several materials, and other names of one."""
+        remarks = [str(error) for error in self.errors.values() if isinstance(error, UnclearMaterial)]
+        for cell, index in self._indices.items() if self.errors else ():
+            text, solid = cell.decode(errors="replace").strip(), self.known[index]
+            if text and solid not in (None, LABEL) and solid.name.casefold() != text.casefold():
+                remarks.append(f"material {quoted(text)} is {solid.name}")
+        return remarks
+
+    def kinds(self, indices: Indices) -> Indices:
+        """Return a number for each row, which is the same for materials that can be one scene's."""
+        kinds = [*map(_kind, self.known)]
+        return numpy.array([*map(kinds.index, kinds)])[indices]
+
+    def together(self, indices: Indices) -> Material | None:
+        """Return the materials of rows of one kind as one material, whose properties are arrays.
+
+        If they are all the same, it is returned as it is.
+        """
+        first = self.known[int(indices[0])]
+        if first is None or not first.properties or _is_special(first) or (indices == indices[0]).all():
+            return first
+        solids = [solid.properties if solid else {} for solid in self.known]
+        properties: Any = {
+            name: numpy.array([of_solid.get(name, numpy.nan) for of_solid in solids])[indices]
+            for name in first.properties
+        }
+        return LABEL._replace(properties=properties)
+
+
+def _kind(material: Material | None) -> Hashable:
+    """Return the names of the properties of a material; a special one is a kind by itself."""
+    if material is None:
+        return None
+    return material.key if _is_special(material) else frozenset(material.properties)
+
+
+def _is_special(material: Material) -> bool:
+    """Return whether more follows from a material than from numbers: uncertainties, rigidity, forces measured on it."""
+    more = (
+        material.uncertainties or material.displacement is not None or measured_solid(material) or is_smooth(material)
+    )
+    return bool(more) or INFINITY in material.properties.values()

@@ -1,0 +1,601 @@
+"""Files of tables: their formats and compressions, the input as blocks of whole records, and formats of lines.
+
+A format is named by the end of a file's name, or by `--format`. Blocks are cut at the same places in every run.
+
+The records of CSV, TSV and NDJSON are lines. What passes through keeps its bytes; blank lines are left out. A block of
+cells without a quote is cut at its separators. One with a quote is read by the csv module, which knows the lines of
+each record. A quote that is not closed, or a cell too many or too few, spoils its own line only.
+"""
+
+from __future__ import annotations
+
+import csv
+import gzip
+import io
+import json
+import os
+import re
+import stat
+import sys
+import zlib
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from functools import partial
+from itertools import chain, compress, islice, takewhile
+from operator import not_
+from typing import Any, BinaryIO, NamedTuple
+
+import orjson
+
+from ..errors import BadRequest, BadTable, missing_extra
+from ..model.rows import BLOCK
+from ..output.writers import Lines, Objects, in_quotes
+from ..text import ending, quoted, say
+from .cells import cell_of, cells_of
+from .header import is_input, meaning_of
+from .table import Records, Table
+from .words import is_of_text
+
+NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
+KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
+SEPARATORS = {"csv": ",", "tsv": "\t"}  # unless --delimiter says others
+COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
+CHUNK = 1 << 21  # bytes read at a time: twice as much memory stays with a process from block to block
+FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
+BOM = b"\xef\xbb\xbf"
+MAX_RECORD = 1 << 24  # bytes
+SAMPLE = 200  # rows that decide how a table is read
+DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
+_BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
+_BLANKS = " \t\r\n"  # of these; `str.strip` takes bytes of Å and à as well
+_COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
+_MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
+_OPEN = "a quote is not closed"
+_MISQUOTED = "a quote is not closed, or text stands behind it"
+_CARRIAGE_RETURN = "a carriage return stands outside quotes: lines end in line feeds"
+# The beginnings of formulas, in full width too, and what a spreadsheet drops before them.
+_BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(_BYTES) for letter in "＝＋－＠"))
+_NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
+
+# --- Formats ----------------------------------------------------------------------------------------------------------
+
+
+class FileFormat(NamedTuple):
+    """A format with its separator, if it has one, and its compression."""
+
+    kind: str
+    compression: str = ""
+    separator: str = ""
+
+
+def format_of_name(path: str) -> FileFormat | None:
+    """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for x.parquet.gz.
+
+    >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
+    (FileFormat(kind='csv', compression='gzip', separator=','), None)
+    """
+    name, _, end = os.path.basename(path).casefold().rpartition(".")
+    compression = COMPRESSIONS.get(end, "")
+    kind = KINDS.get(name.rpartition(".")[2] if compression else end, "")
+    if kind == "parquet" and compression:
+        raise BadTable(f"{quoted(path)}: Parquet is compressed in itself; leave out .{end}")
+    return FileFormat(kind, compression, SEPARATORS.get(kind, "")) if kind else None
+
+
+def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
+    """Return the format of the input. `stated`, `delimiter`: by options, of which a call has one. Raises BadTable."""
+    named = format_of_name(stated.lstrip(".") or path)
+    if stated and named is None:
+        raise BadTable(f"--format: {quoted(stated)} is not csv, tsv or ndjson, with .gz or .zst or without, or parquet")
+    if path == "-" and not stated:  # a table in a pipe is not compressed, though its output may be
+        named = (format_of_name(target) or FileFormat("csv", separator=","))._replace(compression="")
+    if delimiter:
+        mark = DELIMITERS.get(delimiter, delimiter)
+        if mark not in DELIMITERS.values():
+            raise BadTable(f"--delimiter: {quoted(delimiter)} is none of {', '.join(DELIMITERS)}")
+        return FileFormat("tsv" if mark in "\t " else "csv", named.compression if named else "", mark)
+    if named is not None:
+        return named
+    if os.path.isdir(path):
+        raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
+    remedy = "save it as CSV, or give --format csv, tsv, ndjson or parquet, or --delimiter blank"
+    raise BadTable(f"{quoted(path)}: its name says no format that is read; {remedy}")
+
+
+def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
+    """Return the format of the output: that of its name, else `kind` without compression, with a note.
+
+    Raises BadRequest for a format that is another program's.
+    """
+    if (form := format_of_name(target)) is not None:
+        return form
+    name, end = os.path.splitext(target)
+    if ending(target) in NOT_WRITTEN:
+        raise BadRequest(f"-o: a table is not written as {ending(target)}; name the file {quoted(f'{name}.{kind}')}")
+    if end and not quiet:
+        say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
+    return FileFormat(kind)
+
+
+# --- Compression ------------------------------------------------------------------------------------------------------
+
+
+def compressed(block: Any, compression: str) -> Any:
+    """Return a block, compressed by itself: such blocks behind each other are one compressed file."""
+    if not compression or not block:
+        return block
+    if compression == "gzip":
+        return gzip.compress(block, 1, mtime=0)
+    with missing_extra("zstd"):
+        from zstandard import ZstdCompressor
+    return ZstdCompressor(level=3).compress(block)
+
+
+def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
+    """Iterate over the decompressed bytes of a file, some at a time. Raises BadTable for a damaged file."""
+    problem = BadTable(f"{quoted(path)} is not what its name says, or its end is missing")
+    begin: Callable[[], Any] = partial(zlib.decompressobj, zlib.MAX_WBITS | 16)
+    damaged: type[Exception] = zlib.error
+    if compression == "zstd":
+        with missing_extra("zstd"):
+            from zstandard import ZstdDecompressor, ZstdError
+        begin, damaged = ZstdDecompressor().decompressobj, ZstdError
+    frame = begin()
+    try:
+        for piece in iter(partial(file.read, FEED), b""):
+            rest = piece.lstrip(b"\0") if frame.eof else piece  # zeros may fill the end of a file
+            while rest:
+                frame = begin() if frame.eof else frame
+                if text := frame.decompress(rest):  # an empty one would be the end
+                    yield text
+                rest = frame.unused_data.lstrip(b"\0")
+    except damaged:
+        raise problem from None
+    if not frame.eof:
+        raise problem
+
+
+# --- The input --------------------------------------------------------------------------------------------------------
+
+
+class Input:
+    """An open file or pipe."""
+
+    def __init__(self, path: str) -> None:
+        """Open it; `-` is stdin. Raises BadTable."""
+        self.path, self.rows = path, 0  # as many as a format says that there are
+        try:
+            self.file = io.BufferedReader(io.FileIO(0 if path == "-" else path, closefd=path != "-"), CHUNK)
+        except OSError as error:
+            raise BadTable(f"{quoted(path)}: {error.strerror}") from None
+        self.begun = os.fstat(self.file.fileno())
+        self.is_file = stat.S_ISREG(self.begun.st_mode)
+
+    def pieces(self, compression: str) -> Iterator[bytes]:
+        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time at most, of a pipe what there is."""
+        raw = iter(partial(self.file.read1, CHUNK), b"")
+        try:
+            yield from decompressed(self.file, compression, self.path) if compression else raw
+        except OSError as error:
+            raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
+
+    def share_read(self, rows: int) -> float:
+        """Return which part is read when so many rows are converted; 0 if it is unknown, as of a pipe."""
+        if self.rows:
+            return rows / self.rows
+        return self.file.tell() / max(self.begun.st_size, 1) if self.is_file else 0.0
+
+    def check_output(self, target: str) -> None:
+        """Refuse to write over the input."""
+        with suppress(OSError):
+            if self.is_file and os.path.samestat(self.begun, os.stat(target)):
+                raise BadRequest(f"-o: {quoted(target)} is the input; it is not overwritten")
+
+
+def table_of_lines(
+    given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool
+) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
+    """Return a table whose records are lines, with its header read, and its blocks of rows. Raises BadTable.
+
+    `is_read`, `excel_safe`: as Delimited has them.
+    """
+    is_of_blanks = form.separator == " "
+    separator = "\t" if is_of_blanks else form.separator
+    lines = Ndjson() if form.kind == "ndjson" else Delimited(separator, excel_safe=excel_safe)
+    every = blocks(given.pieces(form.compression), lines.cut)
+    first = next(every, b"")
+    mark = BOM if first.startswith(BOM) else b""
+    every = chain([first.removeprefix(mark)], every)
+    if is_of_blanks:
+        every = map(tabbed, every)
+    first = next(every)
+    rows = first[lines.begin(first, is_read) :]
+    lines.header = mark + lines.header
+    return lines, filter(None, chain([rows], every))
+
+
+def blocks(pieces: Iterator[bytes], cut: Callable[[bytes], int]) -> Iterator[bytes]:
+    """Iterate over blocks of whole records: about BLOCK of them, and CHUNK bytes at most unless a record is longer.
+
+    `cut`: returns the number of bytes of whole records at the beginning of a text.
+
+    A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
+    says what is wrong with them. Raises BadTable for a line that is longer.
+    """
+    text = _filled(b"", pieces, CHUNK // 4)
+    usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
+    while text := _filled(text, pieces, size):
+        end = cut(text[:size])
+        if not end and size <= len(text) and size < MAX_RECORD:
+            size *= 2
+            continue
+        end = end or text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
+        if not end:
+            raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")
+        yield text[:end]
+        text, size = text[end:], usual
+
+
+def _filled(text: bytes, pieces: Iterator[bytes], size: int) -> bytes:
+    """Return a text that pieces make as long as a size. At their end, the last line gets the end that it lacks."""
+    while len(text) < size:
+        if not (piece := next(pieces, b"")):
+            return text + b"\n" if text and not text.endswith(b"\n") else text
+        text += piece
+    return text
+
+
+# --- Lines of cells ---------------------------------------------------------------------------------------------------
+
+csv.field_size_limit(MAX_RECORD)  # 128 KiB unless it is raised
+
+Record = tuple[int, int, list[str], str]  # its first line, that behind it, its cells, or why it has none
+
+
+class Delimited:
+    """A table of cells with a separator between them."""
+
+    def __init__(self, separator: str, *, excel_safe: bool = False) -> None:
+        """`excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula."""
+        self.separator, self.excel_safe = separator, excel_safe
+        self.blanks = _BLANKS.replace(separator, "")  # a line of these is no record
+
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole records at the beginning of a text."""
+        end = text.rfind(b"\n") + 1
+        if b'"' not in text:
+            return end
+        lines = as_lines(text[:end])
+        last = next((start for start, *_, problem in self.records(lines) if problem == _OPEN), len(lines))
+        return sum(map(len, lines[:last]))
+
+    def records(self, lines: Sequence[str]) -> Iterator[Record]:
+        """Iterate over records. Their cells have a character for each byte. A line that is no record has none."""
+        start = 0
+        while start < len(lines):
+            reader, begin = csv.reader(lines[start:], delimiter=self.separator, strict=True), start
+            try:
+                for cells in reader:
+                    stop = begin + reader.line_num
+                    yield start, stop, cells, ""
+                    start = stop
+            except csv.Error as error:
+                yield start, start + 1, [], _problem(str(error))
+                start += 1
+
+    def _line(self, cells: Iterable[str]) -> str:
+        """Return the line of some cells, in quotes where they need them."""
+        return self.separator.join(in_quotes(cell, self.separator) for cell in cells)
+
+    def _safe(self, cells: Sequence[str], line: str) -> str:
+        """Return the line of some cells as it is written."""
+        if not (self.excel_safe and any(map(_is_formula, cells))):
+            return line
+        return self._line(f"'{cell}" if _is_formula(cell) else cell for cell in cells)
+
+    # --- The header ---------------------------------------------------------------------------------------------------
+
+    def begin(self, block: bytes, is_read: Callable[[str], bool] = is_input) -> int:
+        """Read the beginning of a table; return the number of bytes up to the end of the header. Raises BadTable.
+
+        `block`: the first one; `is_read`: tells of a header whether its column is one of those that are read.
+        """
+        lines = as_lines(block)
+        self.preamble = self._preamble(lines, is_read)
+        below = lines[self.preamble :] or [""]
+        below[0] = _COMMENT.sub("", below[0])
+        records = self.records(below)
+        _, stop, cells, problem = next(records)
+        line = "".join(below[:stop])
+        self.names = self._names(cells, line, problem)
+        self.header = self._safe(cells, line).rstrip("\r\n").encode(_BYTES)
+        self.lines = self.preamble + stop
+        whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
+        self.sample = [[*map(_text, row)] for row in whole]
+        are_read = [*map(is_read, self.names)]
+        columns = [*zip(*self.sample, strict=True)]
+        passed = compress(columns, map(not_, are_read))
+        is_doubtful = self.separator == ";" or (self.separator != "," and any(map(_have_decimal_commas, passed)))
+        self.decimal_mark = decimal_mark(compress(columns, are_read), self.separator, points_may_group=is_doubtful)
+        self.has_decimal_commas = self.decimal_mark == ","
+        self.is_open = not self.decimal_mark and is_doubtful
+        if self.has_decimal_commas:
+            if self.separator == ",":
+                raise BadTable("decimal commas between commas: write decimal points, or semicolons between columns")
+            self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
+        end = "\r\n" if line.endswith("\r\n") else "\n"
+        self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
+        return sum(map(len, lines[: self.lines]))
+
+    def _preamble(self, lines: Sequence[str], is_read: Callable[[str], bool]) -> int:
+        """Return the number of lines above the header: comments, and the separator as a spreadsheet has it in sep=;.
+
+        The last of them that names columns that are read is the header, unless the line below all of them names some.
+        """
+        count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
+        for place in (count, *reversed(range(count))):
+            text = _text(_COMMENT.sub("", "".join(lines[place : place + 1]))).strip()
+            if any(is_read(cell.strip('"')) for cell in text.split(self.separator)):
+                return place
+        return count
+
+    def _names(self, cells: Sequence[str], line: str, problem: str) -> tuple[str, ...]:
+        """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
+        if not line.strip(self.blanks):
+            raise BadTable("the table has no header; begin with a line of the columns' names")
+        text, *names = map(_text, (line.strip(_BLANKS), *(cells or [line])))
+        if "\0" in text or "\ufffd" in text:  # which stands for what is not UTF-8
+            remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
+            raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
+        if not any(map(is_input, names)):
+            self._check_separator(text, len(names))
+        if problem:
+            raise BadTable(f"header: {problem}")
+        return tuple(names)
+
+    def _check_separator(self, line: str, count: int) -> None:
+        """Refuse a header that another separator divides into inputs; blanks into two at least."""
+        for word, mark in DELIMITERS.items():
+            is_blank = mark == " "
+            cells = line.replace('"', "").split(None if is_blank else mark)
+            if mark != self.separator and (count == 1 or not is_blank) and sum(map(is_input, cells)) > is_blank:
+                raise BadTable(f"header: {quoted(line)} has {word}s between its columns; write --delimiter {word}")
+
+    # --- Rows ---------------------------------------------------------------------------------------------------------
+
+    def read(self, text: bytes, table: Table) -> Records:
+        """Return whole records, taken apart."""
+        records = self._cut(text, table.places) or self._read(text, table.places)
+        if self.has_decimal_commas:
+            return _with_decimal_points(records)
+        return _without_unclear(records) if self.is_open and b"." in text else records
+
+    def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
+        """Cut lines without quotes that have the right width at their separators; None if there are others."""
+        width, separator = len(self.names), self.separator.encode()
+        if b'"' in text or self.excel_safe:
+            return None
+        if b"\r" in text:  # to search for two bytes takes 100 times as long
+            text = text.replace(b"\r\n", b"\n")
+        if b"\r" in text or not text.endswith(b"\n"):
+            return None
+        lines = text.split(b"\n")
+        lines.pop()
+        cells = text.replace(b"\n", separator + b"\n" + separator).split(separator)
+        # Behind each line's last cell, and there only, stands a line feed.
+        if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
+            return None
+        columns = {name: cells[place : -1 : width + 1] for name, place in places.items()}
+        return Records(lines, columns, {}, range(len(lines)), len(lines))
+
+    def _read(self, text: bytes, places: Mapping[str, int]) -> Records:
+        """Read records of any kind."""
+        width = len(self.names)
+        before: list[bytes] = []
+        rows: list[list[str]] = []
+        odd: dict[int, str] = {}
+        starts: list[int] = []
+        lines = as_lines(text)
+        for start, stop, row, problem in self.records(lines):
+            line, cells = "".join(lines[start:stop]).rstrip("\r\n"), row
+            if not line.strip(self.blanks):
+                continue
+            if len(row) != width:
+                size, noun = "short" if len(row) < width else "long", "cell" if len(row) == 1 else "cells"
+                odd[len(rows)] = problem or f"row is {size}: {len(row)} {noun} for {width}"
+                padded = (row or [line]) + [""] * (width - max(len(row), 1))
+                rest = self.separator.join(padded[width - 1 :])  # with what is too much
+                cells = [*padded[: width - 1], rest]
+                line = self._line(cells)
+            starts.append(start)
+            before.append(self._safe(cells, line).encode(_BYTES))
+            rows.append(cells)
+        columns = {name: [row[place].encode(_BYTES) for row in rows] for name, place in places.items()}
+        return Records(before, columns, odd, starts, len(lines))
+
+
+def as_lines(text: bytes) -> list[str]:
+    """Return the lines of a text with their ends, a character for each byte."""
+    return io.StringIO(text.decode(_BYTES), newline="\n").readlines()
+
+
+def _text(cell: str) -> str:
+    """Return a cell with a character for each byte as text."""
+    return cell.encode(_BYTES).decode("utf-8", "replace")
+
+
+def _problem(error: str) -> str:
+    """Return the words for an error of the csv module."""
+    if error.startswith(("unexpected end", "field larger")):
+        return _OPEN
+    return _CARRIAGE_RETURN if error.startswith("new-line") else _MISQUOTED
+
+
+def _is_formula(cell: str) -> bool:
+    """Return whether a spreadsheet may take a cell of text for a formula."""
+    return cell.lstrip(" ").startswith(_BEGIN_FORMULAS) and not _NUMBER.fullmatch(cell.strip(" "))
+
+
+def tabbed(block: bytes) -> bytes:
+    """Return a block with tabs in place of blanks. Raises BadTable for quotes, as blanks would divide a cell."""
+    if b'"' in block:
+        raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
+    lines = _MARK.sub(rb"\1", block).split(b"\n")
+    return b"\n".join(b"\t".join(line.split()) for line in lines)
+
+
+# --- Decimal commas ---------------------------------------------------------------------------------------------------
+
+_NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
+_MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
+_UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
+_POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
+_OF_THOUSANDS = re.compile(rb"(?<![\d.,])[1-9]\d{0,2}\.\d{3}(?![\d.,eE])")
+_WITH_COMMA = re.compile(r"[-+]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+")
+_WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
+
+
+def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
+    """Return the decimal mark of the numbers of columns; "" if none of them decides.
+
+    A mark that stands in a number more than once is of thousands or of a list, and decides nothing. `points_may_group`:
+    whether a point may be of thousands where nothing decides. Raises BadTable for a number that has such a mark.
+
+    >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
+    ','
+    """
+    marks, unclear = Counter[str](), list[str]()
+    for cells in columns:
+        for whole, mark, fraction in _MARKED.findall(";".join(filter(_NUMERIC.match, cells))):
+            if _UNCLEAR.fullmatch(whole + mark + fraction):
+                unclear.append(whole + mark + fraction)
+            elif mark not in whole:
+                marks[mark] += 1
+    if marks[","] != marks["."]:
+        return max(marks, key=marks.__getitem__)
+    for number in unclear:
+        if points_may_group or ("," in number and separator != ","):
+            raise BadTable(_two_readings(number))
+    return ""
+
+
+def _have_decimal_commas(cells: Iterable[str]) -> bool:
+    """Return whether any cell is a number with a decimal comma, and none is one with a decimal point."""
+    numbers = [cell.strip() for cell in cells]
+    return any(map(_WITH_COMMA.fullmatch, numbers)) and not any(map(_WITH_POINT.fullmatch, numbers))
+
+
+def _two_readings(number: str) -> str:
+    """Return what is wrong with a number whose mark may be of thousands."""
+    digits = number.replace(",", "").replace(".", "")
+    return f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
+
+
+def _without_unclear(records: Records) -> Records:
+    """Return records of a table whose decimal mark is open. A point that may be of thousands spoils its row."""
+    odd = dict(records.odd)
+    for name, column in records.cells.items():
+        if is_of_text(name) or b"." not in b"".join(column):
+            continue
+        for row, cell in enumerate(column):
+            if number := _OF_THOUSANDS.search(cell):
+                odd.setdefault(row, _two_readings(number[0].decode()))
+    return records._replace(odd=odd)
+
+
+def _with_decimal_points(records: Records) -> Records:
+    """Return records with decimal points in place of commas. A number with a point spoils its row."""
+    cells = {name: column for name, column in records.cells.items() if not is_of_text(name)}
+    odd = dict(records.odd)
+    for column in cells.values():
+        for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:
+            text = quoted(column[row].decode("utf-8", "replace"))
+            odd.setdefault(row, f"{text} has a point: this table has decimal commas, and no marks of thousands")
+    points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
+    return records._replace(cells={**records.cells, **points}, odd=odd)
+
+
+# --- NDJSON -----------------------------------------------------------------------------------------------------------
+
+Object = dict[str, Any]
+
+
+class Ndjson:
+    """A table whose lines are JSON objects; the names in the first of them are the columns."""
+
+    preamble = lines = 0  # there is no header
+    header = b""
+    writer = Objects()
+
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole lines."""
+        return text.rfind(b"\n") + 1
+
+    def begin(self, block: bytes, is_read: Callable[[str], bool] = bool) -> int:  # noqa: ARG002
+        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable."""
+        lines = [line for line in block.split(b"\n")[:SAMPLE] if line.strip()]
+        if not lines:
+            raise BadTable("the table is empty")
+        first = _object(lines[0])
+        if not first:
+            raise BadTable("the first line is not a JSON object with members")
+        if name := _twice(lines[0], first):
+            raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
+        self.names = tuple(first)
+        objects = [*filter(None, map(_object, lines))]
+        self.sample = [[cell_of(row.get(name)) for name in first] for row in objects]
+        return 0
+
+    def read(self, text: bytes, table: Table) -> Records:
+        """Return whole lines, taken apart."""
+        every = text.split(b"\n")
+        starts = [place for place, line in enumerate(every) if line.strip()]
+        lines = [every[place] for place in starts]
+        objects = [*map(_object, lines)]
+        problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
+        odd = {row: problem for row, problem in enumerate(problems) if problem}
+        rows = [members or {} for members in objects]
+        cells = {name: cells_of([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
+        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
+
+    def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
+        """Return why a line is no row; an empty text if it is one.
+
+        It is none without an object, with a member twice, or with an input or result that the first line lacks.
+        """
+        if members is None:
+            return "is not a JSON object"
+        if name := _twice(line, members):
+            return f"has {quoted(name)} twice"
+        asked = table.asked
+        for name in members.keys() - self.names:
+            cells = [cell_of(members[name])]
+            if name in table.added or meaning_of(name, cells, asked.stated, asked.measured).name:
+                return f"has {quoted(name)}, which the first line does not have"
+        return ""
+
+
+def _beginning(line: bytes, members: Object | None) -> bytes:
+    """Return the object of a line without its end; one that holds the line as a text where it is no object."""
+    if members is None:
+        return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
+    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
+
+
+def _object(line: bytes) -> Object | None:
+    """Return the object that a line holds by itself, or None."""
+    with suppress(orjson.JSONDecodeError):
+        value = orjson.loads(line)
+        return value if isinstance(value, dict) else None
+    return None
+
+
+def _twice(line: bytes, members: Object) -> str:
+    """Return the name of a member that stands twice in the object of a line; orjson keeps the last one."""
+    if line.count(b":") == len(members):  # each has a colon
+        return ""
+    with suppress(RecursionError):
+        counts = Counter(name for name, _ in json.loads(line, object_pairs_hook=list))
+        return next((name for name, count in counts.items() if count > 1), "")
+    return ""

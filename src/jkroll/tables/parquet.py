@@ -1,0 +1,135 @@
+"""Parquet: batches of rows of a file, taken apart; rows as batches, of which many are written together."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any, BinaryIO
+
+import pyarrow
+import pyarrow.parquet
+
+from ..errors import BadRequest, BadTable
+from ..model.rows import BLOCK, DOUBT, STATUS
+from ..output.writers import divided, length
+from ..quantities.nomenclature import NOMENCLATURE
+from ..text import quoted, shown
+from .cells import cell_of, cells_of
+from .files import SAMPLE, Input
+from .table import Records, Table
+
+BUFFER = 1 << 18  # bytes read at a time of each column
+BYTES = 1 << 24  # of the rows written together, about
+# The headers of columns of texts; the others hold numbers.
+WORDS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
+
+# --- Rows as batches --------------------------------------------------------------------------------------------------
+
+
+class Batches:
+    """The writer of rows as batches of Arrow, of which the header is an empty one."""
+
+    is_plain, has_words = False, False
+
+    def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
+        """Return the batch without rows. `before`: the schema of the columns that stand before these."""
+        (schema,) = before or (pyarrow.schema([]),)
+        new = [pyarrow.field(head, pyarrow.string() if head in WORDS else pyarrow.float64()) for head in heads]
+        every = pyarrow.schema([*schema, *new], metadata=schema.metadata)
+        return pyarrow.RecordBatch.from_pylist([], schema=every)
+
+    def rows(self, heads: Sequence[str], columns: Sequence[Any], before: Any = None) -> Any:
+        """Return rows. `before`: the batch of the columns that stand before these."""
+        schema = self.header(heads, [before.schema] if before is not None else ()).schema
+        arrays = before.columns if before is not None else []
+        size = max(map(length, columns))
+        for column, field in zip(divided(columns), [*schema][len(arrays) :], strict=True):
+            cells = column if length(column) else [column] * size
+            arrays.append(pyarrow.array(cells, field.type, from_pandas=True))
+        return pyarrow.RecordBatch.from_arrays(arrays, schema=schema)
+
+    @contextmanager
+    def sink(self, stream: BinaryIO, header: Any) -> Iterator[Callable[[Any], None]]:
+        """Return the function that writes batches behind the header, in groups of rows of about the same size."""
+        texts = [field.name for field in header.schema if not pyarrow.types.is_floating(field.type)]
+        group: list[Any] = []
+        size = 0  # of its rows, of which each batch is measured once: what it shares with others counts with each
+        with pyarrow.parquet.ParquetWriter(stream, header.schema, use_dictionary=texts) as file:
+
+            def flush() -> None:
+                file.write_table(pyarrow.Table.from_batches(group, header.schema))
+                group.clear()
+
+            def write(batch: Any) -> None:
+                nonlocal size
+                group.append(batch)
+                size += batch.nbytes
+                if size >= BYTES:
+                    flush()
+                    size = 0
+
+            yield write
+            if group:
+                flush()
+
+
+# --- A file as blocks -------------------------------------------------------------------------------------------------
+
+
+def batches_of(given: Input, target: str, is_read: Callable[[str], bool]) -> tuple["Arrow", Iterator[Any]]:
+    """Return the table in a Parquet file, and its batches. `is_read`: tells of a header whether its column is read."""
+    if "-" in (given.path, target):
+        raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
+    with _readable(given.path):
+        file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
+        table = Arrow(file, is_read)
+    given.rows = file.metadata.num_rows
+
+    def batches() -> Iterator[Any]:
+        with _readable(given.path):
+            yield from file.iter_batches(BLOCK)
+
+    return table, batches()
+
+
+@contextmanager
+def _readable(path: str) -> Iterator[None]:
+    """Raise BadTable for what cannot be read."""
+    try:
+        yield
+    except (OSError, UnicodeDecodeError, pyarrow.ArrowException) as error:
+        reason = shown(str(error).strip().partition("\n")[0])
+        raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
+
+
+class Arrow:
+    """A table of columns that have types."""
+
+    preamble = lines = 0  # its names stand in no line
+
+    def __init__(self, file: Any, is_read: Callable[[str], bool]) -> None:
+        """Read the header, and the cells of the first rows that may be read."""
+        self.header, self.writer = file.schema_arrow, Batches()
+        self.names = tuple(self.header.names)
+        first = next(file.iter_batches(SAMPLE, columns=[*filter(is_read, self.names)], use_threads=False), None)
+        rows = first.to_pylist() if first is not None else []
+        self.sample = [[cell_of(row.get(name)) for name in self.names] for row in rows]
+
+    def read(self, batch: Any, table: Table) -> Records:
+        """Return a batch, taken apart."""
+        cells = {name: cells_of(_values(batch.column(place))) for name, place in table.columns.places.items()}
+        for name, place in table.labels.items():
+            column = batch.column(place)
+            cells[name] = cells_of(column.to_pylist()) if _has_texts(column.type) else [b""] * batch.num_rows
+        return Records(batch, cells, {}, range(batch.num_rows), batch.num_rows)
+
+
+def _has_texts(kind: Any) -> bool:
+    """Return whether the values of a type are texts."""
+    types = pyarrow.types
+    kind = kind.value_type if types.is_dictionary(kind) else kind
+    return bool(types.is_string(kind) or types.is_large_string(kind) or types.is_string_view(kind))
+
+
+def _values(column: Any) -> Any:
+    """Return the values of a column: an array of numbers where each row has one, which is twice as fast, or a list."""
+    is_whole = pyarrow.types.is_integer(column.type) or pyarrow.types.is_float64(column.type)
+    return column.to_numpy() if is_whole and not column.null_count else column.to_pylist()

@@ -1,0 +1,400 @@
+"""The `batch` command: from the options to the exit code, for a table or for many into a directory.
+
+This process reads the blocks of a table and writes them in their order. Where there are many blocks, others convert
+them; the output is the same for any number of them. Many tables are a task each, by processes of this machine or on a
+Dask cluster. A file gets its name when it is whole: so a run that was ended goes on with `--resume`, which keeps what
+is newer than its table.
+"""
+
+import glob
+import os
+import sys
+from collections import Counter
+from collections.abc import Callable, Generator, Iterable, Iterator
+from contextlib import closing
+from functools import partial
+from itertools import chain, islice
+from time import monotonic, sleep
+from typing import Any, BinaryIO, NamedTuple
+
+from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
+from ..model.limits import EVERY_DOUBT
+from ..model.rows import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
+from ..output.writers import WRITERS, remove_begun, result_columns, whole_file, written
+from ..quantities.formatting import Format, amount
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..text import quoted, say, say_wrapped, shown
+from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, output_format, table_of_lines
+from .header import check_inputs, understood
+from .table import Asked, Table, TableBlock
+
+MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
+ALONE = 4  # blocks that this process converts before it starts others
+WAIT = 0.5  # seconds before progress is shown
+WIDTH = 60  # of the line of progress, in characters
+MAX_NOTES = 6  # about rows, or about many tables, at the end
+LITTLE = 1 << 19  # bytes of files that a process converts in the time in which another one starts
+DASK_WAIT = 20.0  # seconds for a scheduler of Dask to answer, and then for it to have a worker
+DASK_CHECK = 2.0  # seconds between looks whether it still has one
+DASK_STEP = 0.02  # seconds between looks whether a table is converted
+
+
+class Job(NamedTuple):
+    """The request of a run of `batch`: what is asked of rows, and the options of files."""
+
+    asked: Asked
+    target: str = "-"
+    format: str = ""
+    delimiter: str = ""
+    strict: bool = False
+    resume: bool = False  # of many files: whether those that are done stay
+    jobs: int = 0
+    excel_safe: bool = False
+    dask: str = ""
+    quiet: bool = False
+    mark: str = ""  # in the names of files that the processes of this run begin
+
+    @property
+    def processes(self) -> int:
+        """Number of processes: `--jobs`, else one for each core that this process may use."""
+        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        return self.jobs or min(cores, MAX_PROCESSES)
+
+    def say(self, lines: Iterable[str]) -> None:
+        """Print lines on stderr, unless the run is quiet."""
+        for line in () if self.quiet else lines:
+            say_wrapped(line, sys.stderr)
+
+
+def run(path: str, job: Job) -> int:
+    """Convert a table, or several; return the exit code."""
+    if (glob.has_magic(path) and not os.path.exists(path)) or job.target.endswith(os.sep):
+        tally, code = _convert_many(path, job)
+    else:
+        if job.resume or job.dask:
+            raise BadRequest("--resume and --dask are for many files: write 'grains/*.csv' -o DIRECTORY/")
+        tally, code = convert_one(path, job), 0
+    job.say(_notes(tally, job.asked))
+    if tally.failed:
+        say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
+    return code or (ROWS_FAILED if tally.failed else 0)
+
+
+def _notes(tally: Tally, asked: Asked) -> Iterator[str]:
+    """Iterate over lines on what was inferred, and in how many rows numbers are in doubt, or cells empty."""
+    from ..answers.notes import about_rows
+
+    if tally.inferred:
+        yield _summary(asked.infer, tally)
+    notes = [*about_rows(tally, EVERY_DOUBT, f"column {DOUBT if asked.doubt else STATUS}")]
+    yield from (note.line for note in notes[:MAX_NOTES])
+    if (more := len(notes) - MAX_NOTES) > 0:
+        yield f"note: column {STATUS} has {more} more kinds of gaps"
+
+
+def _summary(name: str, tally: Tally) -> str:
+    """Return the sentence on the values of an input that was sought: count, median, quartiles, mean and scatter."""
+    import numpy
+
+    values = numpy.concatenate(tally.inferred)
+    known = values[~numpy.isnan(values)]
+    sentence = f"note: {name}: {len(known)} of {len(values)} rows"
+    if len(known) < 2:
+        return sentence
+    low, median, high = numpy.quantile(known, [0.25, 0.5, 0.75]).tolist()
+    middle = f"median {amount(name, median)}, quartiles {amount(name, low)} and {amount(name, high)}"
+    mean, scatter = float(known.mean()), float(known.std(ddof=1))
+    return f"{sentence}; {middle}; mean {amount(name, mean)}, scatter {amount(name, scatter)}"
+
+
+def _about(table: Table) -> Iterator[str]:
+    """Iterate over the lines about a table as a whole.
+
+    They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
+    enters no error bar.
+    """
+    from ..answers.notes import OfRows, about_idle, about_left_out
+
+    of_rows = OfRows(table.kinds, judges=table.wanted.doubts)
+    if assumed := [text for name, text in of_rows.assumed.items() if name not in table.given]:
+        yield f"assumed: {', '.join(assumed)}"
+    notes = [*dict.fromkeys(remark for lookup in table.lookups.values() for remark in lookup.remarks)]
+    if "radius" not in table.given and not table.asked.explicit:
+        notes.append("no column and no option gives a radius; what needs one is left out")
+    filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.columns.names & table.fixed.keys())
+    notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
+    # What is infinite may make a body rigid in some rows.
+    idle = [name for name in of_rows.idle if table.fixed.get(name, INFINITY) != INFINITY]
+    notes += [note.text for note in (*about_idle(idle), *about_left_out(*table.sources))]
+    yield from (f"note: {text}" for text in notes)
+
+
+# --- A table ----------------------------------------------------------------------------------------------------------
+
+
+class Converted(NamedTuple):
+    """A converted block, the number of lines that it was, and its counts."""
+
+    output: Any
+    lines: int
+    tally: Tally
+
+
+class Converter(NamedTuple):
+    """Adds the results to blocks of a table, in this process or in others."""
+
+    form: Any
+    table: Table
+    compression: str
+    strict: bool  # whether the first row that fails is an error
+
+    def converted(self, block: Any) -> Converted:
+        """Return a block with the results in each row. Raises BadRow."""
+        table = self.table
+        records = self.form.read(block, table)
+        rows = TableBlock(table, records)
+        columns = evaluated(table.wanted, rows)
+        columns.leave_out_bars(rows.half_bars)
+        del rows
+        records = records._replace(cells={})  # as much memory as all else, which writing takes again
+        if self.strict and (failed := columns.first_failed):
+            raise BadRow(records.starts[failed.first], worded(failed.reasons))
+        added = [*table.said.values(), *result_columns(columns, Format(), table.wanted.remarks())]
+        output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
+        tally = Tally.of(columns)
+        if unknown := table.asked.infer:
+            tally = tally._replace(inferred=(columns.column(unknown).copy(),))
+        return Converted(output, records.size, tally)
+
+
+def convert_one(path: str, job: Job) -> Tally:
+    """Convert a table; return the counts of all of it."""
+    asked = job.asked
+    given = input_format(path, job.target, job.format, job.delimiter)
+    wanted = output_format(job.target, given.kind, quiet=job.quiet)
+    if wanted.kind != given.kind:
+        name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.kind}")
+        raise BadTable(f"-o: the output has the format of the input; write {name}, and convert it with another program")
+    file = Input(path)
+    with file.file:
+        file.check_output(job.target)
+        form: Any
+        if given.kind == "parquet":
+            with missing_extra("parquet"):
+                from .parquet import batches_of
+            form, blocks = batches_of(file, job.target, asked.is_read)
+        else:
+            form, blocks = table_of_lines(file, given, asked.is_read, excel_safe=job.excel_safe)
+        header = understood(form.names, form.sample, asked.stated, asked.inputs, asked.measured)
+        check_inputs(header, asked.measured)
+        reading = header.reading(form.preamble)
+        job.say([reading])  # at once: an input is missing where a column is not understood
+        table = Table(header, form.sample, asked)
+        about = [*_about(table)]
+        job.say(about)
+        with whole_file(job.target, job.mark) as output:
+            convert = Converter(form, table, wanted.compression, strict=job.strict)
+            return _convert(file, blocks, convert, output, job)._replace(said=(reading, *about))
+
+
+def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:
+    """Write a table; return the counts of all of it."""
+    form, tally = convert.form, Tally()
+    header = compressed(form.writer.header(convert.table.added, [form.header]), convert.compression)
+    line = form.lines
+    converted = _converted(blocks, convert, job.processes)
+    if sys.stderr.isatty() and not job.quiet:
+        converted = with_progress(converted, file)
+    try:
+        with form.writer.sink(output, header) as write, closing(converted):
+            for block in converted:
+                write(block.output)
+                line += block.lines
+                tally = tally.plus(block.tally)
+                del block  # which the next one would wait beside
+    except BadRow as error:
+        place, status = error.args
+        raise BadRow(line + 1 + place, status) from None
+    return tally
+
+
+def _converted(blocks: Iterator[Any], convert: Converter, processes: int) -> Generator[Converted]:
+    """Iterate over converted blocks in their order.
+
+    A library that reads a table by itself has threads for it.
+    """
+    is_alone = processes < 2 or not isinstance(convert.form, Delimited | Ndjson)
+    yield from map(convert.converted, blocks if is_alone else islice(blocks, ALONE))
+    if (block := next(blocks, None)) is None:
+        return
+    # They come with multiprocessing, which a small table does not pay for.
+    from .workers import answers
+
+    yield from answers(processes, convert.converted, chain([block], blocks))
+
+
+def with_progress(blocks: Iterator[Converted], file: Input) -> Generator[Converted]:
+    """Iterate over blocks. A line on the terminal says how much is done, if it is known, and goes at the end."""
+    began, rows, line = monotonic(), 0, ""
+    try:
+        for block in blocks:
+            rows += block.tally.rows
+            yield block
+            del block  # as above
+            if (taken := monotonic() - began) > WAIT:
+                share = file.share_read(rows)
+                left = f"{share:4.0%}, {taken * (1 / share - 1):.0f} s left, " if share else ""
+                line = f"{left}{rows:,} rows"
+                sys.stderr.write(f"\r{line:{WIDTH}}\r")
+                sys.stderr.flush()
+    finally:
+        sys.stderr.write(f"\r{'':{WIDTH}}\r" if line else "")
+
+
+# --- Many tables ------------------------------------------------------------------------------------------------------
+
+Pair = tuple[str, str]  # a table, and the file that it becomes
+Outcome = tuple[Tally, JkrollError | None]  # the counts of a table, and why it failed as a whole
+Task = Callable[[Pair], Outcome]
+
+
+def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
+    """Convert the tables that a pattern names; return the counts, and the highest exit code of a table."""
+    pairs = _pairs(job.target, path)
+    left = [pair for pair in pairs if not (job.resume and _is_newer(pair))]
+    mark = os.urandom(4).hex()
+    task = partial(_outcome, job._replace(jobs=1, quiet=True, mark=mark))
+    try:
+        outcomes = [*(_on_cluster(job.dask, task, left) if job.dask else _by_processes(job.processes, task, left))]
+    finally:
+        remove_begun((target for _, target in left), mark)  # by processes that were killed
+    tally = Tally()
+    for (table, _), (of_table, _) in zip(left, outcomes, strict=True):
+        tally = tally.plus(of_table, f"{quoted(table)}: ")
+    if not job.quiet:
+        if kept := len(pairs) - len(left):
+            say(f"note: {kept} of {len(pairs)} files are newer than their tables and were kept", sys.stderr)
+        for line, count in Counter(tally.said).most_common(MAX_NOTES):
+            say_wrapped(line if count == len(left) else f"{line}: {count} of {len(left)} files", sys.stderr)
+    errors = {quoted(table): error for (table, _), (_, error) in zip(left, outcomes, strict=True) if error is not None}
+    for table, error in errors.items():
+        say(f"jkroll: {table}: {str(error).removeprefix(f'{table}: ')}", sys.stderr)
+    return tally, max((error.exit_code for error in errors.values()), default=0)
+
+
+def _pairs(directory: str, path: str) -> list[Pair]:
+    """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
+    place = directory.rstrip(os.sep)
+    is_file = os.path.exists(place) or format_of_name(directory) is not None
+    if directory == "-" or (is_file and not os.path.isdir(place)):
+        raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
+    paths = [path] if os.path.exists(path) else sorted(glob.glob(path))
+    if not paths:
+        raise BadTable(f"{quoted(path)}: no such file")
+    targets = [os.path.join(directory, os.path.basename(table)) for table in paths]
+    if len({*targets}) < len(paths):
+        raise BadTable(f"{quoted(path)}: two tables have the same name")
+    pairs = [*zip(paths, targets, strict=True)]
+    if any(all(map(os.path.exists, pair)) and os.path.samefile(*pair) for pair in pairs):
+        raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
+    os.makedirs(directory, exist_ok=True)
+    return pairs
+
+
+def _is_newer(pair: Pair) -> bool:
+    """Return whether the output of a table is newer than the table."""
+    table, output = pair
+    return all(map(os.path.exists, pair)) and os.stat(output).st_mtime_ns >= os.stat(table).st_mtime_ns
+
+
+def _outcome(job: Job, pair: Pair) -> Outcome:
+    """Convert a table in this process; a failure is an outcome."""
+    path, target = pair
+    try:
+        return convert_one(path, job._replace(target=target)), None
+    except MissingExtra:
+        raise  # as it would for every table
+    except JkrollError as error:
+        return Tally(), error
+
+
+def _by_processes(count: int, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
+    """Iterate over the outcomes of tables that some processes convert."""
+    size = sum(os.path.getsize(table) for table, _ in pairs if os.path.exists(table))
+    count = min(count, len(pairs), 1 + size // LITTLE)
+    if count < 2:
+        return map(task, pairs)
+    from .workers import answers
+
+    return answers(count, task, pairs)
+
+
+def _on_cluster(address: str, task: Task, pairs: list[Pair]) -> Iterator[Outcome]:
+    """Iterate over the outcomes of tables that the workers of a Dask cluster convert.
+
+    The tables of a worker that is lost go to others. Raises BadTable where there is no cluster, and LostWorker where
+    its scheduler or all of its workers are lost.
+    """
+    import logging
+
+    from .workers import LostWorker
+
+    with missing_extra("dask"):
+        from concurrent.futures import CancelledError
+
+        from distributed import Client, KilledWorker
+    logging.disable()  # what it logs is said here
+    scheduler = f"--dask: the scheduler at {quoted(address)}"
+    try:
+        client = Client(address, timeout=DASK_WAIT)
+        client.wait_for_workers(1, timeout=DASK_WAIT)
+    except (OSError, ValueError):
+        raise BadTable(f"--dask: no scheduler with a worker answers at {quoted(address)}") from None
+    except Exception as error:  # of the library of a protocol
+        raise BadTable(f"{scheduler} cannot be reached: {shown(str(error))}") from None
+    with closing(client):
+        # A worker opens a relative path in a directory of its own.
+        futures = [client.submit(task, tuple(map(os.path.abspath, pair)), pure=False) for pair in pairs]
+        for future in futures:
+            try:
+                _await(future, client)
+            except OSError:
+                if client.status == "running":
+                    raise LostWorker(f"{scheduler} has no worker left; each needs this version of jkroll") from None
+            try:
+                yield future.result()
+            except KilledWorker as error:
+                yield Tally(), LostWorker(f"its worker ended {error.allowed_failures + 1} times")
+            except CancelledError:
+                raise LostWorker(f"{scheduler} was lost; --resume makes the files that are missing") from None
+
+
+def _await(future: Any, client: Any) -> None:
+    """Wait until a table is converted or given up. Raises OSError if there are no workers for a while."""
+    checked = monotonic()
+    while not future.done():
+        sleep(DASK_STEP)
+        if monotonic() - checked > DASK_CHECK:
+            if client.status == "running":  # else the future ends
+                client.wait_for_workers(1, timeout=DASK_WAIT)
+            checked = monotonic()
+
+
+# --- Lists and ranges -------------------------------------------------------------------------------------------------
+
+
+def write_file(
+    wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool, quiet: bool
+) -> None:
+    """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""
+    form = output_format(target, "csv", quiet=quiet)
+    if form.kind == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import Batches
+        writer: Any = Batches()
+    else:
+        writer = WRITERS[form.kind]
+    texts = (compressed(text, form.compression) for text in written(writer, wanted, blocks, units, doubt=doubt))
+    with whole_file(target) as stream, writer.sink(stream, next(texts)) as write:
+        for text in texts:
+            write(text)

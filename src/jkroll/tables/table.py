@@ -1,0 +1,278 @@
+"""The rows of a table: what its header, its first rows and the options ask for, and blocks of its cells as rows.
+
+No file is opened here: `batch` reads and writes.
+"""
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..errors import BadRequest, BadTable, JkrollError
+from ..materials.library import Material, Materials
+from ..model.frame import EXCLUSIVE, Scene
+from ..model.reasons import MissingInput, NotInLaw
+from ..model.rows import BAD, SIDES, Numbers, Wanted, groups
+from ..model.uncertainty import Sources, sources_of_results
+from ..quantities.laws import law_named
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
+from ..quantities.values import is_uncertain, value_of
+from ..text import quoted
+from .cells import LABEL, Indices, Lookup
+from .header import Header, is_input, stated_meanings, typed
+from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
+
+_NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row yet
+
+
+class Asked(NamedTuple):
+    """The request of a table: what options give to all of its rows, and what is wanted of these."""
+
+    inputs: Mapping[str, str]  # texts, by name
+    known: Materials
+    explicit: Sequence[str] = ()  # quantities that were asked for by name
+    offered: Sequence[str] = ()  # quantities that may lack inputs
+    columns: Sequence[str] = ()  # what headers mean, as `--column` has it
+    infer: str = ""  # the input that is sought
+    measured: str = ""  # the quantity from which it follows, whose measured values a column has
+    doubt: bool = True  # whether there is a column of doubts
+    alternatives: bool = False  # whether there are columns of the results under the other law
+    uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
+
+    @property
+    def stated(self) -> Mapping[str, str]:
+        """The meanings that `--column` writes in place of headers."""
+        return stated_meanings(self.columns, self.measured)
+
+    def is_read(self, text: str) -> bool:
+        """Return whether a header may be that of an input, or of what was measured."""
+        return is_input(self.stated.get(typed(text), text), self.measured)
+
+
+class Table:
+    """The columns of a table that are read, what options give to all rows, and the columns that are added.
+
+    What a row gives itself comes first.
+    """
+
+    def __init__(self, columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> None:
+        """`rows`: the first ones. Raises BadTable, or an error of the options."""
+        self.columns, self.asked = columns, asked
+        self.labels = _labels(columns, rows, asked)
+        self.places = {**columns.places, **self.labels}
+        inputs, known = asked.inputs, asked.known
+        self.spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
+        self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
+        self.model = law_named(inputs["model"]).name if "model" in inputs else None
+        self.said = {"model": self.model} if self.model is not None else {}  # columns of text, the same in all rows
+        self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
+        self.given = columns.names | self.fixed.keys()
+        cells = {name: [row[place].encode() for row in rows] for name, place in self.places.items()}
+        sample = TableBlock(self, Records(rows, cells))  # which looks up materials
+        scenes = self._kinds(cells)
+        self.names, named = self._names(scenes)
+        self.sources = self._sources(sample)
+        sides = {*SIDES} if asked.uncertainty else {side for each in self.sources for side in each.sides}
+        sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
+        kind = Wanted
+        if asked.infer:
+            from ..model.infer import Unknowns
+
+            kind = Unknowns
+        wanted = kind(self.names, named=named, sides=sides, doubts=asked.doubt)
+        self.wanted = wanted.with_alternatives(scenes, self.names) if asked.alternatives else wanted
+        if any(solid and solid.displacement for lookup in self.lookups.values() for solid in lookup.known):
+            self.given |= {XI}  # it is not assumed
+        # A scene of each kind of rows, with the quantities that it shows, or that were measured.
+        self.kinds = [(scene.filled, [asked.measured]) if asked.infer else (scene, self.names) for scene in scenes]
+        for text in columns.texts:
+            if text.strip() in self.added:
+                raise BadTable(f"header: the table already has a column {quoted(text)}; rename it")
+
+    @property
+    def added(self) -> list[str]:
+        """The headers of all columns that are added."""
+        return [*self.said, *self.wanted.heads(header), *self.wanted.remarks()]
+
+    def scene(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Any:
+        """Return the scene of inputs and of the materials of cells, or the problem of a measured one.
+
+        Raises an error of the scene.
+        """
+        given, spheres = {**self.fixed, **given}, {**self.spheres, **solids}.values()
+        measured = self.asked.measured
+        if not measured:
+            return Scene(given, *spheres, model=self.model)
+        if measured not in given:
+            raise BadRequest(f"{measured}: the row has no measured value", "no measured value")
+        from ..model.inverse import Problem  # for which a table without an unknown does not pay
+
+        value = given.pop(measured)
+        return Problem((self.asked.infer,), {measured: value}, Scene(given, *spheres, model=self.model))
+
+    # --- The columns that are added -----------------------------------------------------------------------------------
+
+    def _kinds(self, cells: Mapping[str, Sequence[bytes]]) -> list[Any]:
+        """Return scenes of no rows that together have all inputs.
+
+        Of columns that exclude each other, a scene has one. What an input is matters, and not its values.
+
+        A column of names that are no material's has labels, unless they were meant as materials: without them, there is
+        no work of adhesion, or it is not known whether there is.
+        """
+        columns = self.columns
+        names = [column.name for column in columns.inputs]
+        cases = dict.fromkeys(_without_exclusive(first, names, self.asked.measured) for first in names or [""])
+        some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _NO_ROWS))
+        solids, of_labels = dict[str, Material | None](), dict[str, Material | None]()
+        if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
+            solids = {name: solid and solid._replace(displacement=None) for name, solid in self.spheres.items()}
+        for column in columns.materials:
+            texts = {text for text in cells[column.name] if text.strip()}
+            of_labels |= {column.name: LABEL} if texts and texts <= self.lookups[column.name].errors.keys() else {}
+            solids[column.name] = some
+
+        def kinds(solids: Mapping[str, Material | None]) -> list[Any]:
+            return [self.scene(dict.fromkeys(case, _NO_ROWS), solids) for case in cases]
+
+        scenes = kinds(solids | of_labels)
+        if of_labels and (self.asked.infer or scenes[0].missing(["work_of_adhesion"])):
+            return kinds(solids)  # their rows will say that they are unknown
+        return scenes
+
+    def _names(self, scenes: Sequence[Any]) -> tuple[Sequence[str], Sequence[str]]:
+        """Return the quantities that columns and options allow, and those of them that concern any row."""
+        explicit, offered = self.asked.explicit, self.asked.offered
+        if self.asked.infer:
+            scenes[0].check()
+            return [self.asked.infer], [self.asked.infer]
+        for name in explicit:
+            if name in self.given:
+                raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
+            if all(scene.missing([name]) for scene in scenes):
+                try:
+                    scenes[0].plans(name)
+                except NotInLaw:
+                    continue  # its column is empty
+                except MissingInput as error:
+                    if unknown := [each for lookup in self.lookups.values() for each in lookup.errors.values()]:
+                        raise BadTable(f"{unknown[0]}; {error}") from None
+                    raise
+        first, second = self.spheres.values()
+        is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
+        shown = {name for scene in scenes for name in scene.possible(offered) if scene.shows_to_identical(name)}
+        shown -= {*self.given, *(name for name in shown if is_of_two and NOMENCLATURE[name].of_identical)}
+        possible = [name for name in offered if name in shown]
+        names = [*dict.fromkeys((*explicit, *possible))]
+        if not names:
+            scenes[0].plans(offered[0])
+            raise BadRequest("--quantities: known of identical spheres only, and the table describes sphere 2")
+        # Where some cells are the reason why a quantity has a column, all rows have it.
+        of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
+        return names, [*explicit, *of_cells]
+
+    def _sources(self, block: "TableBlock") -> list[Sources]:
+        """Return the sources of uncertainty of the quantities in each kind of rows."""
+        sources = []
+        for group in groups(block):
+            with suppress(JkrollError):  # bad rows, which their status will explain
+                scene = block.scene(group.given(group.rows), group.rows)
+                if scene.uncertainties:
+                    sources.append(sources_of_results(scene, self.names))
+        return sources
+
+
+def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:
+    """Return the names and places of columns that may label rows of statistics: no inputs, nor what `--column` names.
+
+    Where all of the first rows are of means, these are the data.
+    """
+    inputs, stated = {place for column in columns.inputs for place in column.places.values()}, asked.stated
+    places = [place for place, text in enumerate(columns.texts) if place not in inputs and typed(text) not in stated]
+    return {
+        f"{LABEL_OF}{place}": place for place in places if not are_kinds_of_data([row[place].encode() for row in rows])
+    }
+
+
+def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
+    """Return names, the first one among them, without those that it or an earlier one excludes."""
+    chosen: set[str] = set()
+    for name in (first, *names):
+        others = chosen - {measured, name}
+        if name == measured or not any(name in group and not others.isdisjoint(group) for group in EXCLUSIVE):
+            chosen.add(name)
+    return tuple(name for name in names if name in chosen)
+
+
+# --- Rows -------------------------------------------------------------------------------------------------------------
+
+
+class Records(NamedTuple):
+    """A block of a table, taken apart."""
+
+    before: Any  # what stands before the results of each row
+    cells: Mapping[str, Sequence[bytes]]  # by the name of the column
+    odd: Mapping[int, str] = MappingProxyType({})  # records that are no rows, and why
+    starts: Sequence[int] = ()  # the line in the block at which each begins
+    size: int = 0  # lines in the block
+
+
+class TableBlock:
+    """Some rows of a table. Those whose materials have the same properties are alike."""
+
+    def __init__(self, table: Table, records: Records) -> None:
+        """`records`: the cells of the columns that the table reads."""
+        self.table, self.cells, self.odd = table, records.cells, records.odd
+        self.numbers: Mapping[str, Numbers] = {
+            column.name: column.numbers(self.cells) for column in table.columns.inputs
+        }
+        self.indices = {name: table.lookups[name].indices(self.cells[name]) for name in MATERIALS if name in self.cells}
+        are_rows = numpy.zeros(len(records.before), dtype=numpy.int64)
+        self.statistics = {
+            row: label
+            for label in table.labels
+            for row in rows_of_statistics(self.cells[label], alone=bool(table.asked.infer))
+        }
+        are_rows[[*self.odd, *self.statistics]] = BAD
+        kinds = [table.lookups[name].kinds(indices) for name, indices in self.indices.items()]
+        self.size = len(are_rows)
+        self.kinds: Sequence[Any] = [are_rows, *kinds]
+
+    @property
+    def half_bars(self) -> dict[int, JkrollError]:
+        """The rows that have one side of an error bar, which is left out, with the reason."""
+        rows = [(column.name, row) for column in self.table.columns.inputs for row in column.half_bars(self.cells)]
+        problem = "its error bar lacks a side, and the row has none"
+        return {row: BadRequest(f"{name}: {problem}", "half an error bar") for name, row in rows}
+
+    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the scene of the inputs of rows that are alike."""
+        solids = {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
+        scene = self.table.scene(given, solids)
+        if LABEL in solids.values() and scene.missing(self.table.names):
+            raise BadRequest("names are no materials")  # each row by itself says which
+        return scene
+
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself. Raises BadRequest, the error of a cell, or one of the scene."""
+        if row in self.odd:
+            raise BadRequest(self.odd[row])
+        if row in self.statistics:
+            label = self.statistics[row]
+            text = quoted(self.cells[label][row].decode(errors="replace").strip())
+            head = typed(self.table.columns.texts[self.table.labels[label]])
+            remedy = f"--column {quoted(f'{head}=')} if it is a label"
+            raise BadRequest(f"{text}: a row of statistics is no contact; {remedy}", "row of statistics")
+        table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
+        given: dict[str, Any] = {}
+        for column in table.columns.inputs:
+            if (text := column.joined(*(cells[name] for name in column.places))).strip():
+                given[column.name] = column.read(text)
+        solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
+        scene = table.scene(given, solids)
+        for name in self.indices if scene.missing(table.names) else ():
+            if error := table.lookups[name].errors.get(self.cells[name][row]):
+                raise error
+        return scene

@@ -1,0 +1,161 @@
+"""Public names, answers and errors go to another process and back, and are copied: all that they say stays."""
+
+import copy
+import math
+import multiprocessing
+import pickle
+import subprocess
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+import jkroll
+from jkroll.errors import BadRow, BadTable, JkrollError, MissingExtra, NoResult
+from jkroll.model import unsolved as of_problems
+from jkroll.model.reasons import BEYOND_PULL_OFF, NoErrorBar
+from jkroll.tables.workers import LostWorker
+from relative import approx
+
+
+def copies(original: Any) -> Iterator[Any]:
+    """Iterate over copies of an object."""
+    yield pickle.loads(pickle.dumps(original))
+    yield copy.deepcopy(original)
+    yield copy.copy(original)
+
+
+@pytest.mark.parametrize("name", dir(jkroll))
+def test_public_name_is_copied(name: str) -> None:
+    original = getattr(jkroll, name)
+    for again in copies(original):
+        assert type(again) is type(original)
+        if callable(original):
+            assert again is original
+
+
+def test_nomenclature_is_pickled_by_a_process_that_has_imported_nothing_else() -> None:
+    code = "import jkroll, pickle; print(pickle.loads(pickle.dumps(jkroll.NOMENCLATURE))['radius'].symbol)"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "R1\n"
+
+
+# --- Answers ----------------------------------------------------------------------------------------------------------
+
+
+OWN = jkroll.known_materials()["quartz"]._replace(name="mine", properties={"surface_energy": 0.03}, uncertainties={})
+ANSWERS: dict[str, dict[str, Any]] = {
+    "report": {"material": "quartz", "radius": 1e-7},
+    "pull-off": {"material": "ice-warm", "material2": "quartz", "radius": "100±5 nm", "load": "1 nN"},
+    "yield-force": {"material": "silica-humid", "radius": 5e-7},
+    "contact": {"material": "quartz", "radius": "80 to 120 nm", "model": "maugis"},
+    "P_c,n_roll": {"material": OWN, "radius": 1e-7},
+}
+
+
+@pytest.mark.parametrize("asked", ANSWERS)
+@pytest.mark.parametrize("was_shown", [False, True])
+def test_answer_is_copied(asked: str, was_shown: bool) -> None:
+    """Before and after it was shown, which computes what it says."""
+    answered = jkroll.answer(asked, **ANSWERS[asked])
+    if was_shown:
+        print(answered, repr(answered), answered.doubts, answered.alternatives)
+    for again in (pickle.loads(pickle.dumps(answered)), copy.deepcopy(answered)):
+        assert str(again) == str(answered)
+        assert again.as_dict() == answered.as_dict()
+        assert again.inputs == answered.inputs
+
+
+@pytest.mark.parametrize("asked", ANSWERS)
+def test_parts_of_an_answer_are_copied(asked: str) -> None:
+    answered = jkroll.answer(asked, **ANSWERS[asked])
+    for part in (answered.values, answered.inputs, answered.doubts, answered.alternatives, answered.notes):
+        assert repr(pickle.loads(pickle.dumps(part))) == repr(copy.deepcopy(part)) == repr(part)
+
+
+def test_inferred_values_are_copied() -> None:
+    found: Any = jkroll.infer(["gamma"], measured={"pull_off_force": "300 nN"}, radius="1 um")
+    for again in copies(found):
+        assert (again, again.condition) == (found, found.condition)
+
+
+# --- Errors -----------------------------------------------------------------------------------------------------------
+
+
+def raised(call: Any, *arguments: Any, **scene: Any) -> Any:
+    """Return the error that a call raises."""
+    with pytest.raises(JkrollError) as caught:
+        call(*arguments, **scene)
+    return caught.value
+
+
+def every_error() -> Iterator[JkrollError]:
+    """Iterate over errors of all types."""
+    solve, scene = jkroll.solve, {"material": "quartz", "radius": 1e-7}
+    yield raised(solve, "pull_off_force", gamma=0.1)
+    yield raised(solve, "contact_radius_at_pull_off", **scene, model="dmt")
+    yield raised(solve, "pull_off_fork", **scene)
+    yield raised(solve, "pull_off_force", material="quarz", radius=1e-7)
+    yield raised(solve, "pull_off_force", material="ice", radius=1e-7)
+    yield raised(solve, "pull_off_force", gamma="25 kg", radius=1e-7)
+    yield raised(solve, "pull_off_force", gamma=[0.1, -0.1], radius=1e-7)
+    yield raised(solve, "contact_radius_at_load", **scene, load=-1.0)
+    yield raised(solve, "pull_off_force", **scene, model="jrk")
+    yield raised(jkroll.load_margin, load=-1.0, pull_off_force=0.5)
+    yield raised(jkroll.Materials, "no such file")
+    unsolved = raised(jkroll.infer, "xi", measured={"pull_off_force": 1e-9}, **scene)
+    yield unsolved
+    yield of_problems.Undetermined(unsolved.problem, "any value", (1.0, 2.0))
+    yield of_problems.NoSolution(unsolved.problem, [(1.0, 2.0)])
+    yield of_problems.SeveralSolutions(unsolved.problem, [{"yield_displacement": size} for size in (1e-10, 2e-10)])
+    yield of_problems.Unseparated(unsolved.problem, "they leave it open")
+    yield from (
+        MissingExtra("this needs pandas"),
+        BadTable("two headers"),
+        BadRow(3, "bad radius"),
+        NoErrorBar("pull_off_force", "the load breaks this contact"),
+        LostWorker("ended"),
+    )
+
+
+EVERY_ERROR = [*every_error()]
+
+
+def kinds_of(kind: type[JkrollError]) -> Iterator[type[JkrollError]]:
+    """Iterate over the types of errors that jkroll raises."""
+    for each in kind.__subclasses__():
+        yield each
+        yield from kinds_of(each)
+
+
+@pytest.mark.parametrize("error", EVERY_ERROR, ids=lambda error: type(error).__name__)
+def test_error_is_copied_with_its_attributes(error: JkrollError) -> None:
+    for again in copies(error):
+        assert type(again) is type(error)
+        assert str(again) == str(error)
+        assert vars(again).keys() == vars(error).keys()
+        assert {name: value for name, value in vars(again).items() if name != "problem"} == {
+            name: value for name, value in vars(error).items() if name != "problem"
+        }
+
+
+def test_errors_of_all_types_are_copied() -> None:
+    families = {NoResult, of_problems.Unsolved}  # of which each error is of a narrower type
+    assert {*kinds_of(JkrollError)} - families <= {type(error) for error in EVERY_ERROR}
+
+
+# --- Another process --------------------------------------------------------------------------------------------------
+
+
+def test_another_process_computes_and_answers() -> None:
+    """A process that is spawned imports everything anew."""
+    scene: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        formula, given = jkroll.pull_off_force, {"work_of_adhesion": 0.05, "reduced_radius": 5e-8}
+        assert pool.apply(formula, kwds=given) == approx(3 * math.pi / 2 * 0.05 * 5e-8)
+        answered = pool.apply(jkroll.answer, ["report"], scene)
+        assert answered.as_dict() == jkroll.answer("report", **scene).as_dict()
+        assert pool.apply(str, [answered]) == str(answered)
+        error = raised(pool.apply, jkroll.solve, ["load_margin"], {**scene, "load": -1.0})
+        assert "breaks this contact" in str(error)
+        assert error.kind == BEYOND_PULL_OFF

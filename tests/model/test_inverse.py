@@ -1,0 +1,475 @@
+"""The inverse problem: a value put in comes back, every solution is found, and what has none is refused."""
+
+import csv
+import json
+import math
+import pickle
+from random import Random
+from typing import Any
+
+import numpy
+import pytest
+
+import jkroll
+from harness import Run
+from jkroll import Interval, Measured, infer, known_materials, solve
+from jkroll.errors import BadRequest, NoResult
+from jkroll.model.frame import Scene
+from jkroll.model.inverse import Problem, Solution
+from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Undetermined
+from jkroll.quantities.values import parse_quantity
+from relative import approx
+from scenes import OTHER, QUARTZ, log_uniform
+
+# Inputs, and quantities that depend on each of them in one way only.
+PAIRS = {
+    "surface_energy": ("pull_off_force", "contact_radius", "approach", "well_energy", "yield_force", "stiffness"),
+    "work_of_adhesion": ("pull_off_force", "contact_radius", "sticking_energy"),
+    "yield_displacement": ("yield_force", "yield_moment", "r_min"),
+    "youngs_modulus": ("contact_radius", "approach", "stiffness", "vertical_frequency"),
+    "radius": ("pull_off_force", "contact_radius"),
+    "load": ("contact_radius_at_load", "yield_moment"),
+}
+PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf}
+
+
+def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
+    """Return the solution for one unknown."""
+    return Problem((name,), {quantity: measured}, scene).solution
+
+
+@pytest.mark.parametrize(("name", "quantity"), [(name, each) for name, every in PAIRS.items() for each in every])
+def test_a_value_comes_back(name: str, quantity: str) -> None:
+    random = Random(f"{name} {quantity}")
+    for other in ({}, OTHER):
+        for _ in range(3):
+            scene: dict[str, Any] = {**QUARTZ, **other}
+            if name == "load":
+                scene["load"] = random.uniform(-0.9, 3) * solve("pull_off_force", **scene)
+            elif name == "work_of_adhesion":
+                scene = {each: value for each, value in scene.items() if not each.startswith("surface_energy")}
+                scene[name] = log_uniform(random, 1e-3, 10)
+            else:
+                scene[name] = scene.get(name, 2e-10) * log_uniform(random, 0.1, 10)
+            value = scene.pop(name)
+            measured = solve(quantity, **scene, **{name: value})
+            found = solution(name, quantity, measured, Scene(scene))
+            assert found.values == approx({name: value}, rel=1e-15 * (2 + 4 * found.condition))
+            forward = Scene({**scene, **found.values})[quantity]
+            assert forward == approx(measured, rel=1e-15 * (2 + 4 / found.condition))
+
+
+def test_the_condition_of_a_power_law_is_its_inverse_exponent() -> None:
+    assert solution("surface_energy", "pull_off_force", 3e-7, Scene(PLANE)).condition == 1
+    scene = Scene(PLANE, known_materials()["quartz"])
+    assert solution("youngs_modulus", "contact_radius", 3e-8, scene).condition == approx(3, rel=1e-5)
+
+
+def test_an_example_by_hand() -> None:
+    found = infer("surface_energy", measured={"pull_off_force": 3e-7}, **PLANE)
+    assert found == approx(3e-7 / (3 * math.pi * 2e-6), rel=1e-15)
+
+
+@pytest.mark.parametrize("word", ["approach", "delta0", "δ0"])
+def test_a_measured_approach_is_that_without_load_as_in_solve(word: str) -> None:
+    """Eq (6) without load: δ0 = (3π²w²R/4E*²)^(1/3), whatever the load is; E* = E/2(1 − ν²) of equal spheres."""
+    scene = {name: value for name, value in QUARTZ.items() if name != "youngs_modulus"}
+    radius, work, ratio = scene["radius"], 2 * scene["surface_energy"], scene["poisson_ratio"]
+    modulus = math.sqrt(3 * math.pi**2 * work**2 * radius / 2 / (4 * 1e-9**3)) * 2 * (1 - ratio**2)
+    for load in (0.0, 1e-7):
+        assert infer("young", measured={word: 1e-9}, **scene, load=load) == approx(modulus, rel=1e-12)
+        assert infer("young", measured={word: [1e-9]}, **scene, load=load) == approx([modulus], rel=1e-12)
+
+
+@pytest.mark.parametrize(("quantity", "given"), [("approach_at_load", 1e-9), ("pull_off_force", 5e-8)])
+@pytest.mark.parametrize("values", [2e-9, [2e-9, 3e-9]])
+def test_what_was_measured_is_not_given_besides(quantity: str, given: float, values: Any) -> None:
+    scene = {name: value for name, value in QUARTZ.items() if name != "surface_energy"}
+    with pytest.raises(BadRequest, match=f"{quantity} is given and asked for"):
+        infer("gamma", measured={quantity: values}, **{**scene, quantity: given})
+
+
+def test_all_solutions_are_named() -> None:
+    scene = Scene({"load": 5e-8}, known_materials()["quartz"])
+    with pytest.raises(SeveralSolutions) as caught:
+        solution("radius", "approach_at_load", 3e-10, scene)
+    for radius in (one["radius"] for one in caught.value.values):
+        assert scene.replace(radius=radius)["approach_at_load"] == approx(3e-10, rel=1e-14)
+    assert str(caught.value) == "radius: 352.067 nm and 846.302 nm both give approach_at_load = 300 pm"
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis"])
+@pytest.mark.parametrize("quantity", ["rolling_frequency", "n_grav", "sliding_frequency"])
+def test_two_solutions_between_pull_off_and_the_scan_are_found(quantity: str, model: str) -> None:
+    """Of a small sphere in tension: the quantity rises from pull-off to a maximum before the scan's next value."""
+    scene = Scene({"load": -5e-9}, known_materials()["quartz"], model=model)
+    least = 4e-8 if model == "jkr" else 3e-8
+    radii = numpy.geomspace(least, 1.3 * least, 4000)
+    values = scene.replace(radius=radii)[quantity]
+    start = numpy.flatnonzero(~numpy.isnan(values))[0]
+    level = float(numpy.nanmax(values) * 0.999 + values[start] * 0.001)
+    with pytest.raises(SeveralSolutions) as caught:
+        solution("radius", quantity, level, scene)
+    assert len(caught.value.values) == 2
+    for one in caught.value.values:
+        assert scene.replace(**one)[quantity] == approx(level, rel=1e-12)
+
+
+def test_a_load_of_fixed_direction_has_two_solutions_near_pull_off() -> None:
+    scene = Scene({**QUARTZ, "radius": 1e-6, "radius2": 1e-7})
+    with pytest.raises(SeveralSolutions) as caught:
+        solution("load", "yield_force_fixed_load", 51.6e-12, scene)
+    assert [one["load"] for one in caught.value.values] == approx([-21.4058e-9, -20.7695e-9], rel=1e-5)
+
+
+def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
+    """Between two doubles of the quantity, where the scan is as fine as rounding."""
+    scene = Scene({**QUARTZ, **PLANE})
+    radius = scene.replace(load=2e-15)["contact_radius_at_load"]
+    for steps in range(-20, 21):
+        found = solution("load", "contact_radius_at_load", radius + steps * math.ulp(radius), scene)
+        assert scene.replace(**found.values)["contact_radius_at_load"] == approx(radius, rel=1e-14)
+
+
+def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
+    """δ is least at a radius that grows with the load: here 3 % above 1 µm, which is scanned."""
+    quartz = known_materials()["quartz"]
+    radii = numpy.geomspace(4e-7, 7e-7, 10001)
+    least = radii[Scene({"load": 5e-8, "radius": radii}, quartz)["approach_at_load"].argmin()]
+    scene = Scene({"load": 5e-8 * 1.03e-6 / least}, quartz)
+    with pytest.raises(SeveralSolutions) as caught:
+        solution("radius", "approach_at_load", scene.replace(radius=1e-6)["approach_at_load"], scene)
+    low, high = (one["radius"] for one in caught.value.values)
+    assert low == approx(1e-6, rel=1e-9)
+    assert 1.05 < high / low < 1.08
+
+
+@pytest.mark.parametrize("measured", ["31.4159pN", f"{2 * math.pi * 0.025 * 2e-10!r}N", "1e50N"])
+def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
+    """In DMT, 2πγξ is computed from a pull-off force and a radius, whose digits do not all cancel."""
+    forces = {solve("yield_force", material="quartz", radius=1e-9 * 1.1**step, model="dmt") for step in range(100)}
+    assert len(forces) > 1
+    ran = run(f"infer radius quartz --measured yield_force={measured} --model dmt")
+    assert (ran.code, ran.err) == (1, "jkroll: radius: yield_force does not depend on it here\n")
+
+
+@pytest.mark.parametrize("quantity", ["load_maugis", "load_at_factor"])
+def test_a_search_in_rounding_alone_comes_to_an_end(quantity: str) -> None:
+    """A load that is computed back from the state that it makes changes with γ in its last digits, up and down."""
+    given = {**QUARTZ, "radius": 1e-4, "youngs_modulus": 8e7, "load": 1e-12}
+    del given["surface_energy"]
+    with pytest.raises(NoResult) as caught:
+        solution("surface_energy", quantity, 1e-12 * (1 + 1e-13), Scene(given))
+    assert len(getattr(caught.value, "values", ())) < 200
+
+
+@pytest.mark.parametrize("ulp", [-4, 0, 4])
+def test_a_stretch_without_dependence_is_told(ulp: int) -> None:
+    """By Maugis' law v_stick of quartz does not depend on the radius below some 7 µm."""
+    given: dict[str, Any] = {"material": "quartz", "model": "maugis", "atomic_spacing": 4e-10}
+    speed = solve("sticking_speed", radius=1e-6, **given) * (1 + ulp * 2.0**-52)
+    with pytest.raises(Undetermined, match=r"every value from 1 pm to 7\.187\d* µm gives sticking_speed") as caught:
+        infer("radius", measured={"sticking_speed": speed}, **given)
+    parameter = solve("transition_parameter", radius=caught.value.span[1], **given)
+    assert parameter == approx((9 / 32) ** (1 / 3), rel=1e-3)  # below, spheres attract before they touch
+    assert math.isnan(infer("radius", measured={"sticking_speed": [speed, speed]}, **given)[0])
+
+
+@pytest.mark.parametrize(
+    ("name", "quantity", "given", "error", "words"),
+    [
+        ("youngs_modulus", "pull_off_force", {}, NoDependence, "pull_off_force does not depend on it here"),
+        ("load", "load", {}, BadRequest, "load is given and asked for"),
+        ("gravity", "n_grav", {}, BadRequest, "'gravity' cannot be inferred; surface_energy,"),
+        ("surface_energy", "pull_off_force", {"surface_energy": 1.0}, BadRequest, "is given and asked for"),
+        ("surface_energy", "pull_off_force", {"work_of_adhesion": 1.0}, BadRequest, "one follows from the other"),
+        ("load", "contact_radius_at_load", {"approach_at_load": 1e-9}, BadRequest, "one follows from the other"),
+        ("load", "stiffness", {"youngs_modulus2": math.inf, "youngs_modulus": math.inf}, jkroll.JkrollError, "rigid"),
+    ],
+)
+def test_refusals(name: str, quantity: str, given: dict[str, float], error: type[Exception], words: str) -> None:
+    with pytest.raises(error, match=words):
+        solution(name, quantity, 1e-9, Scene({"radius": 1e-6, **given}, known_materials()["quartz"]))
+
+
+@pytest.mark.parametrize(
+    ("name", "quantity", "measured", "given"),
+    [
+        ("youngs_modulus", "pull_off_force", 1e-8, {"radius": 1e-6}),
+        ("surface_energy", "pull_off_force", 1e26, {"radius": 1e-6}),
+        ("radius", "approach_at_load", 3e-10, {"load": 5e-8}),
+    ],
+)
+def test_a_reason_goes_to_another_process(name: str, quantity: str, measured: float, given: dict[str, float]) -> None:
+    with pytest.raises(NoResult) as caught:
+        solution(name, quantity, measured, Scene(given, known_materials()["quartz"]))
+    assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
+
+
+def test_nothing_is_extrapolated() -> None:
+    with pytest.raises(NoSolution, match=r"it lies between 18.8496 pN and 18.8496 mN for γ1 = 1 µJ/m² to 1 kJ/m²"):
+        infer("gamma", measured={"pull_off_force": "1e26 N"}, **PLANE)
+
+
+def test_where_no_usual_value_is_found_all_that_a_scene_takes_are_scanned() -> None:
+    """P_c = 3πγR of a sphere on a plane, and w = 2γ; a few of many values are beyond the usual ones."""
+    given: dict[str, Any] = {"radius": 2.5e-6, "radius2": math.inf}
+    gamma = 21e-12 / (3 * math.pi * 2.5e-6)
+    assert infer("gamma", measured={"pull_off_force": 21e-12}, **given) == approx(gamma, rel=1e-14)
+    assert infer("work_of_adhesion", measured={"pull_off_force": 21e-12}, **given) == approx(2 * gamma, rel=1e-14)
+    forces = [21e-12, 3e-7, 3e20, 1e-9]
+    found = infer("gamma", measured={"pull_off_force": forces}, **given)
+    assert found.tolist() == approx([force / (3 * math.pi * 2.5e-6) for force in forces], rel=1e-14)
+
+
+def test_a_value_beyond_the_usual_ones_is_told(run: Run) -> None:
+    words = ("infer", "gamma", "2.5um", "--radius2", "plane", "--measured")
+    said = "warning: γ1 = 891.268 nJ/m² is beyond usual values, γ1 = 1 µJ/m² to 1 kJ/m²\n"
+    assert said in run(*words, "P_c=21pN").err
+    assert "beyond usual values" not in run(*words, "P_c=24pN").err
+
+
+@pytest.mark.parametrize("measured", [1.0, 1e-30])
+def test_both_ends_of_what_a_quantity_can_be_are_exact(measured: float) -> None:
+    """It is that of the weaker body, and largest where E1 = E2, between two places of the scan."""
+    given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.03, "poisson_ratio": 0.3, "youngs_modulus2": 2e9}
+    ends = [solve("sliding_energy", **given, youngs_modulus=modulus) for modulus in (1.0, 2e9)]
+    with pytest.raises(NoSolution) as error:
+        infer("youngs_modulus", measured={"sliding_energy": measured}, **given)
+    assert error.value.span == approx(ends, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("name", "measured", "words"),
+    [
+        (None, {"pull_off_force": 3e-9}, "'None' cannot be inferred"),
+        (["gravity"], {"pull_off_force": 3e-9}, "'gravity' cannot be inferred"),
+        ("gamma", None, "'None' is not a quantity and its value for each input"),
+        ("gamma", "pull_off_force=3nN", "is not a quantity and its value for each input"),
+        ("gamma", {3: 3e-9}, "'3' is not a quantity"),
+        ("gamma", {"pull_off_force": math.nan}, "pull_off_force: nan must be finite"),
+        ("gamma", {"pull_off_force": [3e-9, -3e-9]}, "pull_off_force: -3e-09 at index 1 must be positive"),
+        ("gamma", {"pull_off_force": 1e300}, "must lie between 1e-30 and 1e30"),
+    ],
+)
+def test_wrong_arguments_are_refused_in_words(name: Any, measured: Any, words: str) -> None:
+    with pytest.raises(jkroll.JkrollError, match=words):
+        infer(name, measured=measured, **PLANE)
+
+
+def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
+    found = infer("gamma", measured={"pull_off_force": "300±20 nN"}, radius="2 um", radius2="plane")
+    assert isinstance(found, Measured)
+    assert found.plus == found.minus == approx(found.value / 15, rel=1e-12)
+    both = infer("gamma", measured={"pull_off_force": "300±20 nN"}, radius="2.0±0.1 um", radius2="plane")
+    assert both.plus / both.value == approx(math.hypot(1 / 15, 1 / 20), rel=0.01)
+    span = infer("gamma", measured={"pull_off_force": "280 to 320 nN"}, radius="1.9 to 2.1 um", radius2="plane")
+    assert (span.low, span.high) == approx((found.value * 14 / 15 / 1.05, found.value * 16 / 15 / 0.95))
+
+
+@pytest.mark.parametrize("stiffness", [1e3, [1e3, 2e3]])
+def test_the_uncertainty_of_a_material_alone_gives_no_error_bars_as_in_solve(stiffness: Any) -> None:
+    """The γ of warm ice has error bars, which enter beside those of a measured value."""
+    values = infer("radius", measured={"stiffness": stiffness}, material="ice-warm")
+    assert isinstance(values, float if isinstance(stiffness, float) else numpy.ndarray)
+    assert isinstance(infer("radius", measured={"stiffness": "1000±10 N/m"}, material="ice-warm"), Measured)
+
+
+def test_each_source_enters_an_inferred_value_once() -> None:
+    """With the radius of sphere 2, which is that of sphere 1; a density does not enter."""
+    given = {
+        name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {"radius": 1e-6, "density": 2e3}.items()
+    }
+    problem = Problem(("surface_energy",), {"pull_off_force": Interval(1e-7, 9e-8, 1.1e-7)}, Scene(given))
+    assert [source.names for source in problem.sources().entering] == [("pull_off_force",), ("radius", "radius2")]
+
+
+def test_the_laws_of_attraction_stand_beside_each_other(run: Run) -> None:
+    ran = run("infer", "gamma", "quartz", "100nm", "--measured", "pull_off_force=15.00375nN", "--json")
+    (result,) = json.loads(ran.out)["results"]
+    assert result["value"] == approx(31.84e-3, abs=5e-6)
+    assert result["by_law"] == approx({"maugis": 25.00e-3, "dmt": 23.88e-3}, abs=5e-6)
+    for law, gamma in result["by_law"].items():
+        measured = solve("pull_off_force", material="quartz", radius=1e-7, surface_energy=gamma, model=law)
+        assert measured == approx(15.00375e-9, rel=1e-13)
+        assert infer("gamma", measured={"pull_off_force": measured}, material="quartz", radius=1e-7, model=law) == (
+            approx(gamma, rel=1e-13)
+        )
+    hysteresis = infer("adhesion-hysteresis", measured={"yield_force": "0.85 nN"}, material="quartz", radius=1e-6)
+    assert solve("yield_force", material="quartz", radius=1e-6, adhesion_hysteresis=hysteresis) == approx(8.5e-10)
+
+
+def test_the_command(run: Run) -> None:
+    words = ["infer", "gamma", "quartz", "2um", "--radius2", "plane", "--measured"]
+    ran = run(*words, "pull-off-force=300±20 nN", "--to", "mJ/m2", "--digits", "4")
+    assert (ran.code, ran.out) == (
+        0,
+        "surface_energy 15.92 mJ/m2\nsurface_energy_minus 1.061 mJ/m2\nsurface_energy_plus 1.061 mJ/m2\n",
+    )
+    explained = run(*words, "pull-off-force=300±20 nN", "--explain").out
+    assert "note: γ of quartz is not used\n" in explained
+    assert "gives P_c = 300 nN if γ2 = γ1, so w = 31.831 mJ/m²\n" in explained.partition(" enters times κ = 1\n")[2]
+    table = run(*words, "pull_off_force=300nN,1e26N", "--csv")
+    assert table.out.splitlines() == [
+        "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2],doubt,status",
+        "quartz,2e-6,plane,3e-7,0.015915494309189534,law-off-5% rough-matters,",
+        "quartz,2e-6,plane,1e26,,,no value gives it",
+    ]
+    assert "note: doubts in 1 of 2 rows (jkroll guide doubts): law-off-5% 1, rough-matters 1" in table.err
+    assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
+
+
+def column(table: str, name: str) -> list[str]:
+    """Return the cells of a column of CSV."""
+    return [row[name] for row in csv.DictReader(table.splitlines())]
+
+
+@pytest.mark.parametrize(
+    ("words", "inferred"),
+    [
+        ("radius quartz --measured pull_off_force=3nN,4nN", {"radius [m]", "radius2 [m]"}),
+        (
+            "gamma quartz 1um --material2 quartz --measured pull_off_force=3nN,4nN",
+            {"surface_energy [J/m^2]", "surface_energy2 [J/m^2]"},
+        ),
+    ],
+)
+def test_what_is_inferred_is_no_input(run: Run, words: str, inferred: set[str]) -> None:
+    header, *rows = csv.reader(run(f"infer {words} --csv").out.splitlines())
+    assert inferred & {*header} == {header[-3]}
+    assert all(row[-3] for row in rows)
+    (one,) = (json.loads(run(f"infer {words.replace(',4nN', '')} --json").out)["inputs"],)
+    assert inferred.isdisjoint(one)
+
+
+def test_the_uncertainty_of_sphere_2_enters_what_is_inferred_of_sphere_1() -> None:
+    """P_c is as √(γ1γ2): γ1 goes as 1/γ2 at a measured force."""
+    given: dict[str, Any] = {"radius": 1e-6, "surface_energy2": Measured(0.025, 0.001)}
+    found = infer("gamma", measured={"pull_off_force": 2e-7}, **given)
+    assert isinstance(found, Measured)
+    assert found.plus / found.value == approx(0.04, rel=0.05)
+
+
+def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
+    """With the inferred value in the scene."""
+    ran = run("infer radius quartz --measured pull_off_force=0.1nN,10nN,10mN --csv")
+    radii = ",".join(column(ran.out, "radius [m]"))
+    assert column(ran.out, "doubt") == column(
+        run("pull-off", "quartz", radii.replace(",", "m,") + "m", "--csv").out, "doubt"
+    )
+    assert column(ran.out, "doubt") == ["law-off-25% few-atoms may-yield", "law-off-25%", "rough-matters"]
+    assert (
+        "doubts in 3 of 3 rows (jkroll guide doubts): law-off-25% 2, rough-matters 1, few-atoms 1, may-yield 1"
+        in ran.err
+    )
+    assert not any(column(run("infer gamma quartz 1um --measured pull_off_force=1e26N,2e26N --csv").out, "doubt"))
+
+
+def test_more_rows_than_are_explained(run: Run) -> None:
+    words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=1nN:1uN:10001 --quiet"
+    ran = run(f"{words} --bare")
+    assert (ran.code, ran.err) == (0, "")
+    found = [*map(float, ran.out.split())]
+    forces = numpy.geomspace(1e-9, 1e-6, 10001)
+    assert found == approx(forces / (3 * math.pi * 2e-6), rel=1e-12)
+    refused = run(f"{words} --json")
+    assert (refused.code, refused.out) == (2, "")
+    assert refused.err == "jkroll: --json: 10001 pairs are more than 10000; --csv writes any number\n"
+
+
+def test_rows_that_all_lack_an_input_say_so_one_by_one(run: Run) -> None:
+    """As the rows of any question do."""
+    ran = run("infer gamma 1um,2um --measured contact_radius=30nm --csv")
+    assert ran.code == 1
+    assert column(ran.out, "status") == ["needs youngs_modulus and poisson_ratio"] * 2
+    assert "give --young 10GPa --poisson 0.3" in ran.err
+
+
+def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run: Run) -> None:
+    words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN,1e26N"
+    found, forward, failed = (part for part in run(f"{words} --explain").out.split("\n\n") if "—" in part)
+    assert found.splitlines()[1:3] == ["  result    γ1 = 15.9 ± 1.1 mJ/m²", "  shares    P_c 100%"]
+    assert "times κ = 1\n" in found
+    assert "  by law    13.3793 mJ/m² (maugis), 11.9366 mJ/m² (dmt)" in found
+    assert forward.startswith("pull_off_force — pull-off force, Eq 1\n  P_c = 3πγR")
+    assert "    γ1 = 15.9155 mJ/m²     surface energy per surface\n" in forward
+    assert "  result    P_c = 300 nN\n" in forward
+    assert "no value gives pull_off_force = 1e26 N" in failed
+    ran = run(f"{words} --cite")
+    assert (ran.code, ran.err) == (1, "jkroll: 1 of 2 rows failed\n")
+    assert "{Eq. (1)}" in ran.out
+
+
+def test_steps_that_no_unknown_changes_are_explained(run: Run) -> None:
+    ran = run("infer gamma quartz 100nm --measured vertical_frequency=1GHz --explain")
+    assert "    m1 = 1.08909e-17 kg    m1 = (4/3)πR1³ρ\n" in ran.out  # that of (4/3)π(100 nm)³ of 2600 kg/m³
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "message"),
+    [
+        ("infer", 2, "infer needs an input: one of surface_energy, "),
+        ("infer gamma quartz 1um", 2, "infer needs a measured quantity for each input, 1 in all: --measured pull"),
+        ("infer gamma quartz 1um --measured 3nN", 2, "--measured: write a quantity and its value"),
+        ("infer gamma quartz 1um --measured pull_off_force=3nm", 2, "pull_off_force: '3nm' is a length; "),
+        (
+            "infer gama quartz 1um --measured pull_off_force=3nN",
+            2,
+            "'gama' cannot be inferred; surface_energy, work_of_adhesion, hamaker,",
+        ),
+        ("infer load quartz 2um --measured load=3nN", 2, "load is given and asked for; leave one of the two out"),
+        ("infer gamma quartz 2um --measured gamma=3mJ/m2", 2, "surface_energy is given and asked for; leave one"),
+        ("infer young quartz 1um --measured pull_off_force=3nN", 1, "youngs_modulus: pull_off_force does not depend"),
+        ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull-off force needs radius of sphere 1; give"),
+    ],
+)
+def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: str) -> None:
+    ran = run(words)
+    assert (ran.code, ran.out) == (code, "")
+    assert ran.err.startswith(f"jkroll: {message}")
+    assert ran.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("gamma quartz 2um --measured energy_ratio=3", "surface_energy: energy_ratio does not depend on it here"),
+        ("gamma quartz 2um --measured yield_force=1e50N", "surface_energy: no value gives yield_force = 1e50 N"),
+    ],
+)
+def test_the_reason_is_said_of_assumed_inputs_and_of_absurd_values_too(run: Run, words: str, message: str) -> None:
+    ran = run(f"infer {words}")
+    assert (ran.code, ran.out) == (1, "")
+    assert ran.err.startswith(f"jkroll: {message}")
+
+
+@pytest.mark.parametrize("part", [1.0, 0.3, 0.1, 0.03])
+def test_the_values_that_an_error_names_can_be_typed(part: float) -> None:
+    """Next to pull-off six digits are too few: the frequency falls to 0 there."""
+    given: dict[str, Any] = {"material": "quartz", "model": "dmt", "load": -2.8e-8}
+    frequency = part * solve("vertical_frequency", radius=2e-7, **given)
+    with pytest.raises(SeveralSolutions) as caught:
+        infer("radius", measured={"vertical_frequency": frequency}, **given)
+    for text in caught.value.reason().partition(" both give")[0].split(" and "):
+        radius = parse_quantity(text, "radius")
+        assert solve("vertical_frequency", radius=radius, **given) == approx(frequency, rel=2e-3)
+
+
+@pytest.mark.parametrize("measured", ["hysteresis_fraction=1", "adhesion_hysteresis=20mJ/m2"])
+def test_what_is_only_given_is_not_measured(run: Run, measured: str) -> None:
+    """It was asked for as an input that it needs itself."""
+    ran = run(f"infer xi quartz 100nm --measured {measured}")
+    name = measured.partition("=")[0]
+    option = f"--{name.replace('_', '-')}"
+    assert ran.err == (
+        f"jkroll: {name} is an input, and no formula gives it; give it as {option}, and ask for yield_displacement "
+        "without infer\n"
+    )
+    assert ran.code == 2
+    assert run(f"report quartz 100nm --quantities xi {option} {measured.partition('=')[2]}").code == 0
+
+
+def test_what_was_measured_is_not_assumed(run: Run) -> None:
+    said = run("infer adhesion_hysteresis quartz 100nm --measured xi=300pm", terminal=True).out
+    assert "ξ = 300 pm\nassumed: no load" in said
+    assert "200 pm" not in said

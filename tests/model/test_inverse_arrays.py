@@ -1,0 +1,177 @@
+"""The inverse problem for arrays: the values and the reasons that each element has by itself."""
+
+import math
+from collections.abc import Sequence
+from itertools import product
+from random import Random
+from typing import Any
+
+import numpy
+import pytest
+
+from jkroll import infer, known_materials
+from jkroll.errors import NoResult
+from jkroll.model.frame import Scene
+from jkroll.model.inverse import Problem, Solution
+from jkroll.model.reasons import MissingInput, NotInLaw
+from jkroll.model.unsolved import SIZES, NoSolution, SeveralSolutions
+from jkroll.quantities.laws import LAWS
+from relative import approx
+from scenes import OTHER, QUARTZ, log_uniform
+
+# Every input, with a value of it, and with quantities from which it is inferred under any law.
+TYPICAL = {
+    "surface_energy": 0.03, "work_of_adhesion": 0.05, "yield_displacement": 2e-10, "adhesion_hysteresis": 5e-3,
+    "youngs_modulus": 5e10, "radius": 1e-7, "load": 1e-7, "hamaker": 1e-19, "shear_strength": 1e8,
+    "viscous_time": 1e-12,
+}  # fmt: skip
+MEASURED = {
+    "surface_energy": ("pull_off_force", "contact_radius_at_load"),
+    "work_of_adhesion": ("contact_radius", "stiffness"),
+    "yield_displacement": ("yield_force", "r_min"),
+    "adhesion_hysteresis": ("yield_moment",),
+    "youngs_modulus": ("contact_radius_at_load", "vertical_frequency"),
+    "radius": ("pull_off_force", "n_roll"),
+    "load": ("contact_radius_at_load", "stiffness"),
+    "hamaker": ("pull_off_force", "contact_radius_at_load"),
+    "shear_strength": ("sliding_force",),
+    "viscous_time": ("sticking_speed",),
+}
+LACKING = [
+    ("adhesion_hysteresis", "dmt"),
+    *((name, law) for name in ("shear_strength", "viscous_time") for law in ("maugis", "dmt")),
+]
+COUNT = 6
+
+
+def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
+    """Return the solution for one unknown."""
+    return Problem((name,), {quantity: measured}, scene).solution
+
+
+def by_itself(name: str, quantity: str, measured: float, scene: Scene) -> Solution | NoResult:
+    """Return the solution for one measured value, or the reason why there is none."""
+    try:
+        return solution(name, quantity, measured, scene)
+    except NoResult as error:
+        return error
+
+
+def assert_as_each_by_itself(
+    name: str, quantity: str, measured: Sequence[float], arrays: dict[str, Any], scene: Scene
+) -> list[Solution | NoResult]:
+    """Compare values, to rounding errors times their condition, and reasons; return what each has by itself."""
+    ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as is promised
+    rows = [scene.replace(**{each: float(one[row]) for each, one in arrays.items()}) for row in range(len(measured))]
+    found = Problem((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays)).solution
+    expected = [by_itself(name, quantity, level, row) for level, row in zip(measured, rows, strict=True)]
+    for place, other in enumerate(expected):
+        if isinstance(other, Solution):
+            value = float(found.values[name][place])
+            assert value == approx(other.values[name], rel=ulps * 2**-52 * (1 + other.condition)), quantity
+        elif isinstance(other, NoSolution):  # the least value next to pull-off is a rounding error
+            failure = found.failures[place]
+            assert isinstance(failure, NoSolution)
+            assert failure.span == approx(other.span, rel=1e-9, abs=1e-14 * max(map(abs, other.span)))
+        else:
+            assert str(found.failures[place]) == str(other)
+    return expected
+
+
+def test_every_input_is_here() -> None:
+    assert TYPICAL.keys() == MEASURED.keys() == SIZES.keys()
+
+
+def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
+    scene = Scene({**QUARTZ, "radius": 1e-7}, model="dmt")
+    with pytest.raises(NotInLaw, match="which DMT does not have"):
+        Problem(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene).solution  # noqa: B018
+
+
+FAST = {("surface_energy", "jkr"), ("surface_energy", "maugis"), ("load", "jkr"), ("shear_strength", "jkr")}
+
+
+@pytest.mark.parametrize(
+    ("name", "model"),
+    [
+        each if each in FAST else pytest.param(*each, marks=pytest.mark.slow)
+        for each in product(MEASURED, LAWS)
+        if each not in LACKING
+    ],
+)
+def test_arrays_give_what_floats_give(name: str, model: str) -> None:
+    """Where the measured value alone varies, where some inputs vary, and where all do."""
+    random = Random(f"{name} {model}")
+    energies = {"surface_energy", "surface_energy2"} if name in ("work_of_adhesion", "hamaker") else set()
+    given = {each: one for each, one in {**QUARTZ, **OTHER, "load": -1e-9}.items() if each not in {name, *energies}}
+    spread = {each: one * numpy.array([random.uniform(0.5, 2) for _ in range(COUNT)]) for each, one in given.items()}
+    scene = Scene(given, model=model)
+    found: list[Solution | NoResult] = []
+    for quantity in MEASURED[name]:
+        for varied in ([], ["density", "radius2"], [*given]):
+            arrays = {each: spread[each] for each in varied if not each.startswith("poisson_ratio")}
+            values = [TYPICAL[name] * log_uniform(random, 0.3, 3) for _ in range(COUNT)]
+            levels = [float(scene.replace(**{name: value})[quantity]) for value in values]
+            found += assert_as_each_by_itself(
+                name, quantity, [*levels[2:], 1e20 * levels[0], 1e-20 * levels[1]], arrays, scene
+            )
+    assert 2 * sum(isinstance(one, Solution) for one in found) > len(found)
+
+
+def test_all_solutions_of_arrays_are_named() -> None:
+    """Also where both lie between two points of the scan, beside a turning point."""
+    scene = Scene({"load": 5e-8}, known_materials()["quartz"])
+    least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))
+    measured = [3e-10, 1.00001 * least, 0.9 * least, 1e-9]
+    expected = assert_as_each_by_itself("radius", "approach_at_load", measured, {}, scene)
+    assert [type(one) for one in expected] == [SeveralSolutions, SeveralSolutions, NoSolution, SeveralSolutions]
+    loads = {"load": numpy.array([5e-8, 5e-8, 5e-8, 6e-8])}
+    assert_as_each_by_itself("radius", "approach_at_load", measured, loads, scene)
+
+
+def test_loads_are_found_up_to_pull_off() -> None:
+    radii = numpy.array([1e-6, 2e-6, 3e-6])
+    scene = Scene({"radius2": math.inf}, known_materials()["quartz"])
+    force = scene.replace(radius=radii)["pull_off_force"]
+    least = scene.replace(radius=radii, load=-force)["contact_radius_at_load"] * (1 + 1e-13)
+    found = assert_as_each_by_itself("load", "contact_radius_at_load", [*least], {"radius": radii}, scene)
+    assert [one.values["load"] for one in found if isinstance(one, Solution)] == approx([*-force], rel=1e-9)
+
+
+def test_a_quantity_without_any_value_has_a_reason_in_each_element() -> None:
+    loads = {"load": numpy.array([-1.0, 1e-9])}
+    scene = Scene({"radius": 1e-7}, known_materials()["quartz"])
+    beyond, found = assert_as_each_by_itself("youngs_modulus", "contact_radius_at_load", [4e-9, 4e-9], loads, scene)
+    assert "breaks this contact" in str(beyond)
+    assert isinstance(found, Solution)
+
+
+# --- jkroll.infer -----------------------------------------------------------------------------------------------------
+
+
+def test_infer_takes_arrays_with_special_values_among_others() -> None:
+    """A plane, a rigid body and no load imply more than other values; they are computed as such."""
+    given: dict[str, Any] = {
+        "radius2": [math.inf, 1e-6, 2e-6],
+        "youngs_modulus2": [[math.inf], [1e9]],
+        "load": [0.0, 1e-9, 0.0],
+    }
+    numbers: dict[str, Any] = {"radius": 1e-6, "youngs_modulus": 5e10, "poisson_ratio": 0.2, "poisson_ratio2": 0.3}
+    arrays = numpy.broadcast_arrays(*given.values())
+    measured = {"contact_radius_at_load": 3e-8}
+    found = infer("gamma", measured=measured, surface_energy2=0.03, **numbers, **given)
+    assert found.shape == (2, 3)
+    for place in numpy.ndindex(2, 3):
+        row: dict[str, Any] = dict(zip(given, (float(one[place]) for one in arrays), strict=True))
+        expected = infer("gamma", measured=measured, surface_energy2=0.03, **numbers, **row)
+        assert found[place] == approx(expected, rel=1e-14)
+
+
+def test_no_values_are_no_values() -> None:
+    found = infer("gamma", measured={"pull_off_force": numpy.zeros((0, 3))}, radius=2e-6)
+    assert found.shape == (0, 3)
+
+
+def test_an_input_that_arrays_lack_is_named() -> None:
+    with pytest.raises(MissingInput, match="contact radius without load needs Young's modulus"):
+        infer("gamma", measured={"contact_radius": [1e-8, 2e-8]}, radius=2e-6)

@@ -1,0 +1,353 @@
+"""Limits of the model: on which side of a threshold a number is in doubt, for what it is judged, and what is said."""
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from frames import bits, doubts, factor_of_law, outcomes
+from harness import Run
+from jkroll import NOMENCLATURE, solve
+from jkroll.answers.questions import QUESTIONS
+from jkroll.materials.library import known_materials
+from jkroll.model.frame import Scene
+from jkroll.model.limits import BITS, LIMITS, Doubt, Limit, codes
+from jkroll.model.plan import depends_on
+from jkroll.model.reasons import TWO_RIGID_BODIES, Failure
+from relative import approx
+from scenes import OTHER, QUARTZ
+
+
+def verdicts(*names: str, **given: Any) -> dict[str, str]:
+    """Return the code of each limit that is judged for these names."""
+    return {one.limit.name: one.code for one in doubts(Scene({**QUARTZ, **given}), names)}
+
+
+THRESHOLDS = [(limit, threshold) for limit in LIMITS for threshold in limit.codes]
+
+
+@pytest.mark.parametrize(("limit", "threshold"), THRESHOLDS)
+def test_either_side_of_a_threshold(limit: Limit, threshold: float) -> None:
+    below, above = (float(np.nextafter(threshold, end)) for end in (-np.inf, np.inf))
+    beyond, before = (below, above) if limit.sign.startswith("<") else (above, below)
+    code = limit.codes[threshold]
+    doubt = Doubt(limit, beyond, beyond)
+    assert (doubt.is_exceeded, doubt.code) == (True, code)
+    assert limit.consequence in doubt.text
+    assert Doubt(limit, before, before).code != code
+    assert (Doubt(limit, threshold, threshold).code == code) == limit.sign.endswith("=")
+    expected = {below: below == beyond, threshold: limit.sign.endswith("="), above: above == beyond}
+    numbers = np.array([*expected, np.nan])
+    is_beyond = Doubt(limit, numbers, numbers).bits >= BITS[code]
+    assert is_beyond.tolist() == [*expected.values(), False]
+
+
+def test_an_excess_is_the_logarithm_of_a_factor() -> None:
+    (few,) = [one for one in doubts(Scene({**QUARTZ, "radius": 1e-9}), ["pull_off_force"]) if one.code == "few-atoms"]
+    assert few.excess == approx(np.log(3 / few.value))
+    assert few.factor == approx(3 / few.value)
+    (law,) = [one for one in doubts(Scene(QUARTZ), ["pull_off_force"]) if one.code.startswith("law")]
+    of_laws = [solve("pull_off_force", model=model, atomic_spacing=4e-10, **QUARTZ) for model in ("jkr", "maugis")]
+    fit = solve("pull_off_force_lennard_jones", **QUARTZ)
+    assert law.factor == approx(max(of_laws[1], fit) / of_laws[0] / 1.05)
+
+
+def test_a_limit_that_holds_has_its_number() -> None:
+    (few,) = [
+        one for one in doubts(Scene(QUARTZ), ["pull_off_force"]) if one.limit.name == "contact_radius_in_spacings"
+    ]
+    assert (few.text, few.factor) == ("within the limit", approx(3 / few.value))
+    assert few.value == approx(9.98, rel=1e-3)
+
+
+def test_every_limit_touches_what_a_command_shows() -> None:
+    shown = depends_on(tuple(name for question in QUESTIONS.values() for name in question.quantities))
+    for limit in LIMITS:
+        assert limit.name in NOMENCLATURE
+        assert limit.touches & shown
+        assert limit.touches <= NOMENCLATURE.keys()
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "code"),
+    [
+        ("pull_off_force", {"youngs_modulus": 1e6}, "wide-contact"),
+        ("pull_off_force", {"radius": 5e-9}, "few-atoms"),
+        ("n_grav", {"radius": 1e-3}, "no-chain"),
+        ("r_min", {"radius": 1e-10}, "bend-below-sphere"),
+        ("yield_force_fixed_load", {"load": 1e-7}, "rolls-by-itself"),
+        ("yield_angle", {"radius": 3e-10}, "large-angle"),
+        ("yield_moment", {"radius": 1e-9, "yield_displacement": 1e-9}, "xi-over-contact"),
+        ("yield_moment", {"radius": 3e-9}, "xi-over-limit"),
+        ("yield_force", {"radius": 5e-10}, "slides-first"),
+        ("n_roll", {"energy": 6e-20}, "does-not-roll-sliding"),
+        ("n_roll_after_impact", {"energy": 2e-20}, "does-not-roll-after-impact"),
+        ("n_roll_energy_balance", {"energy": 1e-20}, "does-not-roll"),
+        ("contact_radius", {"radius": 1e-8}, "may-yield"),
+        ("pull_off_force", {"radius": 1e-6}, "rough-matters"),
+        ("bond_number", {"radius": 1e-4}, "rough-matters"),
+        ("n_roll", {"speed": 50.0}, "flies-off"),
+        ("n_roll_after_impact", {"speed": 50.0}, "flies-off"),
+        ("n_roll_energy_balance", {"energy": 1.2e-15}, "flies-off"),  # P_c(R1 + R2)/2 is 1.178e-15 J
+        ("restitution", {"speed": 0.6}, "bounces"),  # v_stick is 0.596 m/s
+        ("sticking_speed", {"speed": 0.6}, "bounces"),
+        ("contact_radius", {"youngs_modulus": 1e5, "poisson_ratio": 0.49}, "large-strain"),
+        ("contact_radius", {"youngs_modulus": 1e5, "poisson_ratio": 0.48}, "may-yield"),
+        ("contact_radius_at_load", {"approach_at_load": -6e-11}, "beyond-pull-off"),
+    ],
+)
+def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
+    assert code in verdicts(name, **given).values()
+    assert code in codes(bits(Scene({**QUARTZ, **given}), [name])).split()
+
+
+def test_the_order_of_two_spheres_decides_no_doubt_about_roughness() -> None:
+    """The smaller sphere decides: a plane is no sphere."""
+    for radius, radius2, is_in_doubt in (
+        (1e-6, 1e-7, False),
+        (1e-7, 1e-6, False),
+        (1e-6, 2e-6, True),
+        (2e-6, 1e-6, True),
+        (1e-6, math.inf, True),
+        (1e-7, math.inf, False),
+    ):
+        codes = verdicts("pull_off_force", radius=radius, radius2=radius2).values()
+        assert ("rough-matters" in codes) is is_in_doubt
+
+
+def test_spheres_of_a_viscous_time_bounce_where_they_are_faster_than_it_lets_them_stick() -> None:
+    """At every time e and the doubt say the same, also in columns and above T* = 0.68, where all stick."""
+    times, speeds = np.array([1e-13, 1e-12, 1e-11, 1e-10]), np.array([1.0, 30.0, 1.0, 1.0])
+    bounces = []
+    for time, speed in zip(times.tolist(), speeds.tolist(), strict=True):
+        given = {"radius": 1e-6, "viscous_time": time, "speed": speed}
+        bounces.append("bounces" in verdicts("restitution", **given).values())
+        limit = dict.fromkeys(["sticking_speed"], math.inf) | Scene({**QUARTZ, **given}).numbers("sticking_speed")
+        assert bounces[-1] is (speed > limit["sticking_speed"])
+    assert {*bounces} == {True, False}
+    scene = Scene({**QUARTZ, "radius": 1e-6, "viscous_time": times, "speed": speeds})
+    assert [*(bits(scene, ["restitution"]) & BITS["bounces"] > 0)] == bounces
+
+
+def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_the_yield_energy() -> None:
+    """The paper: "do not roll at all, if they are smaller than about 10 nm".
+
+    By Eqs (1) and (3) its (2/7)P_cδ0 is 6πγξ² at 11 nm of quartz.
+    """
+    gamma, modulus, shift = 0.025, 54e9 / (2 * (1 - 0.17**2)), 2e-10
+    for share, names in ((2 / 7, ["n_roll"]), (5 / 7, ["n_roll_after_impact"]), (1.0, ["n_roll_energy_balance"])):
+        reduced = (2 * shift**2 / share) ** 0.75 * (modulus**2 / (3 * np.pi**2 * gamma**2)) ** 0.25
+        for radius, is_in_doubt in ((0.999 * 2 * reduced, True), (1.001 * 2 * reduced, False)):
+            codes = verdicts(*names, radius=radius).values()
+            assert any(code.startswith("does-not-roll") for code in codes) is is_in_doubt
+        if share < 0.5:
+            assert 2 * reduced == approx(11e-9, rel=0.01)
+
+
+def test_iron_of_100_nm_is_pressed_to_where_a_solid_yields() -> None:
+    """p_H = 2aE*/πR is 17.8 GPa there, 0.16 E*; of quartz it is 0.05 E*."""
+    for material, ratio, is_in_doubt in (("iron", 0.16, True), ("quartz", 0.051, False)):
+        scene = Scene({"radius": 1e-7}, known_materials()[material])
+        assert scene["hertz_pressure"] / scene["contact_modulus"] == approx(ratio, rel=0.02)
+        assert ("may-yield" in codes(bits(scene, ["contact_radius"])).split()) is is_in_doubt
+
+
+def test_what_is_not_judged() -> None:
+    for turns in ("n_roll", "n_roll_after_impact"):  # a speed along the surface is none of a head-on impact
+        assert "speed_over_sticking" not in verdicts(turns, speed=1.0)
+    assert "load_margin" not in verdicts("yield_force")
+    assert "profile_error" not in verdicts("r_min")
+    large = 100 * solve("pull_off_force", **QUARTZ)
+    assert "beyond-pull-off" not in verdicts("yield_force", load=large).values()
+
+
+def test_a_load_of_exactly_the_pull_off_force_is_not_stable() -> None:
+    force = solve("pull_off_force", **QUARTZ)
+    assert verdicts("yield_force", load=-force)["load_margin"] == "beyond-pull-off"
+    assert verdicts("yield_force", load=-0.999 * force)["load_margin"] == ""
+
+
+def test_a_ratio_of_forces_has_the_doubts_of_its_contact() -> None:
+    """Without load, too, where nothing of the contact enters 4ξ/R1."""
+    soft = {"radius": 3e-10, "surface_energy": 0.025, "youngs_modulus": 5e9, "poisson_ratio": 0.2}
+    of_loads = [codes(bits(Scene({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
+    assert {"few-atoms", "wide-contact"} <= {*of_loads[0]} == {*of_loads[1]}
+
+
+def test_the_paraboloid_is_off_by_what_the_next_term_gives() -> None:
+    """r²/2R + r⁴/8 (R1⁻³ + R2⁻³) against the sum of two circles, and 1 % at a = 0.2 R1."""
+    for radius2 in (1e-7, 4e-8, 1e-5):
+        scene = {**QUARTZ, "radius2": radius2, "youngs_modulus": 54e10}
+        error, a, reduced = solve(["profile_error", "contact_radius_at_load", "reduced_radius"], **scene).values()
+        depth = sum(radius - np.sqrt(np.longdouble(radius) ** 2 - a**2) for radius in (1e-7, radius2))
+        assert float(depth / (a**2 / (2 * reduced)) - 1) == approx(error, rel=0.02)
+
+
+# --- Two rigid bodies -------------------------------------------------------------------------------------------------
+
+RIGID: list[dict[str, Any]] = [
+    {"youngs_modulus": np.inf},
+    {**OTHER, "youngs_modulus": np.inf, "youngs_modulus2": np.inf},
+]
+
+
+@pytest.mark.parametrize("given", RIGID)
+def test_two_rigid_bodies_have_no_jkr_contact(given: dict[str, Any]) -> None:
+    scene = Scene({**QUARTZ, **given})
+    for name, value in outcomes(scene, QUESTIONS["report"].quantities).items():
+        if name in ("pull_off_force_dmt", "r_min", "yield_angle"):
+            assert value > 0
+        elif name not in ("load", "n_roll_after_impact", "yield_force_fixed_load"):
+            assert isinstance(value, Failure), name
+            assert value.kind == TWO_RIGID_BODIES
+
+
+def test_one_rigid_body_or_an_unknown_modulus_is_no_reason() -> None:
+    assert solve("pull_off_force", radius=1e-7, surface_energy=0.025) > 0
+    assert solve("pull_off_force", **QUARTZ, youngs_modulus2=np.inf) > 0
+    assert solve("pull_off_force", radius=1e-7, surface_energy=0.025, youngs_modulus2=np.inf) > 0
+    assert solve("yield_moment", **{**QUARTZ, "youngs_modulus": np.inf}, contact_modulus=1e9) > 0
+
+
+def test_no_wave_runs_around_a_rigid_sphere(run: Run) -> None:
+    result = json.loads(run("frequencies quartz 100nm --young rigid --young2 1GPa --json").out)["results"][-1]
+    assert (result["name"], result["value"]) == ("rayleigh_time", None)
+    assert result["reason"] == "sphere 1 is rigid, and no wave runs around it"
+    moduli = np.array([np.inf, 54e9])
+    times = solve("rayleigh_time", radius=1e-7, density=2600.0, poisson_ratio=0.17, youngs_modulus=moduli)
+    assert np.isnan(times).tolist() == [True, False]
+
+
+# --- What is said -----------------------------------------------------------------------------------------------------
+
+
+def test_what_could_not_be_judged_is_said(run: Run) -> None:
+    ran = run("pull-off gold 100nm")
+    lacking = "need Young's modulus and Poisson's ratio; gold has none in Table 1"
+    assert (
+        f"note: not checked: contact-exceeds-sphere, law-off-5%, few-atoms, may-yield and 1 more: {lacking}\n"
+        in ran.err
+    )
+    assert "z0 = " not in ran.err  # which nothing was judged by
+    assert "not checked" not in run("pull-off quartz 100nm").err
+
+
+def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
+    """The momentum about the contact, m v R, is kept: (I + mR²)ω = m v R; ⟨M⟩ then takes the energy ½(I + mR²)ω²."""
+    names = ["mass", "moment_of_inertia", "mean_rolling_moment", "n_roll_after_impact"]
+    mass, inertia, moment, turns = solve(names, speed=0.1, **QUARTZ).values()
+    total = inertia + mass * 1e-14
+    spin = mass * 0.1 * 1e-7 / total
+    assert turns == approx(total * spin**2 / 2 / (2 * np.pi * moment), rel=1e-12)
+
+
+def test_a_load_of_fixed_direction(run: Run) -> None:
+    """M/R1 − Pξ/R2, which is M/R1 on a plane; shown where a load or a state is given."""
+    names = ["yield_force", "yield_force_fixed_load"]
+    turning, fixed = solve(names, load=-1e-9, **QUARTZ).values()
+    assert fixed - turning == approx(1e-9 * 2e-10 / 1e-7, rel=1e-9)
+    turning, fixed = solve(names, load=-1e-9, radius2=np.inf, **QUARTZ).values()
+    assert fixed == approx(turning, rel=1e-14)
+    assert "yield_force_fixed_load" in run("yield-force quartz 100nm --load 1nN").out
+    assert "yield_force_fixed_load" not in run("yield-force quartz 100nm").out
+
+
+def test_a_sphere_rolls_by_itself_beyond_eight_pull_off_forces(run: Run) -> None:
+    """Of identical spheres: Q_P = 2P_cξ(1 + s)/R1 − Pξ/R1 is 0 at P = 8P_c, where s = 3."""
+    force = 3 * math.pi * 0.025 * 5e-8
+    for times, code in ((7.999, ""), (8.001, "rolls-by-itself")):
+        assert verdicts("yield_force_fixed_load", load=times * force)["yield_force_fixed_load"] == code
+    of_a_plane = {"load": 1e-6, "radius2": math.inf}
+    assert verdicts("yield_force_fixed_load", **of_a_plane)["yield_force_fixed_load"] == ""
+    iron = json.loads(run("yield-force iron 1um --load 1mN --json").out)["validity"]
+    [doubt] = [each for each in iron if each["code"] == "rolls-by-itself"]
+    assert doubt["value"] == approx(-1.464502e-7, rel=1e-6)
+    ran = run("yield-force iron 1um --load 1mN").err
+    assert "a load that keeps its direction rolls sphere 1 by itself" in " ".join(ran.split())
+
+
+def test_the_tensile_strength_was_fitted_to_filling_factors_of_a_range(run: Run) -> None:
+    for factor, code in ((0.0099, "filling-out-of-range"), (0.01, ""), (0.5, ""), (0.51, "filling-out-of-range")):
+        assert verdicts("tensile_strength", filling_factor=factor)["filling_factor"] == code
+    assert "filling_factor" not in verdicts("compressive_strength", filling_factor=0.7)
+    ran = run("aggregates quartz 100nm --filling-factor 0.7 --quantities tensile_strength").err
+    assert "fitted to filling factors of 0.01 to 0.5 (φ = 0.7)" in " ".join(ran.split())
+
+
+def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
+    said = "N_grav is what the first contact, on body 2, carries"
+    of_materials = "n-grav quartz 100nm --material2 iron --work-of-adhesion 1J/m2"
+    for words in ("n-grav quartz 100nm --radius2 plane", "n-grav quartz 100nm --radius2 1nm", of_materials):
+        assert f"{said}; the next, between spheres 1, yields at 940.4" in run(words).err
+    of_pair = "--work-of-adhesion 50mJ/m2 --density 2g/cm3 --radius2 1um"
+    assert f"{said}; the next" in run(f"n-grav 100nm {of_pair}").err
+
+
+# --- The law of adhesion ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "code"),
+    [
+        (
+            "pull_off_force",
+            {"material": "iron", "radius": 1e-7},
+            "law-off-5%",
+        ),  # 3.7 % by Maugis, 8.7 % by Lennard-Jones
+        ("pull_off_force", {"material": "quartz", "radius": 1e-7}, "law-off-25%"),
+        ("pull_off_force", {"material": "quartz", "radius": 1e-7, "model": "dmt"}, ""),
+        ("pull_off_force", {"material": "quartz", "radius": 1e-4, "model": "dmt"}, "law-off-25%"),
+        ("pull_off_force", {"material": "quartz", "radius": 1e-7, "model": "maugis"}, ""),
+        ("yield_force", {"material": "quartz", "radius": 1e-7}, "law-off-2x"),  # 57 % smaller at equal ξ
+        ("r_min", {"material": "quartz", "radius": 1e-7}, ""),  # which no law of adhesion enters
+        ("n_grav", {"material": "polystyrene", "radius": 1e-4}, ""),
+    ],
+)
+def test_the_law_of_adhesion_is_judged_by_its_effect(name: str, given: dict[str, Any], code: str) -> None:
+    model = given.pop("model", "jkr")
+    scene = Scene({"radius": given["radius"]}, known_materials()[given["material"]], model=model)
+    assert {one for one in codes(bits(scene, [name])).split() if one.startswith("law")} == ({code} if code else set())
+
+
+def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
+    """DMT holds a load that Maugis' law does not; where neither holds it, there is no answer to doubt."""
+    force = solve("pull_off_force", **QUARTZ, model="dmt")
+    held = {**QUARTZ, "radius": 1e-4, "load": -0.9 * 1e3 * force}
+    scene = Scene(held, model="dmt")
+    assert "law-off-2x" in codes(bits(scene, ["approach_at_load"])).split()
+
+
+@pytest.mark.parametrize(
+    ("model", "name", "value", "other", "names"),
+    [
+        ("jkr", "load", -3 * np.pi * 0.025 * 5e-8, 0.0, ("stiffness", "vertical_frequency")),  # at pull-off
+        ("dmt", "load", -2 * np.pi * 0.05 * 5e-8, 0.0, ("stiffness", "contact_radius_at_load")),  # likewise
+        ("dmt", "approach_at_load", 0.0, 1e-10, ("stiffness", "contact_radius_at_load")),  # at first touch
+    ],
+)
+def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
+    model: str, name: str, value: float, other: float, names: tuple[str, ...]
+) -> None:
+    zero, both = (Scene({**QUARTZ, name: given}, model=model) for given in (value, np.array([value, other])))
+    for one in names:
+        assert zero[one] == both[one][0] == 0
+        assert factor_of_law(zero, [one]) == factor_of_law(both, [one])[0] == 1
+        assert factor_of_law(both, [one])[1] != 1
+
+
+def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too() -> None:
+    """Its radius √(Rδ) rests on no work of adhesion, and Maugis' contact is far wider."""
+    scenes = [Scene({**QUARTZ, "approach_at_load": given}, model="dmt") for given in (1e-11, np.array([1e-11, 1e-12]))]
+    for name, first in (("contact_radius_at_load", "law-off-2x few-atoms"), ("stiffness", "law-off-25% few-atoms")):
+        one, both = (bits(scene, [name]) for scene in scenes)
+        assert codes(one) == codes(int(both[0])) == first
+        assert codes(int(both[1])) == "law-off-2x few-atoms"
+
+
+def test_the_other_law_has_the_spacing_that_follows_from_a_cutoff() -> None:
+    """The scene computes it, in whose place stands one that is given it."""
+    given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
+    other = Scene(given, known_materials()["quartz"]).by_law
+    assert other["pull_off_force"] == solve("pull_off_force", material="quartz", model="maugis", **given)

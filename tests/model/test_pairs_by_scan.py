@@ -1,0 +1,135 @@
+"""Two unknowns against a dense scan of both, divided again where both quantities pass their measured values."""
+
+import math
+from random import Random
+from typing import Any
+
+import numpy
+import pytest
+
+from frames import outcomes
+from jkroll.errors import JkrollError
+from jkroll.model.frame import Scene
+from jkroll.model.inverse import Problem
+from jkroll.model.unsolved import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
+from jkroll.quantities.laws import LAWS
+from scenes import log_uniform
+
+PER_DECADE = 10  # of the dense scan, whose cells end at other values than those of the program
+PARTS = 5  # of each side of a cell, when it is divided
+ROUNDS = 12  # of dividing: a cell is then 1e-9 of its first width
+MANY = 3000  # cells that both quantities pass, of which so many are a curve and no point
+SPANS = {
+    "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3),
+    "yield_displacement": (1e-11, 1e-8)
+}  # fmt: skip
+QUANTITIES = (
+    "pull_off_force", "contact_radius", "contact_radius_at_load", "approach", "approach_at_load", "stiffness",
+    "hertz_pressure",
+    "tangential_stiffness", "sliding_force", "yield_force", "yield_moment", "vertical_frequency", "rolling_frequency",
+    "tabor_parameter", "well_energy", "sticking_energy", "sticking_speed", "r_min", "n_grav",
+)  # fmt: skip
+
+
+def above(scene: Scene, names: tuple[str, ...], measured: dict[str, float], places: Any) -> Any:
+    """Return for both quantities whether they are above their measured values, as ±1, and nan where they have none."""
+    found = outcomes(scene.replace(**dict(zip(names, places, strict=True))), [*measured])
+    signs = [
+        numpy.full(places.shape[1:], numpy.nan)
+        if isinstance(found[name], JkrollError)
+        else numpy.sign(found[name] - level)
+        for name, level in measured.items()
+    ]
+    return numpy.array([numpy.broadcast_to(sign, places.shape[1:]) for sign in signs])
+
+
+def scanned(names: tuple[str, ...], measured: dict[str, float], scene: Scene) -> list[tuple[float, ...]] | None:
+    """Return the pairs that a dense scan finds, the same ones several times; None where it finds a curve."""
+    axes = []
+    for name in names:
+        least, most = SIZES[name]
+        sizes = numpy.geomspace(least, most, round(PER_DECADE * math.log10(most / least)) + 3)
+        axes.append(numpy.concatenate([-sizes[::-1], sizes]) if name == "load" else sizes)
+    low = numpy.array([axis.ravel() for axis in numpy.meshgrid(*(axis[:-1] for axis in axes), indexing="ij")])
+    high = numpy.array([axis.ravel() for axis in numpy.meshgrid(*(axis[1:] for axis in axes), indexing="ij")])
+    parts = numpy.arange(PARTS) / PARTS
+    for _ in range(ROUNDS):
+        corners = [numpy.array([x, y]) for x in (low[0], high[0]) for y in (low[1], high[1])]
+        signs = numpy.array([above(scene, names, measured, corner) for corner in corners])
+        passes = (signs.min(axis=0) < signs.max(axis=0)).all(axis=0)
+        low, high = low[:, passes], high[:, passes]
+        if not low.size:
+            return []
+        if low.shape[1] > MANY:
+            return None
+        width = (high - low)[:, :, None, None]
+        grid = numpy.array(numpy.meshgrid(parts, parts, indexing="ij"))[:, None]
+        low = low[:, :, None, None] + width * grid
+        high = (low + width / PARTS).reshape(2, -1)
+        low = low.reshape(2, -1)
+    return [tuple(pair) for pair in ((low + high) / 2).T.tolist()]
+
+
+def is_near(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
+    """Return whether two pairs are the same, as far as the scan tells."""
+    return all(math.isclose(a, b, rel_tol=1e-4, abs_tol=1e-14) for a, b in zip(one, other, strict=True))
+
+
+def solved(names: tuple[str, ...], measured: dict[str, float], scene: Scene) -> list[tuple[float, ...]] | None:
+    """Return the pairs that the program names; None where it refuses the problem as not separated."""
+    try:
+        solved = Problem(names, measured, scene).solved
+        return [tuple(solved[name] for name in names)]
+    except SeveralSolutions as error:
+        return [tuple(pair.values()) for pair in error.values]
+    except NoSolution:
+        return []
+    except (NoDependence, Unseparated):
+        return None
+
+
+def compared(random: Random) -> str:
+    """Return what became of a random problem.
+
+    Fails where a pair that the scan finds is not named, or one that is no solution.
+    """
+    given: dict[str, Any] = {name: log_uniform(random, *span) for name, span in SPANS.items()}
+    given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}
+    law = random.choice([*LAWS])
+    given["load"] = random.uniform(-0.9, 3) * Scene(given, model=law)["pull_off_force"]
+    names = tuple(random.sample([*SPANS, "load"], 2))
+    if random.random() < 0.3:
+        given["radius2"] = log_uniform(random, 1e-8, 1e-3)
+    measured = {
+        name: float(value) for name, value in Scene(given, model=law).numbers(*random.sample(QUANTITIES, 2)).items()
+    }
+    if len(measured) < 2:
+        return "not in this law"
+    scene = Scene({name: value for name, value in given.items() if name not in names}, model=law)
+    pairs = solved(names, measured, scene)
+    backwards = solved(names, dict(reversed(measured.items())), scene)
+    problem = (law, names, measured, given)
+    assert (pairs is None) == (backwards is None), problem
+    if pairs is None or backwards is None:
+        return "unseparated"
+    assert len(pairs) == len(backwards), problem
+    assert all(is_near(*both) for both in zip(pairs, backwards, strict=True)), problem
+    for pair in pairs:
+        forward = scene.replace(**dict(zip(names, pair, strict=True))).numbers(*measured)
+        assert all(math.isclose(forward[name], level, rel_tol=1e-11) for name, level in measured.items()), (
+            problem,
+            pair,
+        )
+    expected = scanned(names, measured, scene)
+    for pair in expected or [tuple(given[name] for name in names)]:
+        assert any(is_near(pair, other) for other in pairs), (problem, pairs, pair)
+    return "several" if len(pairs) > 1 else "one"
+
+
+@pytest.mark.parametrize(("count", "seed"), [(10, "few"), pytest.param(800, "many", marks=pytest.mark.slow)])
+def test_pairs_are_those_of_a_dense_scan_in_either_order(count: int, seed: str) -> None:
+    random = Random(seed)
+    results = [compared(random) for _ in range(count)]
+    assert results.count("one") > count / 3
+    if count > 100:
+        assert results.count("several") > 4

@@ -1,0 +1,256 @@
+"""Error bars in the cells of tables, and of the materials that rows name."""
+
+import math
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from harness import Run
+from jkroll import solve
+from random_tables import read_rows, write_rows
+from relative import approx
+
+CELLS = ["25±5", "25+-5", "25(5)", "25±20%", "25+/-5 mJ/m2", "0.025 J/m2 ± 5 mJ/m2", "25 mJ/m2±20 %"]
+SIDES = ["pull_off_force [N]", "pull_off_force_minus [N]", "pull_off_force_plus [N]"]
+FORCE = 3 * math.pi * 0.025 * 50e-9  # Eq (1) for two spheres of 100 nm and 25 mJ/m²
+close = partial(approx, rel=1e-12)
+LEFT_OUT = "surface_energy: error bars are left out, for which the table has no columns; --uncertainty adds them"
+
+
+def written(rows: list[dict[str, Any]], end: str = "csv") -> str:
+    """Write a table as grains.END."""
+    return write_rows(rows, f"grains.{end}")
+
+
+def found(end: str = "csv") -> list[dict[str, Any]]:
+    """Return the rows of out.END, numbers as such and None where there is nothing."""
+    return [{name: _read(cell) for name, cell in row.items()} for row in read_rows(f"out.{end}")]
+
+
+def _read(cell: Any) -> Any:
+    try:
+        return float(cell)
+    except (TypeError, ValueError):
+        return cell or None
+
+
+@pytest.mark.parametrize("end", ["csv", "tsv", "ndjson", "parquet"])
+def test_error_bars_in_any_form_and_format(run: Run, end: str) -> None:
+    rows = [{"radius [nm]": 100.0, "gamma [mJ/m2]": cell} for cell in [*CELLS, "25", "20 to 30", "25±20"]]
+    ran = run(f"batch {written(rows, end)} -o out.{end} --quantities pull_off_force,r_min --quiet")
+    assert (ran.code, ran.err) == (1, "jkroll: 1 of 10 rows failed; column status says why\n")
+    *standard, plain, of_range, refused = found(end)
+    assert [*plain][2:7] == [*SIDES, "pull_off_force_low [N]", "pull_off_force_high [N]"]
+    for row in standard:
+        assert [row[name] for name in SIDES] == close([FORCE, FORCE / 5, FORCE / 5])
+        assert row["pull_off_force_low [N]"] is row["r_min_minus [m]"] is row["status"] is None
+    assert [plain[name] for name in SIDES] == [close(FORCE), None, None]
+    ends = of_range["pull_off_force_low [N]"], of_range["pull_off_force_high [N]"]
+    assert ends == close((0.8 * FORCE, 1.2 * FORCE))
+    assert refused["status"] == "bad surface_energy"
+
+
+def test_a_table_without_error_bars_has_no_columns_for_them(run: Run) -> None:
+    """A row that has one says that it is left out; an option adds the columns."""
+    rows = [{"radius [nm]": "100", "gamma [mJ/m2]": "25"}] * 200 + [{"radius [nm]": "100", "gamma [mJ/m2]": "25±5"}]
+    words = f"batch {written(rows)} -o out.csv --quantities pull_off_force"
+    ran = run(words)
+    assert (ran.code, f"note: {LEFT_OUT}: row 201" in ran.err.splitlines()) == (0, True)
+    assert [*found()[0]][2:] == ["pull_off_force [N]", "doubt", "status"]
+    assert found()[-1]["pull_off_force [N]"] == close(FORCE)
+    assert found()[-1]["status"] == "error bars left out"
+    assert run(f"{words} --uncertainty").code == 0
+    assert found()[-1]["pull_off_force_minus [N]"] == close(FORCE / 5)
+    assert run("batch grains.csv -o out.csv --quantities r_min").code == 0  # which it does not enter
+
+
+def test_the_error_bar_of_an_option_fills_rows(run: Run) -> None:
+    rows = [{"radius [nm]": "100", "gamma [mJ/m2]": cell} for cell in ("25", "")]
+    assert (
+        run("batch", written(rows), "-o", "out.csv", "--gamma", "25±5mJ/m2", "--quantities", "pull_off_force").code == 0
+    )
+    assert [row["pull_off_force_plus [N]"] for row in found()] == [None, close(FORCE / 5)]
+
+
+def test_uncertain_materials(run: Run) -> None:
+    rows = [{"radius [nm]": 100.0 + row, "material": "quartz"} for row in range(200)]
+    rows += [{"radius [nm]": 100.0, "material": "ice-warm"}]
+    words = "batch grains.csv -o out.csv --quantities pull_off_force"
+    written(rows)
+    ran = run(words)
+    assert (ran.code, f"note: {LEFT_OUT}: row 201" in ran.err.splitlines()) == (0, True)
+    assert found()[-1]["pull_off_force [N]"] == close(FORCE * 190 / 25)
+    assert found()[-1]["status"] == "error bars left out"
+    written(rows[::-1])
+    assert run(words).code == 0
+    assert found()[0]["pull_off_force_minus [N]"] == close(FORCE * 69 / 25)
+    assert found()[1]["pull_off_force_minus [N]"] is None
+    assert run("batch grains.csv -o out.csv --quantities contact_modulus").code == 0  # which rests on ranges alone
+    assert [*found()[0]][2:5] == ["contact_modulus [Pa]", "contact_modulus_low [Pa]", "contact_modulus_high [Pa]"]
+
+
+def test_an_end_without_a_value_is_said(run: Run) -> None:
+    rows = [{"radius [nm]": "100", "load [nN]": "-11±1"}, {"radius [nm]": "100", "load [nN]": "-5±1"}]
+    ran = run("batch", written(rows), "-o", "out.csv", "--material", "quartz", "--quantities", "stiffness")
+    assert ran.code == 0
+    first, second = found()
+    assert first["stiffness [N/m]"] is not None
+    assert first["stiffness_minus [N/m]"] is None
+    assert first["status"] == "no error bar"
+    words = "stiffness: no uncertainty, as there is no value at an end of an input: load: -12 nN breaks this contact"
+    assert words in ran.err.replace("\n  ", " ")
+    assert second["stiffness_minus [N/m]"] is not None
+    assert second["status"] is None
+
+
+# --- Units of cells ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("head", "cells"),
+    [
+        ("gamma [mJ/m2],gamma_err", "25,0.005 J/m2"),
+        ("gamma [mJ/m2],gamma_err", "25 mJ/m2,5"),
+        ("gamma [mJ/m2],gamma_err [J/m2]", "25 mJ/m2,0.005"),
+        ("gamma [mJ/m2],gamma_err [%]", "25,20 %"),
+        ("gamma [mJ/m2],gamma_err [%]", "0.025 J/m2,20"),
+        ("gamma [mJ/m2],gamma_minus,gamma_plus", "25,5,5"),
+    ],
+)
+def test_a_cell_with_a_unit_leaves_that_of_the_one_beside_it(run: Run, head: str, cells: str) -> None:
+    Path("x.csv").write_text(f"radius [nm],{head}\n100,{cells}\n", encoding="utf-8")
+    assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 0
+    (row,) = found()
+    assert [row[side] for side in SIDES] == [close(FORCE), close(FORCE / 5), close(FORCE / 5)]
+
+
+def test_ends_with_units_and_equal_ends(run: Run) -> None:
+    rows = ["20,0.03 J/m2", "25,25.0", "0.02 J/m2,30"]
+    Path("x.csv").write_text(
+        "\n".join(["radius [nm],gamma_min [mJ/m2],gamma_max [mJ/m2]", *("100," + row for row in rows), ""])
+    )
+    assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 0
+    assert [row["pull_off_force [N]"] for row in found()] == [close(FORCE)] * 3
+
+
+def test_two_sides_of_which_one_has_a_unit_are_refused(run: Run) -> None:
+    Path("x.csv").write_text(
+        "radius [nm],gamma [mJ/m2],gamma_minus,gamma_plus\n100,25,0.005 J/m2,6\n", encoding="utf-8"
+    )
+    assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 1
+    assert found()[0]["status"] == "bad surface_energy"
+
+
+@pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
+@pytest.mark.parametrize("others", [{}, {"radius_err [nm]": "10"}])
+def test_a_row_whose_error_bar_lacks_a_side_has_none(run: Run, others: dict[str, str], end: str) -> None:
+    """The other side is not 0, and the error bars of other inputs would be those of the result."""
+    bars = [("4", "6"), ("", "6"), ("4", " "), ("", ""), ("0", "6")]
+    rows = [
+        {"radius [nm]": "100", **others, "gamma [mJ/m2]": "25", "gamma_minus": minus, "gamma_plus": plus}
+        for minus, plus in bars
+    ]
+    ran = run(f"batch {written(rows, end)} -o out.{end} --quantities pull_off_force --no-doubt")
+    assert (ran.code, "its error bar lacks a side, and the row has none" in ran.err.replace("\n  ", " ")) == (0, True)
+    of_radius = FORCE / 10 if others else 0.0
+    both, no_minus, no_plus, neither, zero = found(end)
+    assert [row["pull_off_force [N]"] for row in found(end)] == close([FORCE] * 5)
+    sides = [math.hypot(of_radius, part / 25 * FORCE) for part in (4, 6)]
+    assert [both[name] for name in SIDES[1:]] == close(sides)
+    for row in (no_minus, no_plus):
+        assert [row[name] for name in SIDES[1:]] == [None, None]
+        assert row["status"] == "half an error bar"
+    assert [neither[name] for name in SIDES[1:]] == (close([of_radius] * 2) if others else [None, None])
+    assert zero["pull_off_force_plus [N]"] == close(sides[1])
+    assert both["status"] is neither["status"] is zero["status"] is None
+
+
+@pytest.mark.parametrize("cells", ["25,nan", "25,N/A", "nan,5", "NaN,nan"])
+def test_an_error_bar_that_is_no_number_is_told_as_such(run: Run, cells: str) -> None:
+    Path("x.csv").write_text(f"radius [nm],gamma [mJ/m2],gamma_err\n100,25,5\n100,{cells}\n", encoding="utf-8")
+    ran = run("batch x.csv --quantities pull_off_force -o out.csv")
+    text = next(cell for cell in cells.split(",") if not cell.isdigit())
+    said = f"surface_energy: '{text}' "
+    assert (ran.code, said in ran.err, found()[1]["status"]) == (1, True, "bad surface_energy")
+
+
+@pytest.mark.parametrize(
+    ("head", "cells", "force"),
+    [
+        ("gamma [mJ/m2],gamma_err", "25, ", FORCE),
+        ("gamma [mJ/m2],gamma_err", " ,5", None),
+        ("gamma_low [mJ/m2],gamma_high [mJ/m2]", "25, ", None),
+    ],
+)
+def test_a_cell_of_blanks_beside_a_value_is_an_empty_one(run: Run, head: str, cells: str, force: float | None) -> None:
+    """The value stays, and no material's stands in for half of one."""
+    Path("x.csv").write_text(f"radius [nm],{head}\n100,25,25\n100,{cells}\n", encoding="utf-8")
+    run("batch x.csv --material iron --quantities pull_off_force -o out.csv")
+    assert found()[1]["pull_off_force [N]"] == (force and close(force))
+    assert found()[1]["status"] == (None if force else "bad surface_energy")
+
+
+def test_per_cent_in_a_header_holds_for_every_form_of_a_cell(run: Run) -> None:
+    """A padded cell, an error bar and a column of them are read by themselves."""
+    cells = ["40", "40 ", "40±5", "40+-5", "(40±5)", "40(5)", "35 to 45", "40 %", "0.4 "]
+    head = "material,radius [nm],filling_factor [%]"
+    Path("x.csv").write_text("\n".join([head, *(f"quartz,100,{cell}" for cell in cells), ""]), encoding="utf-8")
+    assert run("batch x.csv --quantities tensile_strength --uncertainty -o out.csv").code == 0
+    strengths = [row["tensile_strength [Pa]"] for row in found()]
+    expected = solve("tensile_strength", material="quartz", radius=1e-7, filling_factor=0.4)
+    assert strengths[:8] == [close(expected)] * 8
+    assert strengths[8] < expected / 1e3
+    Path("y.csv").write_text(f"{head},filling_factor_err\nquartz,100,40,5\n", encoding="utf-8")
+    assert run("batch y.csv --quantities tensile_strength -o out.csv").code == 0
+    assert found()[0]["tensile_strength [Pa]"] == close(expected)
+
+
+def test_an_error_bar_that_a_hamaker_constant_outranks(run: Run) -> None:
+    """What follows from the surface energy itself has it."""
+    ran = run("pull-off ice-warm 1um --hamaker 6.5e-20J --quantities surface_energy2,pull_off_force --quiet")
+    assert [line.split()[0] for line in ran.out.splitlines()] == [
+        "surface_energy2",
+        "surface_energy2_minus",
+        "surface_energy2_plus",
+        "pull_off_force",
+    ]
+
+
+def test_a_range_that_enters_no_error_bar_is_told(run: Run) -> None:
+    """Of a material that has ± as well, as at the prompt."""
+    Path("own.toml").write_text(
+        '[materials.own]\nsurface_energy = { value = "25±5 mJ/m2" }\n'
+        'yield_displacement = { value = "1.8 to 2.6 nm", radius = "0.95 um" }\n',
+        encoding="utf-8",
+    )
+    Path("x.csv").write_text("material,radius [nm]\nown,950\nquartz,100\n", encoding="utf-8")
+    words = "batch x.csv -o out.csv --materials own.toml --quantities"
+    assert "note: error bars leave out ξ: ± and ranges do not go together\n" in run(f"{words} yield_force").err
+    assert "leave out" not in run(f"{words} pull_off_force").err
+    assert "error bars leave out ξ: ± and ranges" in run("yield-force own 950nm --materials own.toml").err
+
+
+def test_a_displacement_that_a_material_states_is_not_assumed(run: Run) -> None:
+    """Though none of the options gives it, and the first rows alone say which materials there are."""
+    Path("own.toml").write_text(
+        '[materials.own]\nsurface_energy = { value = "25 mJ/m2" }\n'
+        'yield_displacement = { value = "2 nm", radius = "0.95 um" }\n',
+        encoding="utf-8",
+    )
+    words = "batch x.csv -o out.csv --materials own.toml --quantities yield_force --no-doubt"
+    for name, is_assumed in {"own": False, "quartz": True}.items():
+        Path("x.csv").write_text(f"material,radius [nm]\n{name},950\n", encoding="utf-8")
+        assert ("ξ = 200 pm" in run(words).err) == is_assumed
+
+
+def test_a_list_has_columns_of_the_error_bars_of_its_rows_alone(run: Run) -> None:
+    """Beside the γ of warm ice, which is ±, the range of its E enters nothing. Mixed sources are refused at once."""
+    asked = ["--quantities", "contact_modulus,pull_off_force", "--csv"]
+    head = run("report", "ice-warm", "100nm,1um", *asked).out.partition("\n")[0]
+    assert "pull_off_force_minus [N],pull_off_force_plus [N]" in head
+    assert "_low" not in head
+    mixed = run("report", "quartz", "100nm,1um", "--gamma", "25±5mJ/m2,25mJ/m2", "--young", "50 to 60 GPa", *asked)
+    assert (mixed.code, mixed.out) == (2, "")
+    assert "give both as ± or both as ranges" in mixed.err

@@ -1,0 +1,169 @@
+"""Tables as instruments, simulation codes and lists of materials write them, found in public.
+
+Each is read as it says, or it says what is to be done.
+
+found_tables.toml has them, and says how.
+"""
+
+import csv
+import re
+import shlex
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import pytest
+
+from harness import Ran, Run
+from jkroll.errors import BadTable
+from jkroll.quantities.values import QuantityError, Uncertain
+from jkroll.tables.cells import Column
+from jkroll.tables.files import DELIMITERS, Delimited, tabbed
+from jkroll.tables.header import check_inputs, stated_meanings, understood
+from relative import approx
+
+
+class Found(NamedTuple):
+    """A table; the head of found_tables.toml explains the fields."""
+
+    path: str
+    call: str
+    table: str
+    named: Sequence[str] = ()
+    written: Sequence[str] = ()
+    reads: Mapping[str, list[Any]] = MappingProxyType({})
+    passes: Sequence[str] = ()
+    failed: int = 0
+    ends: str = ""
+    crlf: bool = False
+
+    @property
+    def text(self) -> bytes:
+        """The table as it stands in its file."""
+        return self.table.replace("\n", "\r\n" if self.crlf else "\n").encode()
+
+
+RECORDS = tomllib.loads(Path(__file__).with_name("found_tables.toml").read_text(encoding="utf-8"))
+TABLES = {source: Found(**record) for source, (record,) in RECORDS.items()}
+_COLUMN = re.compile(r"(?<!or )--column ('[^']*'|\"[^\"]*\")")
+_OTHER = re.compile(r"write (--(?:delimiter|format) \w+)")
+
+
+def named(message: str) -> list[str]:
+    """Return what a message says to write."""
+    advice, _, passing = message.partition(", or --column")
+    chosen = _COLUMN.findall(advice) or _COLUMN.findall(f"--column{passing}")
+    return [shlex.split(value)[0] for value in chosen] + _OTHER.findall(message)
+
+
+def words(choice: str) -> list[str]:
+    return choice.split() if choice.startswith("--") else ["--column", choice]
+
+
+def advised(run: Run, found: Found) -> Iterator[tuple[Ran, list[str]]]:
+    """Iterate over runs with what was written so far, each with what the message names next."""
+    written: Sequence[str] = ()
+    while True:
+        options = [word for choice in written for word in words(choice)]
+        out = "out.tsv" if "--delimiter tab" in written else "out.csv"
+        ran = run("batch", Path(found.path).name, *found.call.split(), *options, "-o", out)
+        advice = [] if found.ends and found.ends in ran.err else named(ran.err)
+        yield ran, advice
+        count = len(written) + len(advice)
+        if count == len(written) or count > len(found.named):
+            return
+        written = (found.written or found.named)[:count]
+
+
+@pytest.mark.parametrize("source", TABLES)
+def test_a_found_table_is_read_or_refused(run: Run, source: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "2000")
+    found = TABLES[source]
+    Path(Path(found.path).name).write_bytes(found.text)
+    *_, (ran, _) = runs = [*advised(run, found)]
+    assert [choice for _, advice in runs for choice in advice] == [*found.named]
+    assert all(before.code == 2 or "note: " in before.err for before, _ in runs[:-1])
+    if found.ends:
+        assert (ran.code, found.ends in ran.err) == (2, True)
+        return
+    assert ran.code == (1 if found.failed else 0)
+    assert (f"jkroll: {found.failed} of " in ran.err) == bool(found.failed)
+    passing = ran.err.splitlines()[0].partition("passed through: ")[2].replace('"', "")
+    said = re.split(", | and ", passing)
+    assert {*found.passes} <= {*said}
+    assert values(found) == {name: [of_cell(cell) for cell in cells] for name, cells in found.reads.items()}
+
+
+def of_cell(value: Any) -> Any:
+    return approx(value, rel=1e-12) if isinstance(value, float | list) else value
+
+
+def values(found: Found) -> dict[str, list[Any]]:
+    """Return what is read of each row that has a cell for each column, by the names of inputs."""
+    chosen = found.written or found.named
+    options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
+    mark = DELIMITERS[options.get("delimiter", "comma")]
+    lines = Delimited("\t" if mark == " " else mark)
+    lines.begin(tabbed(found.text) if mark == " " else found.text)
+    rows = lines.sample
+    header = understood(lines.names, rows, stated_meanings(choice for choice in chosen if not choice.startswith("--")))
+    materials = {column.name: [row[column.place] for row in rows] for column in header.materials}
+    return materials | {column.name: [value(column, row) for row in rows] for column in header.inputs}
+
+
+def value(column: Column, row: Sequence[str]) -> Any:
+    """Return the value of an input in a row; an empty text if its cells have none."""
+    text = column.joined(*(row[place] for place in column.places.values()))
+    try:
+        found = column.read(text) if text else ""
+    except QuantityError:
+        return ""
+    return [found.low, found.high] if isinstance(found, Uncertain) else found
+
+
+def test_twenty_tables_are_read_at_once() -> None:
+    """And the others are refused with what is to be written, or for what they lack."""
+    at_once = 0
+    for found in TABLES.values():
+        with suppress(BadTable):
+            lines = Delimited(",")
+            lines.begin(found.text)
+            header = understood(lines.names, lines.sample)
+            check_inputs(header)
+            at_once += 1
+    assert at_once >= 20
+    assert all(len(found.text) < 1000 for found in TABLES.values())
+
+
+HEADERS = tomllib.loads(Path(__file__).with_name("found_headers.toml").read_text(encoding="utf-8"))["header"]
+
+
+def refusal(table: str, columns: Sequence[str]) -> str:
+    """Return why a table is refused when `--column` says these columns; an empty text if it is not."""
+    mark = "\t" if "\t" in table else ";" if ";" in table.splitlines()[0] else ","
+    head, *rows = csv.reader([line for line in table.splitlines() if not line.startswith("#")], delimiter=mark)
+    rows = [row for row in rows if len(row) == len(head)]
+    try:
+        understood(head, rows, stated_meanings(columns))
+    except BadTable as error:
+        return str(error)
+    return ""
+
+
+def test_few_tables_are_refused_for_a_column_that_is_no_input() -> None:
+    """Those that are inputs are said to be so, with their units, or to pass through."""
+    why = {
+        f"{each['repository']} {each['path']}": refusal(each["table"], [f"{text}=" for text in each["inputs"]])
+        for each in HEADERS
+    }
+    for source, found in TABLES.items():
+        pairs = zip(found.named, found.written or found.named, strict=True)
+        columns = [said for text, said in pairs if not text.startswith("--") and not text.endswith("=")]
+        if "has no header" not in found.ends:
+            why[source] = refusal(found.table, columns)
+    refused = {source: problem for source, problem in why.items() if problem}
+    assert len(HEADERS) > 20
+    assert len(refused) <= 0.065 * len(why), refused  # one for the moduli of wood along three directions

@@ -1,0 +1,224 @@
+"""`batch --infer`: an input for each row of measured values, as `infer` finds it."""
+
+import csv
+import math
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+
+from harness import Run
+from jkroll import infer
+from random_tables import ENDS, read_rows, write_rows
+from relative import approx
+
+HEAD = ["probe", "R1 (um)", "P_c (nN)", "P_c_err (nN)"]
+WORDS = "--infer gamma --measured pull_off_force --radius2 plane --material quartz"
+
+
+def table(rows: list[list[str]]) -> str:
+    """Write a table, and return its name."""
+    return write_rows([dict(zip(HEAD, row, strict=True)) for row in rows], "forces.csv")
+
+
+def results(name: str) -> list[dict[str, str]]:
+    """Return the rows of a file as texts; an empty one for null."""
+    return [{key: "" if cell is None else str(cell) for key, cell in row.items()} for row in read_rows(name)]
+
+
+def test_a_row_says_why_it_has_no_value(run: Run) -> None:
+    rows = [
+        ["a", "2", "300", ""],
+        ["b", "", "300", ""],
+        ["c", "2", "", ""],
+        ["d", "2", "-3", ""],
+        ["e", "2", "250", ""],
+    ]
+    ran = run(f"batch {table(rows)} -o out.csv {WORDS}")
+    assert ran.code == 1
+    first, *bad, last = results("out.csv")
+    assert [row["surface_energy [J/m^2]"] for row in bad] == ["", "", ""]
+    assert [row["status"] for row in bad] == ["needs radius", "no measured value", "bad pull_off_force"]
+    low, high = float(last["surface_energy [J/m^2]"]), float(first["surface_energy [J/m^2]"])
+    assert "2 of 5 rows; median 14.5892 mJ/m²" in ran.err.replace("\n  ", " ")
+    assert (low + high) / 2 == approx(14.5892e-3, rel=1e-5)
+
+
+MATERIALS = ["quartz", "iron", "ice-warm", "polystyrene", "silica-dry", "gold"]
+# What is inferred from what, with the unit and the decades of its values.
+PROBLEMS = {
+    ("surface_energy", "pull_off_force"): ("nN", 0, 4), ("surface_energy", "contact_radius"): ("nm", 0, 2),
+    ("surface_energy", "yield_force"): ("pN", 0, 4), ("youngs_modulus", "stiffness"): ("N/m", 1, 3),
+    ("youngs_modulus", "contact_radius"): ("nm", 0, 2), ("radius", "pull_off_force"): ("nN", 0, 4),
+    ("load", "contact_radius_at_load"): ("nm", 0.3, 2), ("load", "approach_at_load"): ("nm", -1.5, 0.5),
+    ("yield_displacement", "yield_force"): ("pN", 0, 4), ("density", "vertical_frequency"): ("MHz", 1, 3.5),
+    ("work_of_adhesion", "pull_off_force"): ("nN", 0, 4), ("radius2", "pull_off_force"): ("nN", 0, 4),
+}  # fmt: skip
+OPTIONS = {"material2": "--material2 {}", "radius2 [nm]": "--radius2 {}", "load [nN]": "--load={}nN"}
+
+
+@pytest.mark.parametrize("count", [4, pytest.param(150, marks=pytest.mark.slow)])
+def test_random_tables_have_what_infer_finds_for_each_row(run: Run, count: int) -> None:
+    """Materials of either sphere, planes, loads, laws and error bars: values, their sides and doubts are the same."""
+    random = Random(count)
+    compared = 0
+    for _ in range(count):
+        (name, quantity), (unit, *decades) = random.choice([*PROBLEMS.items()])
+        columns = {
+            "material": lambda: random.choice(MATERIALS),
+            "R1 [nm]": lambda: f"{10 ** random.uniform(1, 3.5):.4g}",
+            "material2": lambda: random.choice([*MATERIALS, ""]),
+            "radius2 [nm]": lambda: random.choice(["", "plane", "300"]),
+            "load [nN]": lambda: f"{random.uniform(-5, 50):.4g}",
+        }
+        used = [
+            head for place, head in enumerate(columns)
+            if not head.startswith(f"{name} ") and (name, head) != ("radius",
+            "R1 [nm]") and (place < 2 or random.random() < 0.4)
+        ]  # fmt: skip
+        rows = [{head: columns[head]() for head in used} for _ in range(4)]
+        measured = [f"{10 ** random.uniform(*decades):.5g}" for _ in rows]
+        bars = [f"{0.08 * float(value):.3g}" for value in measured] if random.random() < 0.3 else [""] * len(rows)
+        law = random.choice(["", "", "--model maugis", "--model dmt"])
+        heads = [*used, f"{quantity} [{unit}]", "±"]
+        cells = [[*row.values(), *both] for row, *both in zip(rows, measured, bars, strict=True)]
+        end = random.choice(ENDS)
+        path = write_rows([dict(zip(heads, line, strict=True)) for line in cells], f"random.{end}")
+        if run(f"batch {path} -o out.{end} --infer {name} --measured {quantity} {law}").code == 2:
+            continue  # it is refused as a whole
+        for row, value, bar, found in zip(rows, measured, bars, results(f"out.{end}"), strict=True):
+            words = ["infer", name, row["material"], *([f"{row['R1 [nm]']}nm"] if "R1 [nm]" in row else [])]
+            for head, option in OPTIONS.items():
+                if row.get(head):
+                    words += option.format(f"{row[head]}nm" if row[head] == "300" else row[head]).split()
+            words += ["--measured", f"{quantity}={value}{bar and '±'}{bar}{unit}", *law.split(), "--csv"]
+            single = next(csv.DictReader(run(*words).out.splitlines()), {})
+            for head in [head for head in found if head.startswith(name) and head not in row] + ["doubt"]:
+                here, there = found[head], single.get(head, "")
+                if head != "doubt" and here and there:
+                    assert float(here) == approx(float(there), rel=1e-9), words
+                    compared += 1
+                elif head != "doubt" or found[next(head for head in found if head.startswith(f"{name} ["))]:
+                    assert here == there, words
+    assert compared > 2 * count
+
+
+def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
+    Path("runs").mkdir()
+    for name, force in (("a", 200), ("b", 300), ("c", 400)):
+        Path(f"runs/{name}.csv").write_text(f"R1 (um),F [nN]\n2,{force}\n", encoding="utf-8")
+    assert "no column has the measured pull_off_force" in run(f"batch runs/a.csv -o out.csv {WORDS}").err.replace(
+        "\n  ", " "
+    )
+    ran = run("batch", "runs/*.csv", "-o", "out/", *WORDS.split(), "--column", "F [nN]=pull_off_force [nN]")
+    assert (ran.code, "surface_energy: 3 of 3 rows; median 15.9155 mJ/m²" in ran.err) == (0, True), ran.err
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("--infer gamma", "batch infers one input from one quantity"),
+        ("--measured pull_off_force", "batch infers one input from one quantity"),
+        ("--infer gamma --measured pull_off_force=3nN", "did you mean pull_off_force?"),
+        ("--infer gamma --measured pull_off_force --quantities r_min", "exclude each other"),
+        ("--infer sigma --measured pull_off_force", "sigma"),
+        ("--infer gamma --measured pull_of_force", "pull_off_force"),
+        ("--infer gamma --measured pull_off_force --gamma 25mJ/m2", "surface_energy"),
+        ("--infer density --measured pull_off_force", "density"),
+        ("--infer gamma --measured contact_radius", "no column has the measured contact_radius"),
+    ],
+)
+def test_what_cannot_be_inferred_is_refused(run: Run, words: str, message: str) -> None:
+    name = table([["a", "2", "300", ""]])
+    ran = run(f"batch {name} -o out.csv --radius2 plane {words}")
+    assert (ran.code, message in ran.err.replace("\n  ", " ")) == (2, True), ran.err
+    assert not Path("out.csv").exists()
+
+
+@pytest.mark.parametrize("order", [("R1 (um)", "load (nN)", "delta (nm)"), ("delta (nm)", "R1 (um)", "load (nN)")])
+def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ...]) -> None:
+    cells = {"R1 (um)": "1", "load (nN)": "100", "delta (nm)": "2"}
+    Path("x.csv").write_text(f"{','.join(order)}\n{','.join(cells[head] for head in order)}\n", encoding="utf-8")
+    sphere: dict[str, Any] = {"surface_energy": 0.02, "poisson_ratio": 0.3, "radius2": math.inf}
+    words = "--infer young --measured approach_at_load --gamma 20mJ/m2 --poisson 0.3 --radius2 plane"
+    assert run(f"batch x.csv {words} -o out.csv").code == 0
+    expected = infer("youngs_modulus", measured={"approach_at_load": 2e-9}, radius=1e-6, load=1e-7, **sphere)
+    assert float(results("out.csv")[0]["youngs_modulus [Pa]"]) == approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("names", [["A", "B"], ["ice", "B"], ["quartz", "B"]])
+def test_names_of_samples_are_labels_where_nothing_is_needed_of_them(run: Run, names: list[str]) -> None:
+    """Whether some of them are materials or not; γ of a plane does not depend on the rest."""
+    rows = "".join(f"{name},1,200\n" for name in names)
+    Path("named.csv").write_text(f"material,R1 (um),P_c (nN)\n{rows}", encoding="utf-8")
+    ran = run("batch named.csv -o out.csv --infer gamma --measured pull_off_force")
+    assert ran.code == 0, ran.err
+    found = [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")]
+    assert found == approx([2e-7 / (1.5 * math.pi * 1e-6)] * 2)
+
+
+# --- Rows of statistics -----------------------------------------------------------------------------------------------
+
+DATA = [["a", "2", "300", ""], ["b", "2", "310", ""], ["c", "2", "320", ""]]
+# γ = P_c/3πR of 2 µm on a plane: of the median, and the standard deviation of three, that of the forces, 10 nN.
+SUMMARY = "surface_energy: 3 of {} rows; median 16.446 mJ/m², "
+SCATTER = "; mean 16.446 mJ/m², scatter 530.516 µJ/m²"
+
+
+@pytest.mark.parametrize("end", ENDS)
+@pytest.mark.parametrize(
+    "labels",
+    [
+        ["Mean", "SD", "N"],
+        ["N", "Average:", "St. dev. (n-1)"],
+        ["mean ± SD"],
+        ["Median"],
+        ["count", "mean", "std", "min", "25%", "50%", "75%", "max"],
+        ["", "Total", "Mittelwert", "Standardabweichung"],
+    ],
+)
+def test_rows_of_statistics_are_none_of_the_data(run: Run, end: str, labels: list[str]) -> None:
+    """Their status says so, and the rest is counted without them."""
+    rows = [*DATA, *([label, "2", "50", ""] for label in labels if label)]
+    path = write_rows([dict(zip(HEAD, row, strict=True)) for row in rows], f"forces.{end}")
+    ran = run(f"batch {path} -o out.{end} {WORDS}")
+    said = ran.err.replace("\n  ", " ")
+    assert (ran.code, SUMMARY.format(len(rows)) in said, SCATTER in said) == (1, True, True)
+    cells = [(row["surface_energy [J/m^2]"], row["status"]) for row in results(f"out.{end}")]
+    assert [float(value) for value, _ in cells[:3]] == approx(
+        [force * 1e-9 / (3 * math.pi * 2e-6) for force in (300, 310, 320)]
+    )
+    assert cells[3:] == [("", "row of statistics")] * (len(rows) - 3)
+
+
+def test_a_label_that_may_be_a_statistic_is_a_row(run: Run) -> None:
+    """N is one beside others alone; where all data are means, or an option says so, these are data."""
+    force, other = 300e-9 / (3 * math.pi * 2e-6), 320e-9 / (3 * math.pi * 2e-6)
+    cases = {
+        ("Y", "N"): "",
+        ("mean", "mean"): "",
+        ("a", "mean"): "--column probe=",
+        ("min", "max"): "",
+        ("Se", "CV"): "",
+    }
+    for labels, option in cases.items():
+        path = table([[labels[0], "2", "300", ""], [labels[1], "2", "320", ""]])
+        assert run(f"batch {path} -o out.csv {WORDS} {option}").code == 0
+        assert [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")] == approx([force, other])
+
+
+def test_a_spread_is_no_contact_in_any_table(run: Run) -> None:
+    """The mean of radii is one by itself, as of a size class."""
+    for labels, status in ((["Mean"], [""]), (["Mean", "SD", "N"], ["row of statistics"] * 3)):
+        rows = [{"grain": name, "radius [nm]": "100"} for name in ["a", "b", *labels]]
+        write_rows(rows, "grains.csv")
+        run("batch grains.csv -o out.csv --material quartz --quantities pull_off_force --no-doubt")
+        assert [row["status"] for row in results("out.csv")] == ["", "", *status]
+        assert [bool(row["pull_off_force [N]"]) for row in results("out.csv")][2:] == [not text for text in status]
+
+
+def test_an_unknown_material_may_be_a_statistic(run: Run) -> None:
+    write_rows([{"material": name, "radius [nm]": "100"} for name in ("quartz", "Mean", "SD")], "grains.csv")
+    assert run("batch grains.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --no-doubt").code == 1
+    assert [row["status"] for row in results("out.csv")] == ["", *["row of statistics"] * 2]

@@ -1,0 +1,37 @@
+"""The progress of a run, on a terminal."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from harness import Run, Stream
+from jkroll.model.rows import Tally
+from jkroll.tables.files import Input
+from jkroll.tables.run import Converted, with_progress
+
+
+def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+    Path("grains.csv").write_bytes(b"100\n" * 100)
+    file = Input("grains.csv")
+    with file.file:
+        out = Stream(terminal=True)
+        monkeypatch.setattr("sys.stderr", out)
+        monkeypatch.setattr("jkroll.tables.run.WAIT", 0)
+        monkeypatch.setattr(file, "share_read", lambda rows: rows / 200_000)
+        blocks = with_progress(iter([Converted(b"", 0, Tally(rows=50_000))] * 2), file)
+        assert [next(blocks), next(blocks)]
+    line = out.text()
+    assert " 25%, " in line
+    assert "50,000 rows" in line
+    blocks.close()
+    assert out.text().removeprefix(line) == f"\r{' ' * (len(line) - 2)}\r"
+
+
+def test_no_bar_in_a_pipe(run: Run) -> None:
+    Path("grains.csv").write_text("radius [nm]\n" + "100\n" * 100, encoding="utf-8")
+    before = {*sys.modules}
+    assumed = "assumed: ξ = 200 pm (--xi), no load (--load)"
+    said = "note: doubts in 100 of 100 rows (column doubt): unchecked 100 (a limit needs an input that is not given)"
+    assert run("batch grains.csv -o out.csv --jobs 1") == (0, "", f"read: radius [nm]\n{assumed}\n{said}\n")
+    assert "rich.progress" not in {*sys.modules} - before
