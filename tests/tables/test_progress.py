@@ -18,11 +18,12 @@ def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
         out = Stream(terminal=True)
         monkeypatch.setattr("sys.stderr", out)
         monkeypatch.setattr("jkroll.tables.run.WAIT", 0)
+        monkeypatch.setattr("jkroll.tables.run.monotonic", iter([0.0, 10.0]).__next__)  # as it begins, after a block
         monkeypatch.setattr(file, "share_read", lambda rows: rows / 200_000)
         blocks = with_progress(iter([Converted(b"", 0, Tally(rows=50_000))] * 2), file)
         assert [next(blocks), next(blocks)]
     line = out.text()
-    assert " 25%, " in line
+    assert " 25%, 30 s left, " in line
     assert "50,000 rows" in line
     blocks.close()
     assert out.text().removeprefix(line) == f"\r{' ' * (len(line) - 2)}\r"

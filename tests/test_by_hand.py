@@ -1,0 +1,248 @@
+"""Numbers, warnings and signs at the doors, each with a value by hand: what an error in the evaluator would change."""
+
+import csv
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from harness import Run
+from jkroll import solve
+from jkroll.errors import BadRequest
+from jkroll.tables import files
+from jkroll.tables import run as command
+from relative import approx
+
+QUARTZ = "--gamma 25mJ/m2 --young 54GPa --poisson 0.17 --density 2.6g/cm3"
+ONE_UM = 0.85e-9 / 0.471239, 1.21e-9 / 0.471239  # the ξ of F = 6πγξ for 0.85 and 1.21 nN, γ = 25 mJ/m²
+
+
+def rows(text: str) -> list[dict[str, str]]:
+    """Return the rows of a CSV table."""
+    return [*csv.DictReader(text.splitlines())]
+
+
+def results(text: str) -> dict[str, dict[str, Any]]:
+    """Return the results of an answer in JSON, by name."""
+    return {result["name"]: result for result in json.loads(text)["results"]}
+
+
+def batch(run: Run, text: str, words: str) -> list[dict[str, str]]:
+    """Return the rows that `batch` writes for a table."""
+    Path("in.csv").write_text(text, encoding="utf-8")
+    run(f"batch in.csv -o out.csv --jobs 1 {words}")
+    return rows(Path("out.csv").read_text(encoding="utf-8"))
+
+
+# --- Pairs of spheres -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("program", "word"), [("lammps", "\ntimestep "), ("liggghts", "\n# timestep ")])
+def test_a_time_step_is_the_least_of_those_of_all_pairs(run: Run, program: str, word: str) -> None:
+    """Iron of 300 nm, quartz of 100 nm: 50.05 ps for two of iron, 27.62 ps for two of quartz, 19.57 ps for both.
+
+    1/20 of 2π/√(8G*a(7/2)(1/m1 + 1/m2)) with w = 2√(γ1γ2), a = (9πwR²/2E*)^(1/3); a fifth of Rayleigh's is 23.3 ps.
+    """
+    iron = "--gamma 3J/m2 --young 210GPa --poisson 0.27 --density 7.7g/cm3"
+    quartz = "--gamma2 25mJ/m2 --young2 54GPa --poisson2 0.17 --density2 2.6g/cm3"
+    text = run(f"export {program} 300nm {iron} --radius2 100nm {quartz}").out
+    assert float(text.partition(word)[2].split()[0].rstrip(":")) == approx(1.9574068730020e-11, rel=1e-9)
+
+
+LIKE = approx(2.0938217872665e7, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("words", "cells"),
+    [
+        ("100nm --radius2 200nm,100nm", ["", LIKE]),
+        ("100nm --radius2 50nm:200nm:3", ["", LIKE, ""]),
+        ("200nm,100nm --radius2 100nm", ["", LIKE]),
+        ("100nm --radius2 200nm,300nm", [None, None]),
+    ],
+)
+def test_a_row_of_two_like_spheres_shows_what_is_known_of_these_alone(run: Run, words: str, cells: list[Any]) -> None:
+    """Eq (41): f = √(6πwR²/((5/4)m R1²))/2π = 20.938218 MHz for two quartz spheres of 100 nm."""
+    found = rows(run(f"frequencies {words} {QUARTZ} --csv").out)
+    texts = [row.get("rolling_frequency_as_printed [Hz]") for row in found]
+    assert [text and float(text) for text in texts] == cells
+    assert all(row["rolling_frequency [Hz]"] and not row["status"] for row in found)
+
+
+def test_a_reduced_radius_excludes_that_of_a_sphere() -> None:
+    with pytest.raises(BadRequest, match="radius2 and reduced_radius exclude each other"):
+        solve("pull_off_force", surface_energy=0.025, reduced_radius=5e-8, radius2=1e-7)
+
+
+def test_a_mean_surface_energy_of_unlike_solids_is_in_doubt_from_a_ratio_of_3_on(run: Run) -> None:
+    said = "w = 2√(γ1γ2) is an upper estimate for solids so unlike"
+    for gamma2, is_unlike in {"74mJ/m2": False, "76mJ/m2": True, "8.4mJ/m2": False, "8.3mJ/m2": True}.items():
+        assert (said in run(f"pull-off 100nm --gamma 25mJ/m2 --gamma2 {gamma2}").err) is is_unlike
+
+
+# --- Warnings, doubts and error bars ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "said"), [("r-min 0.1nm", True), ("r-min 0.3nm", False), ("pull-off quartz 1nm", False)]
+)
+def test_what_ends_the_meaning_of_a_number_is_a_warning_and_no_note(run: Run, words: str, *, said: bool) -> None:
+    """R_min = R1R2/ξ = 50 pm is below R1 at 0.1 nm, not at 0.3 nm, where 1.3 is a large angle; few atoms are a note."""
+    err = run(f"{words} --quiet").err
+    assert (err.startswith("warning: "), "no chain bends within one of its spheres" in err) == (said, said)
+
+
+CODES = {
+    # Lennard-Jones' over JKR's, 1 + (1/3)/(1 + 1.95 μ^1.4), is 1.25 at 899 nm and 1.05 at 389 µm; Maugis' is less.
+    "pull-off 890nm,910nm,380um,400um": ["law-off-25%", "law-off-5%", "law-off-5%", ""],
+    # Maugis' over JKR's is c/a0 = 1.160 at equal hysteresis, and 0.660 at equal ξ (maugis_reference).
+    "yield-force 10um --adhesion-hysteresis 10mJ/m2 --quantities yield_force": ["law-off-25%"],
+    # T = 4P_c√(G*/E*) over πa_T²τ, τ = G/4π², a_T = a0/2^(1/3), is 1.218 (100 nm/R1)^(1/3): 1 at 180.7 nm.
+    "resistances 180nm,182nm --quantities sliding_force": ["", "peels-before-sliding"],
+}
+
+
+@pytest.mark.parametrize("words", CODES)
+def test_a_doubt_begins_where_its_number_passes_the_threshold(run: Run, words: str) -> None:
+    found = [row["doubt"].split() for row in rows(run(f"{words} {QUARTZ} --csv").out)]
+    assert [" ".join(code for code in codes if code[:3] in ("law", "pee")) for codes in found] == CODES[words]
+
+
+def test_rough_spheres_have_less_and_a_sticking_speed_gives_an_upper_limit(run: Run) -> None:
+    """P_c = (3/2)πγR1 = 117.8 nN: 1/4 to 1/2, 1/100 to 1/10. A loss beside adhesion's passes for γ, but not in P_c."""
+    said = run("pull-off quartz 1um").err
+    assert ("29–59 nN" in said, "1.2–12 nN" in said) == (True, True)
+    for measured, is_limit in {"sticking_speed=10cm/s": True, "pull_off_force=100nN": False}.items():
+        assert ("is an upper limit" in run(f"infer gamma quartz 1um --measured {measured}").err) is is_limit
+
+
+def test_an_empty_cell_is_in_no_doubt(run: Run) -> None:
+    """T* = (T_vis/ν²)√(E*a0/m), m of the pair, is 156 at 1 ns, beyond 0.68: no v_stick, of which two codes are."""
+    words = f"{QUARTZ} --quantities pull_off_force,sticking_speed"
+    found = batch(run, "R1 (nm),viscous_time [ps]\n100,1000\n100,1\n", words)
+    assert [row["doubt"] for row in found] == ["law-off-25%", "law-off-25% sticking-unsure fitted-elsewhere"]
+
+
+@pytest.mark.parametrize("loads", ["-15.5nN,-15.6nN", "-15.5nN:-15.6nN:400:lin"])
+def test_a_contact_that_the_better_law_does_not_hold_is_off_by_more_than_any_factor(run: Run, loads: str) -> None:
+    """Of 100 nm of quartz, Maugis' law holds 15.004 nN (maugis_reference), DMT's 2πwR = 15.71 nN."""
+    found = rows(run(f"contact 100nm {QUARTZ} --model dmt --load={loads} --csv").out)
+    assert {row["doubt"].split()[0] for row in found} == {"law-off-2x"}
+    assert all(row["contact_radius_at_load [m]"] for row in found)
+
+
+@pytest.mark.parametrize(
+    ("words", "pair", "is_here"),
+    [
+        ("--material2 quartz", ONE_UM, True),
+        ("--material2 gold --work-of-adhesion 50mJ/m2", ONE_UM, False),
+        ("--model maugis --z0 2angstrom", (2.8179922e-9, 4.0114947e-9), True),  # F = 4E*a³ξ/(3RR1), maugis_reference
+    ],
+)
+def test_measured_forces_mean_a_displacement_by_law_for_their_solid_alone(
+    run: Run, words: str, pair: tuple[float, float], *, is_here: bool
+) -> None:
+    found = json.loads(run(f"yield-force quartz 0.95um {words} --json").out)["displacement"]
+    assert (found["at_pair"], found["here"]) == (approx(pair), approx(pair) if is_here else None)
+
+
+def test_a_displacement_of_a_solid_is_scaled_to_the_reduced_radius(run: Run) -> None:
+    """On a plane 2R is 2R1: 2 nm at 1 µm becomes 2 nm·2^(2/3) to 2 nm·2, and Q = 6πwξ."""
+    text = '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'
+    Path("own.toml").write_text(text, encoding="utf-8")
+    (row,) = rows(run("yield-force bead 1um --radius2 plane --materials own.toml --csv").out)
+    ends = [float(row[f"yield_force_{side} [N]"]) for side in ("low", "high")]
+    assert ends == approx([2.9921805e-9, 3.7699112e-9], rel=1e-7)
+
+
+def test_shares_of_ranges_are_those_of_their_widths(run: Run) -> None:
+    """F = (3/2)πγR1 at γ = 20 to 30, R1 = 90 to 110: widths of 10·100 and 20·25, thus 2/3 and 1/3; of squares, 4/5."""
+    found = results(run("pull-off", "90 to 110 nm", "--gamma", "20 to 30 mJ/m2", "--json").out)["pull_off_force"]
+    assert found["shares"] == approx({"surface_energy": 2 / 3, "radius": 1 / 3}, rel=1e-9)
+
+
+def test_the_error_of_a_moment_is_that_of_its_own_state(run: Run) -> None:
+    """At a fixed load M = 6πwRξ is exact, at a fixed approach (δ0 = a0²/3R here) M(1 + x), x = E*a0ξ²/(6πwR²).
+
+    Two half-circles give M(1 + 2x). For 100 nm of quartz, x = 0.0018837, and x/(1 + x) = 0.0018801.
+    """
+    errors = []
+    for state in ("--approach 1.0617537427261e-10m", "--load 0nN"):
+        found = results(run(f"moment 100nm {QUARTZ} {state} --json").out)
+        names = ("yield_moment", "half_circles_moment", "fixed_approach_moment")
+        errors += [found[name].get("relative_error", 0.0) for name in names]
+    assert errors == approx([0.001880134, 0.001880134, 0.0, 0.0, 0.003767352, 0.001883676], rel=1e-6)
+
+
+def test_a_cell_with_an_error_bar_is_no_plain_number(run: Run) -> None:
+    """F = (3/2)πγR1 = 11.781 nN, to 1 % of 100 ± 1 nm, 5 % of 100 ± 5 nm, and to nothing of 100 nm."""
+    cells = ["100±1", "100", "100±5", "100(5)"] * 100
+    found = batch(run, "\n".join(["R1 (nm)", *cells, ""]), f"{QUARTZ} --quantities pull_off_force --no-doubt")
+    bars = [float(row["pull_off_force_plus [N]"] or 0) for row in found]
+    assert bars == approx([1.178097e-10, 0.0, 5.890486e-10, 5.890486e-10] * 100)
+
+
+# --- Tables and pictures ----------------------------------------------------------------------------------------------
+
+
+def test_rows_of_several_processes_stand_in_their_order(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """F = (3/2)πγR1. The first block of another process takes longest: its cells have error bars."""
+    monkeypatch.setattr(files, "CHUNK", 64)
+    monkeypatch.setattr(command, "ALONE", 1)
+    cells = [f"{radius}±1" if 12 <= radius < 30 else f"{radius}" for radius in range(1, 120)]
+    Path("in.csv").write_text("\n".join(["R1 (nm)", *cells, ""]), encoding="utf-8")
+    assert run("batch in.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --uncertainty --jobs 2").code == 0
+    found = rows(Path("out.csv").read_text(encoding="utf-8"))
+    assert [row["R1 (nm)"] for row in found] == cells
+    assert [float(row["pull_off_force [N]"]) / 1.1780972450961724e-10 for row in found] == approx([*range(1, 120)])
+
+
+@pytest.mark.parametrize(("later", "is_kept"), [(1, True), (0, True), (-1, False)])
+def test_a_result_as_old_as_its_table_is_kept(run: Run, later: int, *, is_kept: bool) -> None:
+    for name, text, time in (("in", "radius [nm]\n100\n", 10**18), ("out", "kept", 10**18 + later)):
+        Path(name).mkdir()
+        Path(f"{name}/a.csv").write_text(text, encoding="utf-8")
+        os.utime(f"{name}/a.csv", ns=(time, time))
+    assert run("batch in/*.csv -o out/ --quantities r_min --resume").code == 0
+    assert (Path("out/a.csv").read_text(encoding="utf-8") == "kept") is is_kept
+
+
+def test_quartiles_and_scatter_of_inferred_values_are_those_of_a_sample(run: Run) -> None:
+    """γ = F/3πR of 2 µm on a plane, 18.85 µm: 200, 300, 400, 600, 1000 nN have mean 500 and √(Σ(F − F̄)²/4) = 316.23."""
+    Path("in.csv").write_text("R1 (um),P_c (nN)\n2,200\n2,300\n2,400\n2,600\n2,1000\n", encoding="utf-8")
+    said = run("batch in.csv -o out.csv --infer gamma --measured pull_off_force --radius2 plane").err
+    quartiles = "median 21.2207 mJ/m², quartiles 15.9155 mJ/m² and 31.831 mJ/m²"
+    assert f"{quartiles}; mean 26.5258 mJ/m², scatter 16.7764 mJ/m²" in said.replace("\n  ", " ")
+
+
+def test_a_strict_run_names_the_first_bad_row_and_ends_with_the_worst_code(run: Run) -> None:
+    Path("in").mkdir()
+    Path("in/a.csv").write_text("radius [nm]\n1\n0\n-1\n", encoding="utf-8")
+    Path("in/b.csv").write_text("radius [nm],radius [nm]\n1,2\n", encoding="utf-8")
+    ran = run("batch in/*.csv -o out/ --strict --quantities r_min --quiet")
+    assert (ran.code, "'in/a.csv': line 3: radius: '0' must be positive" in ran.err) == (2, True)
+
+
+def test_signs_of_a_map_stand_where_its_limit_is_exceeded(run: Run) -> None:
+    """An x where a0 = (9πγR²/E*)^(1/3) is below 3 z0 = 1.2 nm: γ below 2.7 mJ/m² at 50 nm, below 17 mJ/m² at 20 nm.
+
+    A ' where it is off by 5 %: at 1 J/m², JKR's over Maugis' is 1.036 at 200 nm, 1.052 at 100 nm (maugis_reference).
+    """
+    out = run("map contact-radius --young 54GPa --poisson 0.17 --x gamma=1mJ/m2:1J/m2 --y radius=20nm:200nm").out
+    assert out.splitlines()[2:7] == [
+        "R1         1 mJ/m²    10 mJ/m²  100 mJ/m²     1 J/m²",
+        "200 nm  2.17 nm '   4.67 nm '   10.1 nm '  21.7 nm",
+        "100 nm  1.36 nm '   2.94 nm '   6.33 nm '  13.6 nm '",
+        "50 nm    860 pm 'x  1.85 nm '   3.99 nm '   8.6 nm '",
+        "20 nm    467 pm 'x  1.01 nm 'x  2.17 nm '  4.67 nm '",
+    ]
+
+
+def test_the_axis_of_pressures_ends_at_2_5_of_hertz(run: Run) -> None:
+    """Fig. 9, a = (32wR²/πE′)^(1/3) = 1.5416 nm: E′a/2R = 2.143 GPa, thus 5.358 GPa.
+
+    Of its points, at −a cos(πk/400), the outermost has −5.317 GPa (k = 24); the one before it would have −5.579 GPa.
+    """
+    assert run("figure 9").out.splitlines()[4] == "exact, Eq (56)   -1.514   -5.317"
