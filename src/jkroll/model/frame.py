@@ -441,7 +441,7 @@ class Scene:
     def _take(self, step: Plan) -> None:
         """Compute a step; with arrays, only where it was not computed of the same arguments before."""
         given = {parameter: self.values[name] for parameter, name in step.arguments.items()}
-        reasons = self._inherited(step)
+        reasons = self._inherited(step) if self.reasons or self.is_rigid is not False else 0  # as nearly always
         if isinstance(reasons, int) and reasons:
             values: Any = nan
         elif not self.arrays:  # to compute a number takes less than to look for it
