@@ -29,13 +29,8 @@ Path = str | os.PathLike[str]
 class MaterialsFileError(BadRequest):
     """Error raised when a materials file cannot be read, or when something in it is not a material."""
 
-    phrase = "bad materials file"
-
     def __init__(self, path: object, problem: str) -> None:
-        Exception.__init__(self, str(path), problem)  # its arguments, with which it is pickled
-
-    def __str__(self) -> str:
-        return f"materials file {quoted(self.args[0])}: {self.args[1]}"
+        super().__init__(f"materials file {quoted(str(path))}: {problem}", "bad materials file")
 
 
 class UnknownMaterial(BadRequest):
