@@ -15,7 +15,8 @@ from harness import Run
 from jkroll import Interval, Measured
 from jkroll.errors import BadRequest, BadTable
 from jkroll.tables.files import format_of_name, input_format, output_format
-from jkroll.tables.header import reading_of, stated_meanings, understood
+from jkroll.tables.header import stated_meanings, understood
+from jkroll.tables.reading import reading_of
 from random_tables import read_rows, write_rows
 from relative import approx
 

@@ -317,9 +317,8 @@ class Delimited:
         columns = [*zip(*self.sample, strict=True)]
         passed = compress(columns, map(not_, are_read))
         is_doubtful = self.separator == ";" or (self.separator != "," and any(map(_have_decimal_commas, passed)))
-        self.decimal_mark = decimal_mark(compress(columns, are_read), self.separator, points_may_group=is_doubtful)
-        self.has_decimal_commas = self.decimal_mark == ","
-        self.is_open = not self.decimal_mark and is_doubtful
+        mark = decimal_mark(compress(columns, are_read), self.separator, points_may_group=is_doubtful)
+        self.has_decimal_commas, self.is_open = mark == ",", not mark and is_doubtful
         if self.has_decimal_commas:
             if self.separator == ",":
                 raise BadTable("decimal commas between commas: write decimal points, or semicolons between columns")
@@ -495,10 +494,8 @@ def _two_readings(number: str) -> str:
 def _without_unclear(records: Records) -> Records:
     """Return records of a table whose decimal mark is open. A point that may be of thousands spoils its row."""
     odd = dict(records.odd)
-    for name, column in records.cells.items():
-        if is_of_text(name) or b"." not in b"".join(column):
-            continue
-        for row, cell in enumerate(column):
+    for column in [column for name, column in records.cells.items() if not is_of_text(name)]:
+        for row, cell in enumerate(column) if b"." in b"".join(column) else ():
             if number := _OF_THOUSANDS.search(cell):
                 odd.setdefault(row, _two_readings(number[0].decode()))
     return records._replace(odd=odd)
