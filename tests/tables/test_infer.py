@@ -222,3 +222,16 @@ def test_an_unknown_material_may_be_a_statistic(run: Run) -> None:
     write_rows([{"material": name, "radius [nm]": "100"} for name in ("quartz", "Mean", "SD")], "grains.csv")
     assert run("batch grains.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --no-doubt").code == 1
     assert [row["status"] for row in results("out.csv")] == ["", *["row of statistics"] * 2]
+
+
+@pytest.mark.parametrize(("mark", "radius"), [(",", "900,0"), (".", "900.0"), ("", "900")])
+def test_the_marks_of_a_label_decide_nothing(run: Run, mark: str, radius: str) -> None:
+    """A column that passes through is looked at for statistics, and not for numbers."""
+    text = f"probe;R1 (um);note\n1.234;{radius};1,2.3\nb.2;{radius};\nSD;{radius};\n"
+    Path("grains.csv").write_text(text, encoding="utf-8")
+    run("batch grains.csv -o out.csv --delimiter semicolon --material quartz --quantities pull_off_force --no-doubt")
+    lines = [line.split(";") for line in Path("out.csv").read_text(encoding="utf-8").splitlines()]
+    assert [line[-1] for line in lines] == ["status", "", "", "row of statistics"]
+    forces = [float(line[3].replace(",", ".")) for line in lines[1:3]]
+    assert ("," in lines[1][3]) == (mark == ",")
+    assert forces == approx([3 * math.pi * 0.025 * 450e-6] * 2)
