@@ -51,7 +51,7 @@ class Results:
 
     def without_meaning(self, name: str, column: Column, touching: Iterable[str]) -> Column:
         """Return a column with a reason in rows where a limit ends the meaning of some quantities."""
-        for touched in touching:
+        for touched in () if column.is_empty else touching:
             for doubt in () if touched in NUMBERS_OF_LIMITS else self.ending:
                 if concerns(doubt.limit, self.scene, [touched]):
                     for code in doubt.limit.codes.values():
@@ -70,7 +70,8 @@ class Results:
     def ended(self) -> dict[str, Any]:
         """The rows in which a limit ends the meaning of a result, by quantity: those that have such rows."""
         both = ((name, column, self.meant[name]) for name, column in self.computed.items())
-        return {name: (old.reasons == 0) & (new.reasons != 0) for name, old, new in both if old is not new}
+        rows = {name: (old.reasons == 0) & (new.reasons != 0) for name, old, new in both if old is not new}
+        return {name: of_name for name, of_name in rows.items() if _has(of_name)}
 
     # --- Inputs and error bars ----------------------------------------------------------------------------------------
 
@@ -95,9 +96,7 @@ class Results:
         if self.sources is None:
             return {}
         bars = error_bars(self.scene, self.values, sources=self.sources)
-        for name in () if self.keeps_all else bars.keys() & self.ended.keys():
-            bars[name] = bars[name].without(self.ended[name])
-        return bars
+        return {name: bar.without(self.columns[name].reasons != 0) for name, bar in bars.items()}
 
     # --- Limits of the model ------------------------------------------------------------------------------------------
 

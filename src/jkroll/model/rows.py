@@ -439,9 +439,9 @@ def alike(rows: Indices, columns: Iterable[Any]) -> Iterator[Indices]:
     import numpy
 
     keys, size = numpy.zeros(len(rows), dtype=numpy.int64), 1
-    for column in columns:
+    for column in columns if len(rows) else ():
         numbers = column[rows]
-        least, most = int(numbers.min(initial=_MOST)), int(numbers.max(initial=-_MOST))
+        least, most = int(numbers.min()), int(numbers.max())
         if least < most:
             span = most - least + 1
             if size * span >= _MOST:  # as good as never

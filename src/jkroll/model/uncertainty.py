@@ -112,6 +112,8 @@ class ErrorBar(NamedTuple):
 
     def without(self, is_out: Any) -> "ErrorBar":
         """Return the error bar, where some rows have none."""
+        if not (is_out if isinstance(is_out, bool) else is_out.any()):
+            return self
         sides = {side: where(is_out, nan, end) for side, end in self.sides.items()}
         return self._replace(sides=sides, place=where(is_out, 0, self.place))
 
