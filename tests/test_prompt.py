@@ -105,7 +105,7 @@ def test_numbers_of_a_large_sweep_are_spelled_as_by_orjson() -> None:
     [
         ("batch grains.csv", "batch needs files"),
         ("pull-off quartz 1nm:1um:9 -o a.csv", "-o needs files"),
-        ("pull-off quartz 1furlong", "this line needs pint"),
+        ("pull-off quartz 1parsec", "this line needs pint"),
     ],
 )
 def test_what_is_not_here_says_where_to_read_how_to_install(page: tuple[Browser, str], line: str, reason: str) -> None:
