@@ -11,13 +11,16 @@ of one: a hardness is no modulus. These may be refused or pass, but are never re
 import re
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from random import Random
 from typing import NamedTuple
 from unicodedata import normalize
 
+from jkroll.answers.questions import EVERYTHING
 from jkroll.errors import BadTable
+from jkroll.materials.library import known_materials
 from jkroll.tables.header import understood
+from jkroll.tables.unread import Supply
 from relative import approx
 
 
@@ -475,10 +478,15 @@ READ, MISREAD, REFUSED, PASSED = "read", "misread", "refused", "passed"
 ADVISED = "refused, and the advice names other inputs alone"
 
 
+def _supply(columns: Collection[str]) -> Supply:
+    """Return what stands in for inputs in all that a table has results of."""
+    return Supply.of(EVERYTHING, columns, {"radius": "100nm"}, known_materials())
+
+
 def outcome(header: Header) -> str:
     """Return what becomes of a header beside a column of materials and a radius that is an option."""
     try:
-        found = understood(("material", header.text), [["quartz", "0.3"]], given=("radius",))
+        found = understood(("material", header.text), [["quartz", "0.3"]], given=("radius",), supply_of=_supply)
     except BadTable as error:
         meanings = advised(str(error))
         return ADVISED if meanings and header.name and meanings.isdisjoint({header.name, *header.others}) else REFUSED

@@ -28,6 +28,7 @@ from .words import INPUTS, MATERIALS, fits, headed, unit_for
 # Inputs of which one takes the place of others, besides those of EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
 _OF_INPUTS = {route for name, routes in routes_anywhere().items() if name in INPUTS for route in routes}
+_OF_PARTS = ("approach_at_load", "atomic_spacing", "yield_displacement")  # whose words are beside those of others
 _MOST_MEANT = 3  # inputs among which a user chooses
 
 
@@ -117,7 +118,7 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
     if not candidates:
         candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
     tokens = tokens_of(split.word)
-    if not tokens or _is_result(split):
+    if _is_result(split):
         return head
     spheres = {0, _sphere(tokens) or 1, _sphere(tokens) or 2}
     candidates = {
@@ -140,10 +141,13 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
 
 
 def _unit(split: Split, name: str) -> str:
-    """Return the unit of a quantity that a header has, as `unit_for` has it; one of the table has its dimension."""
-    if name in MATERIALS or (is_in_table(split.unit) and not fits(split.unit, name)):
+    """Return the unit of an input that a header has, UNIT where it cannot be read as it is; "" for another unit."""
+    if not split.unit or name in MATERIALS or (is_in_table(split.unit) and not fits(split.unit, name)):
         return ""
-    return unit_for(split.unit, name, is_explicit=split.is_explicit)
+    if unit := unit_for(split.unit, name, is_explicit=split.is_explicit):
+        return unit
+    spelt = split.unit.casefold()
+    return "UNIT" if split.is_explicit and any(fits(each, name) for each in (spelt, spelt.rstrip("s"))) else ""
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
@@ -189,16 +193,24 @@ def _is_value(cell: str, name: str) -> bool:
 
 def _with_unit(text: str) -> Split:
     """Return the division of a header with the longest unit that the table of units, or an input, knows."""
-    known = [split for split in splits_of(text) if split.unit and _is_unit(split)]
-    return max(known, key=lambda split: len(split.unit), default=Split(text, ""))
+    known = [split._replace(unit=split.unit.lstrip(" /|:;-")) for split in splits_of(_plain(text)) if _is_unit(split)]
+    return max(known, key=lambda split: (len(split.unit), len(split.word)), default=Split(text, ""))
+
+
+def _plain(text: str) -> str:
+    """Return a header with squares and cubes of metres as powers."""
+    return re.sub(
+        r"(?i)(?<![a-z])(sq|cu)[\s._]*(c?m)(?![a-z])", lambda found: f"{found[2]}{_POWERS[found[1].lower()]}", text
+    )
+
+
+_POWERS = {"sq": "2", "cu": "3"}
 
 
 def _is_unit(split: Split) -> bool:
     if not split.is_explicit and len(split.unit) == 1 and (split.unit != "m" or len(split.word) < 3):
         return False  # an index
-    if is_in_table(split.unit):
-        return True
-    return any(unit_for(split.unit, name, is_explicit=split.is_explicit) for name in INPUTS)
+    return is_in_table(split.unit) or any(_unit(split, name) for name in INPUTS)
 
 
 def tokens_of(text: str) -> list[str]:
@@ -229,14 +241,17 @@ def _symbols_of_inputs() -> Collection[str]:
 
 def _points_to(tokens: Sequence[str], name: str) -> bool:
     """Return whether the words of a column leave it an input of its dimension."""
-    unit = NOMENCLATURE[name].unit
-    others = words.NO_INPUTS.get(unit, frozenset())
-    begun = {token[:length] for token in tokens for length in range(4, len(token))}
-    if not (words.LABELS | words.OTHERS | others).isdisjoint(tokens) or not others.isdisjoint(begun):
+    first, unit = of_sphere(1, name), NOMENCLATURE[name].unit
+    if not words.LABELS.isdisjoint(tokens):
         return False
-    if of_sphere(1, name) not in words.POINTERS:
+    if first not in _OF_PARTS:
+        others = words.NO_INPUTS.get(unit, frozenset())
+        is_other = any(word in token for word in others if len(word) > 4 for token in tokens)
+        if is_other or not (words.OTHERS | others).isdisjoint(tokens):
+            return False
+    if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS
-    symbols, stems = words.POINTERS[of_sphere(1, name)]
+    symbols, stems = words.POINTERS[first]
     bare = {*tokens, *(token.rstrip("12") for token in tokens)}
     return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in tokens)
 

@@ -211,7 +211,7 @@ def lacking_a_letter(word: str) -> list[str]:
 # --- Units ------------------------------------------------------------------------------------------------------------
 
 _COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2 mJ/m2 erg/cm2 N/m mN/m dyn/cm kg/m3
-    g/cm3 g/cc m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
+    g/cm3 g/cc g/ml kg/l N/mm2 kN/mm2 dyn/cm2 m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
 
 
 @cache
@@ -298,16 +298,19 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
     "hamaker": ("a ah".split(), ["hamaker"]),
     "adhesion_hysteresis": ((), ["hyst"]),
     "radius": (
-        "r rp rs rt rw ri rj d dp ds dt dw di dj rad dia tip probe ball".split(),
+        "r a rp rs rt rw ri rj d dp ds dt dw di dj rad dia tip probe ball".split(),
         """radi rayon diam durchm size groess gross grain partic sphere bead kugel korn partikel colloid monomer
-        indenter bille tamano taille""".split(),
+        indenter bille tamano taille raio straal""".split(),
     ),
     "reduced_radius": ("r reff".split(), "radi rayon".split()),
     "yield_displacement": ("xi".split(), "displac verschieb deplac critic krit".split()),
-    "atomic_spacing": ("z0 d0 eps".split(), "spacing interatom abstand".split()),
+    "atomic_spacing": ("z0 d0 h0 hmin".split(), "spacing interatom atomic minim separation attract".split()),
     "cutoff": ("d0".split(), "cutoff".split()),
-    "approach_at_load": ("delta".split(), "indent approach overlap penetr deform eindring".split()),
-    "load": ("fn p preload".split(), "load last charge setpoint applied normal carga".split()),
+    "approach_at_load": ("delta deltan".split(), "indent approach overlap penetr deform eindring enfonc".split()),
+    "load": (
+        "fn fz p ext external app set pre preload trigger".split(),
+        "load last charge setpoint applied normal carga trigger".split(),
+    ),
 }
 GENERIC = {*"energy modulus radius work of".split()}  # which tell no inputs of one dimension apart
 # By SI unit, words of what is no input.
@@ -316,15 +319,15 @@ NO_INPUTS: Mapping[str, frozenset[str]] = {
     for unit, text in {
         "J/m^2": """stiffness spring constant steifigkeit raideur k kn kt kc ks kr cantilever lever liquid water fluence
             dose gradient slope sensitivity polar dispersive film""",
-        "Pa": """pressure press druck pression stress spannung yield hardness haerte durete strength tensile compressive
+        "Pa": """festigkeit vickers knoop pressure press druck pression stress spannung yield hardness haerte durete strength tensile compressive
             vacuum vapour vapor hertz hertzian tresca mises p sigma""",
         "kg/m^3": "gas air fluid liquid water medium bulk tap tapped packing loose number charge",
-        "J": """atom molecule mol formation exfoliation decomposition vbm cbm heat thermal activation bond lattice band gap photon fermi dissipation dissipated lost loss barrier kt kbt
+        "J": """potential ioni chemical atom molecule mol formation exfoliation decomposition vbm cbm heat thermal activation bond lattice band gap photon fermi dissipation dissipated lost loss barrier kt kbt
             break breaking rolling roll fold sticking pull binding strain internal""",
-        "m/s": """sound wave wind flow gas fluid scan ramp retract retraction terminal settling sticking rebound rotation
+        "m/s": """sound schall thermal friction shear vx vy vz wave wind flow gas fluid scan ramp retract retraction terminal settling sticking rebound rotation
             angular escape crack pull stick""",
         "m": """contact gyration height thickness width length position distance dist roughness rms rq ra wavelength box
-            film layer lattice pore mesh grid lambda mfp path trajectory screen debye""",
+            film layer lattice pore mesh grid tube bend orbital separation lambda mfp path trajectory screen debye""",
         "N": """adhesion adhesive pull off pulloff friction lateral shear measured max peak snap detach detachment rupture
             capillary drag electrostatic""",
     }.items()
