@@ -112,10 +112,25 @@ def reading_of(text: str, measured: str = "") -> Reading:
 
 def normalized(text: str) -> str:
     """Return a header with one spelling of marks, blanks and brackets."""
+    text = decoded(text)
     for mark, plain in _LATEX.items():
         text = re.sub(mark, plain, text)
     text = re.sub(_QUOTED, r"\2", " ".join(composed(text).translate(_SPELT).split()))
     return _PLUS_MINUS.sub("±", text)
+
+
+def decoded(text: str) -> str:
+    """Return a header in UTF-8 that was read as cp1252 or Latin-1 as it was written; any other as it is.
+
+    >>> decoded("Î³ (mJ/mÂ²)"), decoded("Ï\x81"), decoded("γ (eV/Å²)"), decoded("Å²")
+    ('γ (mJ/m²)', 'ρ', 'γ (eV/Å²)', 'Å²')
+    """
+    if text.isascii() or "Å" in text:  # Å² would be another letter, and no Greek letter or unit is read as Å
+        return text
+    try:
+        return b"".join(each.encode("latin-1" if each <= "ÿ" else "cp1252") for each in text).decode()
+    except UnicodeError:
+        return text
 
 
 def splits_of(text: str) -> Iterator[Split]:
