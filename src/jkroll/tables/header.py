@@ -5,7 +5,7 @@ beside a column of an input, and what says more of it and may not pass.
 """
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from types import MappingProxyType
 from typing import NamedTuple
@@ -33,6 +33,7 @@ from .reading import (
     symbol_of,
     words_in,
 )
+from .unread import NOTHING, Supply, judged
 from .words import MATERIALS, fits, headed, key, unit_for
 
 _NOT_USED = "a value has one column of ±, or two, of minus and plus; a range has those of its ends alone"
@@ -51,6 +52,7 @@ class Header(NamedTuple):
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
     materials: tuple[Column, ...]  # that name them
+    clauses: Mapping[int, str] = MappingProxyType({})  # what stands in for columns that pass by the user's word
 
     @property
     def names(self) -> frozenset[str]:
@@ -68,9 +70,14 @@ class Header(NamedTuple):
         if preamble:
             sentence += f"; lines passed over before the header: {preamble}"
         used = {*self.places.values()}
-        if others := [text for place, text in enumerate(self.texts) if place not in used and text.strip()]:
-            sentence += f"; passed through: {first_of([*map(_easy, dict.fromkeys(others))], _MAX_SAID)}"
+        others = {place: text for place, text in enumerate(self.texts) if place not in used and text.strip()}
+        passed = [_easy(text) + self._clause(place) for place, text in others.items()]
+        if passed:
+            sentence += f"; passed through: {first_of([*dict.fromkeys(passed)], _MAX_SAID)}"
         return sentence
+
+    def _clause(self, place: int) -> str:
+        return f" ({self.clauses[place]})" if place in self.clauses else ""
 
     def _from(self, column: Column) -> str:
         """Return the header of an input with those that it is read from, if they are others."""
@@ -119,11 +126,15 @@ def understood(
     stated: Mapping[str, str] = MappingProxyType({}),
     given: Collection[str] = (),
     measured: str = "",
+    supply_of: Callable[[Collection[str]], Supply] | None = None,
+    *,
+    pass_rest: bool = False,
 ) -> Header:
     """Return the columns of a header, given the cells of its first rows.
 
     `stated`: what `--column` writes in place of headers; `given`: the inputs of options; `measured`: a quantity that
-    columns have besides inputs. Raises BadTable.
+    columns have besides inputs; `supply_of`: returns what stands in for inputs that no column gives; `pass_rest`:
+    whether all that is not read passes through. Raises BadTable.
     """
     for text in stated.keys() - {*map(typed, texts)}:
         columns_of_table = first_of([*map(_easy, texts)], _MAX_SAID)
@@ -141,7 +152,10 @@ def understood(
     held, known = {*used, *chain(*groups)}, {*used, *given}
     texts_of = {name: next(iter(parts.values())).text for name, parts in used.items()}
     heads = [_with_suffix(head, {**dict.fromkeys(given, ""), **texts_of}, measured) for head in heads]
-    refused = [head for head in heads if head.problem and not _may_pass(head, held, known)]
+    supply = NOTHING if supply_of is None else supply_of(used)
+    heads = [judged(head, [row[head.place] for row in rows], supply) for head in heads]
+    left = [head for head in heads if head.problem and not _may_pass(head, held, known)]
+    refused = [] if pass_rest else [*left]
     refused += [head for head in map(_with_problem, values) if head.problem]
     refused += [
         head._replace(problem=_NOT_USED, meant=())
@@ -153,7 +167,8 @@ def understood(
         raise _refusal(sorted(refused, key=lambda head: head.place))
     columns = [_column(name, parts) for name, parts in used.items()]
     materials = tuple(column for column in columns if column.name in MATERIALS)
-    return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials)
+    clauses = {head.place: clause for head in left if (clause := supply.clauses.get(head.name))}
+    return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials, clauses)
 
 
 def _with_suffix(head: Reading, known: Mapping[str, str], measured: str) -> Reading:
@@ -342,6 +357,7 @@ def _refusal(heads: Sequence[Reading]) -> BadTable:
         texts.setdefault(head.problem, []).append(f"{quoted(head.text)}{cell}")
     problems = [f"{listed(each)}: {problem}" for problem, each in texts.items()]
     passing = f"{' '.join(_option(head.text, '') for head in heads)} to pass {'them' if heads[1:] else 'it'} through"
+    passing += " (--pass-rest passes all that is not read)" if heads[1:] else ""
     mark = " " if all(len(head.meant) < 2 for head in heads) else "; "  # options that can be typed together
     remedies = ", or ".join(filter(None, [mark.join(ways), passing]))
     return BadTable(f"header: {'; '.join(problems)}. Write {remedies}")

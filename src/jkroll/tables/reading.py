@@ -76,7 +76,7 @@ _QUOTED = r"^([\"'])\s*(.*?)\s*\1$"
 _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
 _FACTOR_BEHIND = r"\s*(?:(?<![^\W\d_])x|[×*·/^+−-])\s*\(?\d[\d.,eE^+⁰¹²³⁴⁵⁶⁷⁸⁹⁻−-]*\)?$"  # as in radius (nm) x 10
-_FACTOR_INSIDE = r"(?<![\w.^])\d[\d.]*[*·×]?(?=[^\W\d_])"  # as in w=2γ
+FACTOR_INSIDE = r"(?<![\w.^])\d[\d.]*[*·×]?(?=[^\W\d_])"  # as in w=2γ
 FACTOR = "a sign or a factor stands beside the word or its unit"
 _LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # where words were taken away
 SPREAD = "it may be an uncertainty of {0}, of which the columns are {0}_err, or {0}_minus and {0}_plus"
@@ -289,7 +289,7 @@ def _doubtful(
     What may make another quantity of it is no advice.
     """
     name, others = names[0], _beside(split.word, word)
-    if re.search(_FACTOR_INSIDE, split.word):
+    if re.search(FACTOR_INSIDE, split.word):
         return Reading(name, problem=FACTOR)
     problem, of_pair = meaning.problem or f"it may be {name}", words.PAIRS.get(name, "")
     is_neutral = others <= {

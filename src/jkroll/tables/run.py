@@ -185,7 +185,9 @@ def convert_one(path: str, job: Job) -> Tally:
             form, blocks = batches_of(file, job.target, asked.is_read)
         else:
             form, blocks = table_of_lines(file, given, asked.is_read, excel_safe=job.excel_safe)
-        header = understood(form.names, form.sample, asked.stated, asked.inputs, asked.measured)
+        header = understood(
+            form.names, form.sample, asked.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
+        )
         check_inputs(header, asked.measured)
         reading = header.reading(form.preamble)
         job.say([reading])  # at once: an input is missing where a column is not understood

@@ -3,7 +3,7 @@
 No file is opened here: `batch` reads and writes.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -22,6 +22,7 @@ from ..quantities.values import is_uncertain, value_of
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
 from .header import Header, is_input, stated_meanings, typed
+from .unread import Supply
 from .words import LABEL_OF, MATERIALS, are_kinds_of_data, rows_of_statistics
 
 _NO_ROWS: Any = numpy.empty(0)  # the values of an input where there is no row yet
@@ -35,6 +36,7 @@ class Asked(NamedTuple):
     explicit: Sequence[str] = ()  # quantities that were asked for by name
     offered: Sequence[str] = ()  # quantities that may lack inputs
     columns: Sequence[str] = ()  # what headers mean, as `--column` has it
+    pass_rest: bool = False  # whether all columns that are not read pass through
     infer: str = ""  # the input that is sought
     measured: str = ""  # the quantity from which it follows, whose measured values a column has
     doubt: bool = True  # whether there is a column of doubts
@@ -45,6 +47,11 @@ class Asked(NamedTuple):
     def stated(self) -> Mapping[str, str]:
         """The meanings that `--column` writes in place of headers."""
         return stated_meanings(self.columns, self.measured)
+
+    def supply(self, columns: Collection[str]) -> Supply:
+        """Return what stands in for inputs that no column gives. `columns`: the names of those that columns give."""
+        names = [self.measured] if self.infer else [*self.explicit, *self.offered]
+        return Supply.of(names, {*columns, self.infer}, self.inputs, self.known)
 
     def is_read(self, text: str) -> bool:
         """Return whether a header may be that of an input, or of what was measured."""

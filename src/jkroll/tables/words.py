@@ -306,6 +306,71 @@ def headed(name: str, unit_text: str = "UNIT") -> str:
     return f"{name} [{unit_text}]" if NOMENCLATURE[name].unit not in ("", "1") else name
 
 
+# --- Words of columns that are not read -------------------------------------------------------------------------------
+
+# Of which sphere a property is: the first is the one that moves.
+SPHERES = {
+    **dict.fromkeys(
+        """tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer first""".split(),
+        1,
+    ),
+    **dict.fromkeys(
+        "wall substrate sample plate plane flat base target counterface counterbody second other".split(), 2
+    ),
+}
+# Beside a word they make it a multiple or a part of the quantity.
+SENSES = {*"half double twice fwhm hwhm squared square square inv times per ratio rel relative change rate".split()}
+# SI units so common that a word must point to an input.
+COMMON_UNITS = ("m", "N", "s", "1")
+# For inputs in these units: symbols, and parts of words, which point to them.
+POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
+    "hamaker": ("a ah".split(), ["hamaker"]),
+    "adhesion_hysteresis": ((), ["hyst"]),
+    "radius": (
+        "r rp rs rt rw ri rj d dp ds dt dw di dj rad dia tip probe ball".split(),
+        """radi rayon diam durchm size groess gross grain partic sphere bead kugel korn partikel colloid monomer
+        indenter bille tamano taille""".split(),
+    ),
+    "reduced_radius": ("r reff".split(), "radi rayon".split()),
+    "yield_displacement": ("xi".split(), "displac verschieb deplac critic krit".split()),
+    "atomic_spacing": ("z0 d0 eps".split(), "spacing interatom abstand".split()),
+    "cutoff": ("d0".split(), "cutoff".split()),
+    "approach_at_load": ("delta".split(), "indent approach overlap penetr deform eindring".split()),
+    "load": ("fn p preload".split(), "load last charge setpoint applied normal carga".split()),
+}
+GENERIC = {*"energy modulus radius work of".split()}  # which tell no inputs of one dimension apart
+# By SI unit, words of what is no input.
+NO_INPUTS: Mapping[str, frozenset[str]] = {
+    unit: frozenset(text.split())
+    for unit, text in {
+        "J/m^2": """stiffness spring constant steifigkeit raideur k kn kt kc ks kr cantilever lever liquid water fluence
+            dose gradient slope sensitivity polar dispersive film""",
+        "Pa": """pressure press druck pression stress spannung yield hardness haerte durete strength tensile compressive
+            vacuum vapour vapor hertz hertzian tresca mises p sigma""",
+        "kg/m^3": "gas air fluid liquid water medium bulk tap tapped packing loose number charge",
+        "J": """atom molecule mol formation exfoliation decomposition vbm cbm heat thermal activation bond lattice band gap photon fermi dissipation dissipated lost loss barrier kt kbt
+            break breaking rolling roll fold sticking pull binding strain internal""",
+        "m/s": """sound wave wind flow gas fluid scan ramp retract retraction terminal settling sticking rebound rotation
+            angular escape crack pull stick""",
+        "m": """contact gyration height thickness width length position distance dist roughness rms rq ra wavelength box
+            film layer lattice pore mesh grid lambda mfp path trajectory screen debye""",
+        "N": """adhesion adhesive pull off pulloff friction lateral shear measured max peak snap detach detachment rupture
+            capillary drag electrostatic""",
+    }.items()
+}
+# Words that others use for an input, and that are not certain to mean it.
+WORDS_BESIDES: Mapping[str, Sequence[str]] = {
+    "surface_energy": "surface surf tension sfe".split(),
+    "work_of_adhesion": "adhesion adh interface interfacial fracture bond".split(),
+    "adhesion_hysteresis": ["hysteresis"],
+    "youngs_modulus": "young elastic modul dmt ym".split(),
+    "contact_modulus": "contact reduced effective equivalent star".split(),
+    "shear_strength": "friction strength".split(),
+    "energy": "kinetic impact collision ekin".split(),
+    "speed": "relative impact collision rel".split(),
+    "yield_displacement": "xi critical rolling".split(),
+}
+
 # --- Rows of statistics -----------------------------------------------------------------------------------------------
 
 LABEL_OF = "label of column "  # and its index: the name of its cells

@@ -1,0 +1,284 @@
+"""Columns that are not read, judged by their units: none passes beside a number that stands in for it.
+
+The unit of a column says which inputs it may be, its word only which of these. Where a material, an option, a default
+or sphere 1 supplies such an input, the column is refused until a user says what it is. Lengths and forces are so common
+as other things that their word must point to an input. Of a column of text the cells say that it names materials.
+"""
+
+import re
+from collections.abc import Collection, Mapping, Sequence
+from functools import cache
+from typing import NamedTuple
+
+from ..errors import JkrollError
+from ..materials.library import Materials, UnclearMaterial
+from ..model.frame import DEFAULTS, EXCLUSIVE
+from ..model.plan import depends_on, formula_of
+from ..quantities.formatting import amount, symbol_of
+from ..quantities.laws import DEFAULT_LAW, LAWS, routes_anywhere
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, QUANTITY_SYNONYMS, of_sphere
+from ..quantities.units import is_in_table
+from ..quantities.values import QuantityError, value_of
+from ..text import ascii_text, shown
+from . import words
+from .cells import has_no_value, is_number
+from .reading import FACTOR_INSIDE, Reading, Split, normalized, reading_of, splits_of
+from .words import INPUTS, MATERIALS, fits, headed, unit_for
+
+# Inputs of which one takes the place of others, besides those of EXCLUSIVE.
+_OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
+_OF_INPUTS = {route for name, routes in routes_anywhere().items() if name in INPUTS for route in routes}
+_MOST_MEANT = 3  # inputs among which a user chooses
+
+
+class Supply(NamedTuple):
+    """The inputs that no column gives and something else supplies, each with a clause that says what."""
+
+    clauses: Mapping[str, str]  # as in "E1 is quartz's 54 GPa"; of an input in place of another, the other's
+    direct: Collection[str]  # those that are supplied themselves
+    solids: Sequence[str]  # columns of materials that would supply a property
+    known: Materials
+
+    @classmethod
+    def of(
+        cls, names: Sequence[str], columns: Collection[str], options: Mapping[str, str], known: Materials
+    ) -> "Supply":
+        """Return what is supplied to some quantities.
+
+        `columns`: the inputs that columns give; `options`: the texts that options give, by input.
+        """
+        law = options.get("model", DEFAULT_LAW).casefold()
+        needed = depends_on(tuple(names), (law if law in LAWS else DEFAULT_LAW,))
+        left = [name for name in INPUTS if name in needed and name not in columns]
+        free = [group for group in (*EXCLUSIVE, *_OF_MODULI) if not any(name in columns for name in group)]
+        # A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
+        decided = [group for group in EXCLUSIVE if "work_of_adhesion" not in group]
+        decided += _OF_MODULI if "contact_modulus" in columns else ()
+        others = {name for group in decided if not {*group}.isdisjoint(columns) for name in group}
+        clauses: dict[str, str] = {}
+        for name in left:
+            first = of_sphere(1, name)
+            if name in others and name not in options:
+                continue
+            if supplier := _supplier(name, columns, options, known):
+                clauses[name] = f"{symbol_of(name).removesuffix('1')} is {supplier}"
+            elif first != name and (first in columns or first in clauses):
+                clauses[name] = f"{symbol_of(name)} is that of sphere 1"
+        replaced = {
+            name: clauses[other]
+            for group in free
+            for other in group
+            if other in clauses
+            for name in group
+            if name in left and name not in clauses and name not in others
+        }
+        lacking = {NOMENCLATURE[name].sphere for name in left if of_sphere(1, name) in PROPERTIES}
+        solids = [solid for sphere, solid in enumerate(MATERIALS, 1) if sphere in lacking and solid not in columns]
+        if "material2" in solids:
+            clauses["material2"] = "sphere 2 is of the solid of sphere 1"
+        return cls(replaced | clauses, clauses, solids, known)
+
+
+NOTHING = Supply({}, (), (), Materials([]))
+
+
+def _supplier(name: str, columns: Collection[str], options: Mapping[str, str], known: Materials) -> str:
+    """Return the words for what supplies an input that no column gives; "" for nothing, or sphere 1."""
+    if name in options:
+        return f"{NOMENCLATURE[name].option or 'that of an option:'} {shown(options[name])}"
+    sphere = NOMENCLATURE[name].sphere
+    solid = of_sphere(sphere, "material") if sphere else ""
+    first = of_sphere(1, name)
+    if first in PROPERTIES and solid in columns:
+        return "the material's" if sphere == 1 else f"that of {solid}"
+    if first in PROPERTIES and solid in options:
+        try:
+            material = known[options[solid]]
+        except JkrollError:
+            return ""
+        if first in material.properties:
+            return f"{material.name}'s {amount(first, material.properties[first])}"
+    return f"{amount(name, DEFAULTS[name])} by default" if name in DEFAULTS else ""
+
+
+def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
+    """Return a column; one that is not read has a problem if it may be an input that is supplied.
+
+    `cells`: the first ones.
+    """
+    if head.name or head.problem or head.part or head.is_stated or supply is NOTHING:
+        return head
+    cells = [cell.strip() for cell in cells if not has_no_value(cell)]
+    if cells and not any(map(is_number, cells)) and (reading := _of_solids(head, cells, supply)):
+        return reading
+    text = normalized(head.text)
+    split = _with_unit(text)
+    candidates = {name: unit for name in supply.clauses if (unit := _unit(split, name))}
+    if not candidates:
+        candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
+    tokens = tokens_of(split.word)
+    if not tokens or _is_result(split):
+        return head
+    spheres = {0, _sphere(tokens) or 1, _sphere(tokens) or 2}
+    candidates = {
+        name: unit
+        for name, unit in candidates.items()
+        if NOMENCLATURE[name].sphere in spheres and _points_to(tokens, name)
+    }
+    if not candidates:
+        return head
+    names, is_told = _likeliest(tokens, [*candidates], supply)
+    clauses = dict.fromkeys(supply.clauses[name] for name in names or candidates)
+    problem = f"not read, and {'; '.join([*clauses][:_MOST_MEANT])}"
+    is_told &= not re.search(FACTOR_INSIDE, text) and (words.FUNCTIONS | words.SENSES).isdisjoint(tokens)
+    is_mangled = split.is_mangled and is_in_table(f"u{split.unit}")
+    has_units = not all(map(is_number, cells))
+    meant = [headed(name, (not is_mangled and candidates[name]) or "UNIT") for name in names if is_told]
+    meant = names if is_told and has_units and not split.unit else meant
+    first = names[0] if names else next(iter(candidates))
+    return head._replace(name=first, problem=problem, meant=meant[:_MOST_MEANT], names=names or [*candidates])
+
+
+def _unit(split: Split, name: str) -> str:
+    """Return the unit of a quantity that a header has, as `unit_for` has it; one of the table has its dimension."""
+    if name in MATERIALS or (is_in_table(split.unit) and not fits(split.unit, name)):
+        return ""
+    return unit_for(split.unit, name, is_explicit=split.is_explicit)
+
+
+def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
+    """Return the supplied inputs that a header without a unit may be: by the unit of its first cell, or as a symbol."""
+    if not all(map(is_number, cells)):
+        return [name for name in supply.clauses if any(_is_value(cell, name) for cell in cells[:1])]
+    reading = reading_of(text)
+    is_symbol = reading.is_symbol and NOMENCLATURE[reading.name].unit not in words.COMMON_UNITS
+    return [reading.name] if is_symbol and reading.name in supply.direct else []
+
+
+def _of_solids(head: Reading, cells: Sequence[str], supply: Supply) -> Reading | None:
+    """Return a column whose cells name known materials, which may be those of a sphere; None for another one."""
+    if not supply.solids or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)):
+        return None
+    sphere = _sphere(tokens_of(normalized(head.text)))
+    names = [MATERIALS[sphere - 1]] if sphere and MATERIALS[sphere - 1] in supply.solids else [*supply.solids]
+    return head._replace(name=names[0], problem="not read, and its cells are materials", meant=names)
+
+
+def _is_material(cell: str, known: Materials) -> bool:
+    try:
+        return len(cell) > 1 and bool(known[cell])
+    except UnclearMaterial:
+        return True
+    except JkrollError:
+        return False
+
+
+def _is_value(cell: str, name: str) -> bool:
+    """Return whether a cell is a value of an input with its unit."""
+    if is_number(cell) or not cell[:1].isdigit() or NOMENCLATURE[name].unit in ("", "1"):
+        return False
+    try:
+        value_of(cell, name)
+    except QuantityError:
+        return False
+    return True
+
+
+# --- Words ------------------------------------------------------------------------------------------------------------
+
+
+def _with_unit(text: str) -> Split:
+    """Return the division of a header with the longest unit that the table of units, or an input, knows."""
+    known = [split for split in splits_of(text) if split.unit and _is_unit(split)]
+    return max(known, key=lambda split: len(split.unit), default=Split(text, ""))
+
+
+def _is_unit(split: Split) -> bool:
+    if not split.is_explicit and len(split.unit) == 1 and (split.unit != "m" or len(split.word) < 3):
+        return False  # an index
+    if is_in_table(split.unit):
+        return True
+    return any(unit_for(split.unit, name, is_explicit=split.is_explicit) for name in INPUTS)
+
+
+def tokens_of(text: str) -> list[str]:
+    """Return the words and symbols of a header, in small letters.
+
+    >>> tokens_of("E wall"), tokens_of("surfAdh_2"), tokens_of("z0")
+    (['e', 'wall'], ['surf', 'adh', '2'], ['z0'])
+    """
+    parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", ascii_text(text).replace("'", ""))
+    return re.findall(r"[a-z]+\d*|\d+", parted.casefold())
+
+
+def _is_result(split: Split) -> bool:
+    """Return whether a word is the name or the symbol of a result of this program, or begins with such a name."""
+    name = re.sub(r"[\s_.-]+", "_", split.word.strip()).casefold()
+    for result, quantity in NOMENCLATURE.items():
+        if formula_of(result) is not None and result not in _OF_INPUTS and fits(split.unit, result):
+            is_named = name == result or name.startswith(f"{result}_")
+            if is_named or (quantity.symbol == split.word and quantity.symbol not in _symbols_of_inputs()):
+                return True
+    return False
+
+
+@cache
+def _symbols_of_inputs() -> Collection[str]:
+    return {symbol_of(name).removesuffix("1") for name in INPUTS} | {symbol_of(name) for name in INPUTS}
+
+
+def _points_to(tokens: Sequence[str], name: str) -> bool:
+    """Return whether the words of a column leave it an input of its dimension."""
+    unit = NOMENCLATURE[name].unit
+    others = words.NO_INPUTS.get(unit, frozenset())
+    begun = {token[:length] for token in tokens for length in range(4, len(token))}
+    if not (words.LABELS | words.OTHERS | others).isdisjoint(tokens) or not others.isdisjoint(begun):
+        return False
+    if of_sphere(1, name) not in words.POINTERS:
+        return unit not in words.COMMON_UNITS
+    symbols, stems = words.POINTERS[of_sphere(1, name)]
+    bare = {*tokens, *(token.rstrip("12") for token in tokens)}
+    return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in tokens)
+
+
+def _sphere(tokens: Sequence[str]) -> int:
+    """Return the sphere that the words of a header name; 0 for none."""
+    numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*[12]", token)]
+    return next(iter([*numbers, *(words.SPHERES[token] for token in tokens if token in words.SPHERES)]), 0)
+
+
+def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> tuple[list[str], bool]:
+    """Return which of some inputs the words of a column mean most likely, and whether a word tells."""
+    sphere, is_of_pair = _sphere(tokens), not words.OF_PAIR.isdisjoint(tokens)
+    if is_of_pair:
+        names = [name for name in names if name in words.PAIRS.values()]
+    if not sphere:
+        names = [name for name in names if NOMENCLATURE[name].sphere != 2 or of_sphere(1, name) not in supply.clauses]
+    scores = {name: _score(tokens, name) for name in names}
+    best = max(scores.values(), default=0)
+    likeliest = [name for name in names if scores[name] == best]
+    if sphere:
+        likeliest = [name for name in likeliest if NOMENCLATURE[name].sphere] or likeliest
+    is_told = best > 0 or is_of_pair
+    return [name for name in likeliest if is_told or name in supply.direct], is_told
+
+
+def _score(tokens: Sequence[str], name: str) -> int:
+    """Return how many words of a header are those of an input, or begin like them."""
+    first = of_sphere(1, name)
+    symbols, vocabulary = [token.rstrip("12") for token in tokens_of(symbol_of(first))], _vocabulary(first)
+    return sum(_is_one_of(token.rstrip("12"), symbols, vocabulary) for token in tokens)
+
+
+def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]) -> bool:
+    if len(token) < 3:
+        return token in symbols
+    return token in symbols or any(word.startswith(token) or token.startswith(word[:5]) for word in vocabulary)
+
+
+@cache
+def _vocabulary(name: str) -> Collection[str]:
+    """Return the words of an input: of its name, its option, and those of others."""
+    texts = [name, *(word for of in (OPTION_WORDS, QUANTITY_SYNONYMS) for word, meant in of.items() if meant == name)]
+    texts += words.WORDS_BESIDES.get(name, ())
+    return {token for text in texts for token in tokens_of(text) if len(token) > 2} - words.GENERIC
