@@ -23,10 +23,10 @@ from relative import approx
 # Headers by the input that they mean and its unit in SI units, over a plain number as files have it. R is beside R2.
 _READ = r"""
 radius 1e-9: radius [nm] | Radius [nm] | R1 (nm) | R_1 [nm] | radius1 [nm] | R1_nm | radius in nm | radius, nm
-radius 1e-9: radius/nm | radius / (nm) | R (nm) | R_nm | rad_nm | radii [nm]
+radius 1e-9: r1 [nm] | radius/nm | radius / (nm) | R (nm) | R_nm | rad_nm | radii [nm]
 radius 1e-6: RADIUS (um) | R1 (um) | radius_um | R1 / µm | R / µm | RADIUS [UM]
-radius2 1e-9: R2 (nm) | radius_2 [nm] | R₂ [nm] | radius₂ [nm]
-radius2 1e-6: R_2/um | $R_{2}$ [$\mu$m] | R_2 (\mu m)
+radius2 1e-9: R2_nm_ | R2 (nm) | radius_2 [nm] | R₂ [nm] | radius₂ [nm]
+radius2 1e-6: R_2/um | r2_um | r2..um. | R2 - µm | R2_um_ | $R_{2}$ [$\mu$m] | R_2 (\mu m)
 work_of_adhesion 1e-3: W [mJ/m2] | Δγ (mJ/m2) | w [mJ/m2] | Work of adhesion (mJ/m2)
 work_of_adhesion 1: W_adh (J m-2)
 surface_energy 1e-3: SFE [mJ/m2] | γ [mJ/m2] | γ1 (mJ/m²) | gamma1 [mJ/m2] | Gamma [mJ/m2] | gamma_mJ_m2
@@ -39,6 +39,7 @@ surface_energy2 1: gamma_2 [J/m2]
 youngs_modulus 1e9: E [GPa] | E_GPa | E1_GPa | E_1 [GPa] | Young's modulus (GPa) | youngs modulus, GPa
 youngs_modulus 1e9: Young modulus in GPa | young_GPa | E₁ (GPa) | elastic_modulus_gpa | young GPa | E_GPA
 youngs_modulus 1e9: E [Gpa] | youngsModulus (GPa) | Emod [GPa] | elastic moduli (GPa)
+youngs_modulus 1e9: e_gpa | e (GPa) | E - GPa | E1_GPa_
 youngs_modulus 1e6: E (MPa) | Young's Modulus [MPa]
 youngs_modulus2 1: E2 [Pa]
 energy 1: E [J]
@@ -47,7 +48,7 @@ poisson_ratio 1: nu | ν | Nu1 | Poisson's ratio | Poisson ratio | poisson_ratio
 poisson_ratio2 1: ν2
 surface_energy 1e-3: γ (mN.m-1) | $\gamma_1$ [mJ m$^{-2}$]
 speed 1: velocity [m.s-1] | Speed (m·s⁻¹) | velocity_mps | v [m/s] | Speed (m/s) | velocity (m/s) | v_imp (m/s)
-speed 1e-2: v_cm_s
+speed 1e-2: v_cm_s | V_CM_S
 density 1: rho [kg/m3] | ρ (kg/m³) | density_kg_m3 | Density (kg/m^3) | rho_kgm3
 density 1e3: RHO [g/cm3] | Rho (g/cm3) | density_g_cm3 | density_gcm3
 yield_displacement 1e-9: xi [nm]
@@ -66,7 +67,7 @@ reduced_radius 1e-9: reduced_radius [nm]
 radius 1e-9: radius【nm】 | radius–nm | radius = nm | radius R (nm)
 youngs_modulus 1e9: E-Modul [GPa] | E · GPa | E1 – GPa | Elastic Modulus E (GPa) | Young's modulus E1 [GPa]
 density 1: Density ρ (kg/m³) | densities [kg/m3]
-hamaker 1e-21: Hamaker constant A (zJ)
+hamaker 1e-21: Hamaker constant A (zJ) | a_zj
 """
 
 
@@ -87,8 +88,8 @@ _FACTOR = "a sign or a factor stands beside the word or its unit"
 LOSSY = ("radius__m_", "Load___N_", "hamakerZj", "load_MN", "speed__m_s_")
 REFUSED = {
     **dict.fromkeys([*_SIZES.split(" | "), "size2_um", "Ø [nm]", "diameter_um", "diameter2 [nm]"], _SIZE),
-    **{f"{r} [nm]": f"r may be a distance. Write --column '{r} [nm]=radius [nm]'" for r in ("r", "r1")},
-    "r2_um": "r may be a distance. Write --column 'r2_um=radius2 [um]'",
+    "r [nm]": "r may be a distance. Write --column 'r [nm]=radius [nm]'",
+    **dict.fromkeys(("s [nm]", "S (nm)"), "s may be a distance. Write --column"),
     **dict.fromkeys(("indentation [nm]", "Overlap (nm)"), "it may be the approach. Write --column"),
     "R* [nm]": "'R* [nm]=reduced_radius [nm]'",
     "W_12 (mJ/m²)": "'W_12 (mJ/m²)=work_of_adhesion [mJ/m²]'",
@@ -169,6 +170,14 @@ def test_a_spelling_is_read() -> None:
         assert (column.name, column.read("0.5")) == (name, approx(0.5 * unit, rel=1e-15)), text
 
 
+def test_a_spelling_whose_utf_8_was_mistaken_is_read() -> None:
+    mistaken = {text.encode().decode("latin-1"): text for text in READ if not text.isascii()}
+    mistaken |= {"Î³ (mJ/mÂ²)": "γ1 (mJ/m²)", "Râ‚‚ (nm)": "R₂ [nm]", "Î¾ (Ã…)": "ξ (Å)", "Poissonâ€™s ratio": "ν"}
+    for text, meant in mistaken.items():
+        assert reading_of(text)[:2] == reading_of(meant)[:2], text
+    assert reading_of("surface energy (eV/Å²)").unit_text == "eV/Å²"
+
+
 @pytest.mark.parametrize("text", REFUSED)
 def test_a_spelling_is_refused_with_a_remedy(run: Run, text: str) -> None:
     Path("x.csv").write_text(f'name,"{text}"\na,100\n', encoding="utf-8")
@@ -206,7 +215,7 @@ def test_a_prime_is_part_of_a_symbol_and_quotes_are_not() -> None:
         assert understood([text], [["3 GPa"]]).names == {"youngs_modulus"}
 
 
-_OF_2 = "r2_um | D2 [um] | diameter2 (um) | Diameter 2, um | E_tip_GPa | R_tip (nm) | tip radius (nm) | radius [nm].1"
+_OF_2 = "D2 [um] | diameter2 (um) | Diameter 2, um | E_tip_GPa | R_tip (nm) | tip radius (nm) | radius [nm].1"
 
 
 @pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])

@@ -2,8 +2,8 @@
 
 A header is a word with a unit, in any of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
 `gamma..mJ.m2.`. Words are compared by their letters and digits alone, so that `Young's modulus` and `youngsModulus` are
-one; a symbol is compared as it is written, and its unit decides between the quantities that have it. What has the word
-of an input and is no word with a unit is refused. All else passes through.
+one; a symbol is compared as it is written, or in any case before a unit, which decides between the quantities that have
+it. What has the word of an input and is no word with a unit is refused. All else passes through.
 """
 
 import re
@@ -71,7 +71,7 @@ _CUT = re.compile(
     r"([\s_.-]*[,/:;|\[({<=@~–—•·]\s*(?:in[\s_.]+)?|\s+in\s+)"
     r"|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
 )
-_PLAIN_GAP = re.compile(r"[\s_.-]?(?:(?:in|IN)[\s_.])?")
+_PLAIN_GAP = re.compile(r"(?:[\s_.-]?|\s-\s)(?:(?:in|IN)[\s_.])?")
 _QUOTED = r"^([\"'])\s*(.*?)\s*\1$"
 _EDGES = " _.,:;/|-·"
 _FACTORS = r"^[\d\s.*/^+()−-]+|\s*[*/^+(−-][\d\s.()]*(?:(?<=\d)[eE][+-]?\d+)?$|[⁰¹²³]+$"
@@ -112,10 +112,25 @@ def reading_of(text: str, measured: str = "") -> Reading:
 
 def normalized(text: str) -> str:
     """Return a header with one spelling of marks, blanks and brackets."""
+    text = decoded(text)
     for mark, plain in _LATEX.items():
         text = re.sub(mark, plain, text)
     text = re.sub(_QUOTED, r"\2", " ".join(composed(text).translate(_SPELT).split()))
     return _PLUS_MINUS.sub("±", text)
+
+
+def decoded(text: str) -> str:
+    r"""Return a header in UTF-8 that was read as cp1252 or Latin-1 as it was written; any other as it is.
+
+    >>> decoded("Î³ (mJ/mÂ²)"), decoded("Ï\x81"), decoded("γ (eV/Å²)"), decoded("Å²")
+    ('γ (mJ/m²)', 'ρ', 'γ (eV/Å²)', 'Å²')
+    """
+    if text.isascii() or "Å" in text:  # Å² would be another letter, and no Greek letter or unit is read as Å
+        return text
+    try:
+        return b"".join(each.encode("latin-1" if each <= "ÿ" else "cp1252") for each in text).decode()
+    except UnicodeError:
+        return text
 
 
 def splits_of(text: str) -> Iterator[Split]:
@@ -137,8 +152,9 @@ def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
         of_symbol = words.symbols().get(spelt_out(symbol), Meaning())
         meaning = named if {*named.names} <= {*of_symbol.names} else None
     is_symbol = meaning is None
-    if is_symbol and (is_explicit or (not is_mangled and len(squeezed(unit)) > 1 and word[:1].isalpha())):
-        meaning = words.symbols().get(spelt_out(word))
+    is_whole = not is_mangled or word[-1:].isdigit()  # E..GPa. may be E* or E'
+    if is_symbol and (is_explicit or (is_whole and len(squeezed(unit)) > 1 and word[:1].isalpha())):
+        meaning = words.with_symbol(word) if unit else words.symbols().get(spelt_out(word))
     if meaning is None or not meaning.names or (unit in words.INDICES and not is_explicit):
         return None
     units = ((each, unit_for(unit, each, is_explicit=is_explicit) if unit else "") for each in meaning.names)

@@ -49,13 +49,19 @@ _DOUBTFUL_WORDS = {
 _DOUBTFUL_SYMBOLS = {
     **dict.fromkeys("d D dp Dp".split(), _SIZE),
     **dict.fromkeys("Fn FN".split(), _FORCE),
-    "r": Meaning(["radius"], "r may be a distance"),
     "gamma12": Meaning(["work_of_adhesion"], "w = γ1 + γ2 - γ12, if it is of the interface", has_remedy=False),
     **dict.fromkeys("R* Reff".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
     **dict.fromkeys("w12 W12 wa Wa".split(), Meaning(["work_of_adhesion"], "it may be the work of adhesion")),
     "Rp": Meaning(["radius"], "it may be the radius of a particle"),
     "Eeff": _MODULUS,
 }
+
+_DISTANCE = {  # but r1 and r2 are radii
+    "r": Meaning(["radius"], "r may be a distance"),
+    "s": Meaning(["asperity_radius"], "s may be a distance"),
+}
+# Symbols of other quantities in another case: Δ, and d0 of a diameter.
+_OTHER_IN_CASE = ("d0", "delta", "deltaw")
 
 # Symbols of solids, whose index may say which of them: E_s, rho_p, Es; nu only with a gap before it, R of a body alone.
 _WITH_INDEX = re.compile(r"(E|rho|nu|R(?=[\s_](?:tip|probe|sphere|sample|wall)\Z))(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])")
@@ -169,7 +175,30 @@ def symbols() -> dict[str, Meaning]:
             names.setdefault(spelt_out(NOMENCLATURE[name].symbol).removesuffix("1"), []).append(name)
     for symbol, name in SYMBOLS_TOO.items():
         names.setdefault(symbol, []).append(name)
-    return _of_spheres({symbol: Meaning(inputs) for symbol, inputs in names.items()} | _DOUBTFUL_SYMBOLS)
+    return _of_spheres({symbol: Meaning(inputs) for symbol, inputs in names.items()} | _DOUBTFUL_SYMBOLS) | _DISTANCE
+
+
+@cache
+def symbols_in_any_case() -> dict[str, Meaning]:
+    """Return what symbols mean, in small letters; without those that differ from another by case alone, as R from r."""
+    meanings: dict[str, list[Meaning]] = {}
+    for symbol, meaning in symbols().items():
+        meanings.setdefault(symbol.casefold(), []).append(meaning)
+    return {
+        symbol: several[0]
+        for symbol, several in meanings.items()
+        if symbol not in _OTHER_IN_CASE and all(meaning == several[0] for meaning in several)
+    }
+
+
+def with_symbol(word: str) -> Meaning | None:
+    """Return the meaning of a symbol that has a unit behind it, in any case; None for another word.
+
+    >>> with_symbol("e").names, with_symbol("r2").names, with_symbol("d0")
+    (['youngs_modulus', 'energy'], ['radius2'], None)
+    """
+    symbol = spelt_out(word)
+    return symbols().get(symbol) or symbols_in_any_case().get(symbol.casefold())
 
 
 def with_index(text: str) -> str:
