@@ -8,6 +8,7 @@ as other things that their word must point to an input. Of a column of text the 
 import re
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache
+from itertools import pairwise
 from typing import NamedTuple
 
 from ..errors import JkrollError
@@ -19,11 +20,11 @@ from ..quantities.laws import DEFAULT_LAW, LAWS, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, QUANTITY_SYNONYMS, of_sphere
 from ..quantities.units import is_in_table
 from ..quantities.values import QuantityError, value_of
-from ..text import ascii_text, shown
+from ..text import shown
 from . import words
 from .cells import has_no_value, is_number
-from .reading import FACTOR_INSIDE, Reading, Split, normalized, reading_of, splits_of
-from .words import INPUTS, MATERIALS, fits, headed, unit_for
+from .reading import FACTOR_INSIDE, FACTOR_OF_UNIT, Reading, Split, normalized, reading_of, splits_of
+from .words import INPUTS, MATERIALS, fits, headed, sphere_of, tokens_of, unit_for
 
 # Inputs of which one takes the place of others, besides those of EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
@@ -120,7 +121,7 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
     tokens = tokens_of(split.word)
     if _is_result(split):
         return head
-    spheres = {0, _sphere(tokens) or 1, _sphere(tokens) or 2}
+    spheres = {0, sphere_of(tokens) or 1, sphere_of(tokens) or 2}
     candidates = {
         name: unit
         for name, unit in candidates.items()
@@ -146,8 +147,12 @@ def _unit(split: Split, name: str) -> str:
         return ""
     if unit := unit_for(split.unit, name, is_explicit=split.is_explicit):
         return unit
-    spelt = split.unit.casefold()
-    return "UNIT" if split.is_explicit and any(fits(each, name) for each in (spelt, spelt.rstrip("s"))) else ""
+    spelt = re.sub(FACTOR_OF_UNIT, "", split.unit).casefold()
+    return (
+        "UNIT"
+        if split.is_explicit and any(fits(each, name) for each in (spelt, spelt.rstrip("s"), spelt.upper()))
+        else ""
+    )
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
@@ -163,7 +168,7 @@ def _of_solids(head: Reading, cells: Sequence[str], supply: Supply) -> Reading |
     """Return a column whose cells name known materials, which may be those of a sphere; None for another one."""
     if not supply.solids or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)):
         return None
-    sphere = _sphere(tokens_of(normalized(head.text)))
+    sphere = sphere_of(tokens_of(normalized(head.text)))
     names = [MATERIALS[sphere - 1]] if sphere and MATERIALS[sphere - 1] in supply.solids else [*supply.solids]
     return head._replace(name=names[0], problem="not read, and its cells are materials", meant=names)
 
@@ -208,19 +213,9 @@ _POWERS = {"sq": "2", "cu": "3"}
 
 
 def _is_unit(split: Split) -> bool:
-    if not split.is_explicit and len(split.unit) == 1 and (split.unit != "m" or len(split.word) < 3):
+    if not split.is_explicit and len(split.unit) == 1 and (split.unit not in "mNJ" or len(split.word) < 3):
         return False  # an index
     return is_in_table(split.unit) or any(_unit(split, name) for name in INPUTS)
-
-
-def tokens_of(text: str) -> list[str]:
-    """Return the words and symbols of a header, in small letters.
-
-    >>> tokens_of("E wall"), tokens_of("surfAdh_2"), tokens_of("z0")
-    (['e', 'wall'], ['surf', 'adh', '2'], ['z0'])
-    """
-    parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", ascii_text(text).replace("'", ""))
-    return re.findall(r"[a-z]+\d*|\d+", parted.casefold())
 
 
 def _is_result(split: Split) -> bool:
@@ -252,19 +247,14 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
     if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS
     symbols, stems = words.POINTERS[first]
-    bare = {*tokens, *(token.rstrip("12") for token in tokens)}
+    joined = map("".join, pairwise(tokens))  # F_n, cut-off
+    bare = {*tokens, *joined, *(token.rstrip("12") for token in tokens)}
     return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in tokens)
-
-
-def _sphere(tokens: Sequence[str]) -> int:
-    """Return the sphere that the words of a header name; 0 for none."""
-    numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*[12]", token)]
-    return next(iter([*numbers, *(words.SPHERES[token] for token in tokens if token in words.SPHERES)]), 0)
 
 
 def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> tuple[list[str], bool]:
     """Return which of some inputs the words of a column mean most likely, and whether a word tells."""
-    sphere, is_of_pair = _sphere(tokens), not words.OF_PAIR.isdisjoint(tokens)
+    sphere, is_of_pair = sphere_of(tokens), not words.OF_PAIR.isdisjoint(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
     if not sphere:
@@ -287,8 +277,10 @@ def _score(tokens: Sequence[str], name: str) -> int:
 
 def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]) -> bool:
     if len(token) < 3:
-        return token in symbols
-    return token in symbols or any(word.startswith(token) or token.startswith(word[:5]) for word in vocabulary)
+        return token in symbols or token in vocabulary
+    return token in symbols or any(
+        len(word) > 2 and (word.startswith(token) or token.startswith(word[:5])) for word in vocabulary
+    )
 
 
 @cache
@@ -296,4 +288,4 @@ def _vocabulary(name: str) -> Collection[str]:
     """Return the words of an input: of its name, its option, and those of others."""
     texts = [name, *(word for of in (OPTION_WORDS, QUANTITY_SYNONYMS) for word, meant in of.items() if meant == name)]
     texts += words.WORDS_BESIDES.get(name, ())
-    return {token for text in texts for token in tokens_of(text) if len(token) > 2} - words.GENERIC
+    return {token for text in texts for token in tokens_of(text) if len(token) > 1} - words.GENERIC
