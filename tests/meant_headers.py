@@ -453,7 +453,11 @@ def _header(term: Term, chance: Random) -> Header:
     if not how and not whole.isascii() and chance.random() < 0.4:
         how = chance.choice(_OF_GREEK)
         how = "decomposed" if how == "lost" and not text.isascii() else how
-    whole = _MANGLINGS[how](whole) if how else whole
+    mangled = _MANGLINGS[how](whole) if how else whole
+    is_lost = re.search("[µμ]", whole) and re.search(
+        r"[^\W_][_.]m$", mangled
+    )  # radius_m is in metres for all who read it
+    whole = whole if is_lost else mangled
     name, *others = names or ("",)
     return Header(whole, name, factor * term.share, is_plain and not how, is_of_2, tuple(others))
 
