@@ -11,7 +11,8 @@ of one: a hardness is no modulus. These may be refused or pass, but are never re
 import re
 import sys
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from random import Random
 from typing import NamedTuple
 from unicodedata import normalize
@@ -20,6 +21,7 @@ from jkroll.answers.questions import EVERYTHING
 from jkroll.errors import BadTable
 from jkroll.materials.library import known_materials
 from jkroll.tables.header import understood
+from jkroll.tables.table import Asked
 from jkroll.tables.unread import Supply
 from relative import approx
 
@@ -451,7 +453,11 @@ def _header(term: Term, chance: Random) -> Header:
     if not how and not whole.isascii() and chance.random() < 0.4:
         how = chance.choice(_OF_GREEK)
         how = "decomposed" if how == "lost" and not text.isascii() else how
-    whole = _MANGLINGS[how](whole) if how else whole
+    mangled = _MANGLINGS[how](whole) if how else whole
+    is_lost = re.search("[µμ]", whole) and re.search(
+        r"[^\W_][_.]m$", mangled
+    )  # radius_m is in metres for all who read it
+    whole = whole if is_lost else mangled
     name, *others = names or ("",)
     return Header(whole, name, factor * term.share, is_plain and not how, is_of_2, tuple(others))
 
@@ -476,22 +482,30 @@ def meant_headers(seed: int, count: int = 12_000) -> list[Header]:
 
 READ, MISREAD, REFUSED, PASSED = "read", "misread", "refused", "passed"
 ADVISED = "refused, and the advice names other inputs alone"
+IDLE = "passed, and no other number stands in"
+_ASKED = Asked({"radius": "1 um"}, known_materials(), offered=EVERYTHING)
 
 
-def _supply(columns: Collection[str]) -> Supply:
-    """Return what stands in for inputs in all that a table has results of."""
-    return Supply.of(EVERYTHING, columns, {"radius": "100nm"}, known_materials())
+@cache
+def _supply(columns: frozenset[str]) -> Supply:
+    return _ASKED.supply(columns)
 
 
 def outcome(header: Header) -> str:
     """Return what becomes of a header beside a column of materials and a radius that is an option."""
     try:
-        found = understood(("material", header.text), [["quartz", "0.3"]], given=("radius",), supply_of=_supply)
+        found = understood(
+            ("material", header.text),
+            [["quartz", "0.3"]],
+            given=_ASKED.inputs,
+            supply_of=lambda columns: _supply(frozenset(columns)),
+        )
     except BadTable as error:
         meanings = advised(str(error))
         return ADVISED if meanings and header.name and meanings.isdisjoint({header.name, *header.others}) else REFUSED
     if not found.inputs:
-        return PASSED
+        supplied = _supply(frozenset({"material"})).clauses
+        return IDLE if header.name and supplied.keys().isdisjoint({header.name, *header.others}) else PASSED
     (column,) = found.inputs
     is_meant = column.name in {header.name, *header.others} - {""}
     factor = column.unit[0] / column.unit[1] if column.unit else 1.0
@@ -524,15 +538,13 @@ def groups_of(headers: Sequence[Header]) -> dict[str, list[Header]]:
 
 def main(seeds: Iterable[int]) -> None:
     """Print the outcomes for some seeds, and the headers that are misread."""
-    print(
-        f"{'seed':>4}  {'headers':10} {'all':>6} {'read':>6} {'misread':>8} {'refused':>8} {'advised':>8} {'passed':>7}"
-    )
+    columns = {"read": READ, "misread": MISREAD, "refused": REFUSED, "advised": ADVISED, "passed": PASSED, "idle": IDLE}
+    print(f"{'seed':>4}  {'headers':10} {'all':>6}", *(f"{head:>8}" for head in columns))
     for seed in seeds:
         headers = meant_headers(seed)
         for group, members in groups_of(headers).items():
             found = counts(members)
-            row = (len(members), found[READ], found[MISREAD], found[REFUSED], found[ADVISED], found[PASSED])
-            print(f"{seed:>4}  {group:10} {row[0]:>6} {row[1]:>6} {row[2]:>8} {row[3]:>8} {row[4]:>8} {row[5]:>7}")
+            print(f"{seed:>4}  {group:10} {len(members):>6}", *(f"{found[each]:>8}" for each in columns.values()))
         for header in headers:
             if outcome(header) == MISREAD:
                 print(f"      misread: {header.text!r} means {header.name or 'no input'} {header.factor:g}")

@@ -105,7 +105,8 @@ def spellings() -> Iterator[Spelling]:
             for notation in NOTATIONS:
                 for how, mangled in MANGLINGS.items():
                     text = mangled(notation.format(word=word, unit=unit))
-                    if text not in seen:
+                    is_other = "*" in word and how in _LOSSY
+                    if text not in seen and not is_other:  # without its star E* is E
                         seen.add(text)
                         has_mark = how not in _LOSSY and _MARKS.search(notation) is not None
                         yield Spelling(text, name, factor, is_symbol and not has_mark, how)

@@ -65,12 +65,14 @@ UNREAD = "unread"
 _SUFFIXES = ("", "%", "u", "in", "min")  # which are no units behind a word: a share, an uncertainty, inside, a minimum
 _SIGNS = re.compile(r"(?<=[^\W_])\^?[+−⁺⁻-](?=$|[\s\[({<,/;:|])")  # behind a word, as in γ+ and γ- [mJ/m2]
 _PLUS_MINUS = re.compile(r"\+\s?/?\s?[-−]")
+_ACCENTS = "[\u0300\u0301\u0303\u0308\u0327]"  # of à, é, ñ, ö, ç
 _LATEX = {r"\\mu\$?\s?": "µ", r"(?<=[_^])\{([^{}]*)\}": r"\1"}  # $R_{1}$ [$\mu$m], with the marks above
 # Where a unit may begin: behind a mark, which is the first group, or behind a gap.
 _CUT = re.compile(
     r"([\s_.-]*[,/:;|\[({<=@~–—•·]\s*(?:in[\s_.]+)?|\s+in\s+)"
     r"|(?:[\s_.-]+|(?<=[a-z0-9])(?=[A-Z]))(?:(?:in|IN)[\s_.]+|[Ii]n(?=[A-Z]))?"
 )
+_ACRONYM = r"(?<=[A-Z]{3})(?=[A-Z][a-z]{3})"  # as in DMTModulus
 _PLAIN_GAP = re.compile(r"(?:[\s_.-]?|\s-\s)(?:(?:in|IN)[\s_.])?")
 _QUOTED = r"^([\"'])\s*(.*?)\s*\1$"
 _EDGES = " _.,:;/|-·"
@@ -115,8 +117,21 @@ def normalized(text: str) -> str:
     text = decoded(text)
     for mark, plain in _LATEX.items():
         text = re.sub(mark, plain, text)
-    text = re.sub(_QUOTED, r"\2", " ".join(composed(text).translate(_SPELT).split()))
+    text = re.sub(_QUOTED, r"\2", " ".join(without_accents(composed(text)).translate(_SPELT).split()))
     return _PLUS_MINUS.sub("±", text)
+
+
+def without_accents(text: str) -> str:
+    """Return a text without the accents of words; Å stays, and so does â.
+
+    >>> without_accents("Oberflächenenergie"), without_accents("densité"), without_accents("Stoßenergie (Å)")
+    ('Oberflachenenergie', 'densite', 'Stossenergie (Å)')
+    """
+    if text.isascii():
+        return text
+    from unicodedata import normalize
+
+    return normalize("NFC", re.sub(_ACCENTS, "", normalize("NFD", text))).replace("ß", "ss")
 
 
 def decoded(text: str) -> str:
@@ -321,7 +336,8 @@ def _beside(text: str, word: str) -> set[str]:
 
 def tokens_of(text: str) -> list[str]:
     """Return the words in a text, in small letters."""
-    return re.findall(r"[a-z]+[12]?", _CUT.sub(" ", ascii_text(text).replace("'", "")).casefold())
+    parted = re.sub(_ACRONYM, " ", _CUT.sub(" ", ascii_text(text).replace("'", "")))
+    return re.findall(r"[a-z]+[12]?", parted.casefold())
 
 
 def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, bool]:

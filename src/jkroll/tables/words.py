@@ -41,7 +41,11 @@ _DOUBTFUL_WORDS = {
     **dict.fromkeys("dia diam diameter diameters durchmesser size".split(), _SIZE),
     **dict.fromkeys("normalforce appliedforce preload setpoint".split(), _FORCE),
     **dict.fromkeys("indentation overlap penetration".split(), Meaning(["approach_at_load"], "it may be the approach")),
-    **dict.fromkeys("modulus effectivemodulus".split(), _MODULUS),
+    **dict.fromkeys(
+        """modulus effectivemodulus equivalentmodulus combinedmodulus compositemodulus dmtmodulus jkrmodulus hertzmodulus
+        sneddonmodulus indentationmodulus""".split(),
+        _MODULUS,
+    ),
     "surfacetension": Meaning(["surface_energy"], "it may be the tension of a liquid"),
     **dict.fromkeys("adhesion adhesionenergy energyofadhesion".split(), _OF_PAIR),
     "hysteresis": Meaning(["adhesion_hysteresis"], "it may be another hysteresis"),
@@ -67,12 +71,15 @@ _OTHER_IN_CASE = ("d0", "delta", "deltaw")
 _WITH_INDEX = re.compile(r"(E|rho|nu|R(?=[\s_](?:tip|probe|sphere|sample|wall)\Z))(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])")
 
 # Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
-SHARED = (*"energy speed velocity angle approach contacts monomers gravity cutoff xi z0 surfacetension".split(),)
+SHARED = (
+    *"""energy speed velocity geschwindigkeit vitesse velocidad angle approach contacts monomers gravity cutoff xi z0
+    surfacetension""".split(),
+)
 # Beside a word they make it another quantity.
 OTHERS = {
     *"""atomic ionic covalent metallic vdw bohr gyration current dislocation yield failure ultimate shear bulk
     storage loss dynamic complex flexural bending section rupture resilience polar dispersive water liquid
-    hydrodynamic pore crater capillary meniscus kelvin""".split()
+    apparent apparente hydrodynamic pore crater capillary meniscus kelvin""".split()
 }
 # Beside a word they leave it what it is: of which body it is, and the mean of several.
 NEUTRAL = {*"""mean average avg nominal measured applied indentation particle particles sphere spheres grain grains bead
@@ -86,7 +93,10 @@ BODIES = {
 # Beside a word they make it a function of the quantity.
 FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
 # Beside a word they make it that of the pair.
-OF_PAIR = {*"equivalent effective reduced combined composite harmonic".split()}
+OF_PAIR = {
+    *"""equivalent effective reduced combined composite harmonic reduzierter effektiver reduit effectif
+    reducido""".split()
+}
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
@@ -378,7 +388,9 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
         "load last charge setpoint applied normal carga trigger".split(),
     ),
 }
-GENERIC = {*"energy modulus radius work of".split()}  # which tell no inputs of one dimension apart
+GENERIC = {
+    *"energy energie energia modulus module modulo modul coefficient constante rate radius work of".split()
+}  # which tell no inputs of one dimension apart
 # By SI unit, words of what is no input.
 NO_INPUTS: Mapping[str, frozenset[str]] = {
     unit: frozenset(text.split())
