@@ -33,7 +33,7 @@ from .reading import (
     symbol_of,
     words_in,
 )
-from .unread import NOTHING, Supply, judged
+from .unread import NOT_READ, NOTHING, Supply, judged
 from .words import MATERIALS, fits, headed, key, unit_for
 
 _NOT_USED = "a value has one column of ±, or two, of minus and plus; a range has those of its ends alone"
@@ -369,7 +369,7 @@ def _way(head: Reading) -> str:
     """Return what to write for a column that may be an input; "" where nothing is certain."""
     if head.meant:
         return " or ".join(_option(head.text, meant) for meant in head.meant)
-    is_value = head.name and not head.part and head.problem != FACTOR
+    is_value = head.name and not head.part and head.problem != FACTOR and not head.problem.startswith(NOT_READ)
     return f"a column {headed(head.name)} in place of {quoted(head.text)}" if is_value else ""
 
 

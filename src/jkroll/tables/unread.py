@@ -28,8 +28,17 @@ from .words import INPUTS, MATERIALS, fits, headed, sphere_of, tokens_of, unit_f
 
 # Inputs of which one takes the place of others, besides those of EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
-_OF_INPUTS = {route for name, routes in routes_anywhere().items() if name in INPUTS for route in routes}
-_OF_PARTS = ("approach_at_load", "atomic_spacing", "yield_displacement")  # whose words are beside those of others
+_OF_INPUTS = {*INPUTS, *(route for name in INPUTS for route in routes_anywhere().get(name, ()))}
+# Those whose words stand beside words of others, too.
+_OF_PARTS = (
+    "approach_at_load",
+    "atomic_spacing",
+    "yield_displacement",
+    "cutoff",
+    "poisson_ratio",
+    "hysteresis_fraction",
+)
+NOT_READ = "not read, and "  # what stands in for it, behind
 _MOST_MEANT = 3  # inputs among which a user chooses
 
 
@@ -131,7 +140,7 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
         return head
     names, is_told = _likeliest(tokens, [*candidates], supply)
     clauses = dict.fromkeys(supply.clauses[name] for name in names or candidates)
-    problem = f"not read, and {'; '.join([*clauses][:_MOST_MEANT])}"
+    problem = f"{NOT_READ}{'; '.join([*clauses][:_MOST_MEANT])}"
     is_told &= not re.search(FACTOR_INSIDE, text) and (words.FUNCTIONS | words.SENSES).isdisjoint(tokens)
     is_mangled = split.is_mangled and is_in_table(f"u{split.unit}")
     has_units = not all(map(is_number, cells))
@@ -148,17 +157,18 @@ def _unit(split: Split, name: str) -> str:
     if unit := unit_for(split.unit, name, is_explicit=split.is_explicit):
         return unit
     spelt = re.sub(FACTOR_OF_UNIT, "", split.unit).casefold()
-    return (
-        "UNIT"
-        if split.is_explicit and any(fits(each, name) for each in (spelt, spelt.rstrip("s"), spelt.upper()))
-        else ""
-    )
+    spelt = words.UNITS_OF_OTHERS.get(spelt, spelt.rstrip("s"))
+    is_certain = split.is_explicit or len(split.unit) > 3
+    return "UNIT" if is_certain and any(fits(each, name) for each in (spelt, spelt.upper())) else ""
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
     """Return the supplied inputs that a header without a unit may be: by the unit of its first cell, or as a symbol."""
     if not all(map(is_number, cells)):
         return [name for name in supply.clauses if any(_is_value(cell, name) for cell in cells[:1])]
+    tokens = tokens_of(text)
+    if ratios := [name for name in supply.clauses if NOMENCLATURE[name].unit == "1" and _points_to(tokens, name)]:
+        return ratios
     reading = reading_of(text)
     is_symbol = reading.is_symbol and NOMENCLATURE[reading.name].unit not in words.COMMON_UNITS
     return [reading.name] if is_symbol and reading.name in supply.direct else []
@@ -170,7 +180,7 @@ def _of_solids(head: Reading, cells: Sequence[str], supply: Supply) -> Reading |
         return None
     sphere = sphere_of(tokens_of(normalized(head.text)))
     names = [MATERIALS[sphere - 1]] if sphere and MATERIALS[sphere - 1] in supply.solids else [*supply.solids]
-    return head._replace(name=names[0], problem="not read, and its cells are materials", meant=names)
+    return head._replace(name=names[0], problem=f"{NOT_READ}its cells are materials", meant=names)
 
 
 def _is_material(cell: str, known: Materials) -> bool:
@@ -222,7 +232,7 @@ def _is_result(split: Split) -> bool:
     """Return whether a word is the name or the symbol of a result of this program, or begins with such a name."""
     name = re.sub(r"[\s_.-]+", "_", split.word.strip()).casefold()
     for result, quantity in NOMENCLATURE.items():
-        if formula_of(result) is not None and result not in _OF_INPUTS and fits(split.unit, result):
+        if result not in _OF_INPUTS and formula_of(result) is not None and fits(split.unit, result):
             is_named = name == result or name.startswith(f"{result}_")
             if is_named or (quantity.symbol == split.word and quantity.symbol not in _symbols_of_inputs()):
                 return True
@@ -237,12 +247,13 @@ def _symbols_of_inputs() -> Collection[str]:
 def _points_to(tokens: Sequence[str], name: str) -> bool:
     """Return whether the words of a column leave it an input of its dimension."""
     first, unit = of_sphere(1, name), NOMENCLATURE[name].unit
-    if not words.LABELS.isdisjoint(tokens):
-        return False
     if first not in _OF_PARTS:
+        if not words.LABELS.isdisjoint(tokens):
+            return False
         others = words.NO_INPUTS.get(unit, frozenset())
         is_other = any(word in token for word in others if len(word) > 4 for token in tokens)
-        if is_other or not (words.OTHERS | others).isdisjoint(tokens):
+        of_others = {*(token for token in tokens if len(token) > 2), "".join(tokens)}  # k alone, and k_n
+        if is_other or not (words.OTHERS | others).isdisjoint(of_others):
             return False
     if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS

@@ -294,7 +294,7 @@ def lacking_a_letter(word: str) -> list[str]:
 # --- Units ------------------------------------------------------------------------------------------------------------
 
 _COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2 mJ/m2 erg/cm2 N/m mN/m dyn/cm kg/m3
-    g/cm3 g/cc g/ml kg/l N/mm2 kN/mm2 dyn/cm2 m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
+    g/cm3 g/cc g/mL kg/l N/mm2 kN/mm2 dyn/cm2 m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
 
 
 @cache
@@ -362,16 +362,20 @@ def headed(name: str, unit_text: str = "UNIT") -> str:
 
 # --- Words of columns that are not read -------------------------------------------------------------------------------
 
+# Spellings of units that are not read, as a column of them may be an input.
+UNITS_OF_OTHERS = {"a": "angstrom", "ang": "angstrom", "mum": "um", "sec": "s", "n/m2": "Pa", "n/mm2": "MPa"}
 # Beside a word they make it a multiple or a part of the quantity.
 SENSES = {*"half double twice fwhm hwhm squared square square inv times per ratio rel relative change rate".split()}
 # SI units so common that a word must point to an input.
 COMMON_UNITS = ("m", "N", "s", "1")
 # For inputs in these units: symbols, and parts of words, which point to them.
 POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
+    "poisson_ratio": (["nu"], "poiss querkontrak".split()),
+    "hysteresis_fraction": ((), ["hyst"]),
     "hamaker": ("a ah".split(), ["hamaker"]),
     "adhesion_hysteresis": ((), ["hyst"]),
     "radius": (
-        "r a rp rs rt rw ri rj d d10 d32 d43 d50 d90 dp ds dt dw di dj rad dia tip probe ball".split(),
+        "r r0 a rp rs rt rw ri rj d d10 d32 d43 d50 d90 dp ds dt dw di dj rad dia tip probe ball".split(),
         """radi rayon diam durchm size groess gross grain partic sphere bead kugel korn partikel colloid monomer
         indenter bille tamano taille raio straal rtip""".split(),
     ),
