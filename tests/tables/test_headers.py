@@ -106,8 +106,6 @@ REFUSED = {
     "Energy (old)": "what stands behind energy is not its unit",
     "radiuss [nm]": "=radius [nm]'",
     **dict.fromkeys(("radius [?m]", "LOAD [PN]", "Radius (Mm)", "load [-nN]", *LOSSY), "is not its unit. Write"),
-    "radius (sphere 2) [nm]": "Write --column 'radius (sphere 2) [nm]=radius2 [UNIT]', or",
-    "Poisson ratio sphere 2": "Write --column 'Poisson ratio sphere 2=poisson_ratio2', or",
     "asperity tip radius [nm]": "Write a column asperity_radius [UNIT] in place of",
     "rho_w [kg/m3]": "Write a column density [UNIT] or density2 [UNIT] in place of",
     "loadpN": "'loadpN=load [UNIT]'",  # no N
@@ -146,7 +144,6 @@ REFUSED = {
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
     "second radius (nm)": "Write --column 'second radius (nm)=radius2 [nm]', or",
     **dict.fromkeys(("applied tip load [nN]", "laod [nN]", "Indentation load (nN)"), "=load [nN]'"),
-    "Particle radius (µm)": "=radius [",
     "radius_max [nm]": "alone is no uncertainty of radius",
     **dict.fromkeys(
         ("-load [nN]", "2gamma [mJ/m2]", "radius/2 [nm]", "w=2γ [mJ/m2]", "2γ", "radius (nm) x 10"), _FACTOR
@@ -218,7 +215,7 @@ def test_a_prime_is_part_of_a_symbol_and_quotes_are_not() -> None:
         assert understood([text], [["3 GPa"]]).names == {"youngs_modulus"}
 
 
-_OF_2 = "D2 [um] | diameter2 (um) | Diameter 2, um | E_tip_GPa | R_tip (nm) | tip radius (nm) | radius [nm].1"
+_OF_2 = "D2 [um] | diameter2 (um) | Diameter 2, um | radius [nm].1"
 
 
 @pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])

@@ -208,7 +208,9 @@ def _twice(first: Reading, second: Reading) -> BadTable:
     if typed(first.text) == typed(second.text):
         return BadTable(f"{problem}: rename it")
     options = " or ".join(_option(head.text, "") for head in (second, first))
-    return BadTable(f"{problem}. Write {options} to pass it through")
+    twin = NOMENCLATURE[first.name].twin
+    of_2 = f", or {_option(first.text, headed(twin, first.unit_text))} if it is of sphere 2" if twin else ""
+    return BadTable(f"{problem}. Write {options} to pass it through{of_2}")
 
 
 def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measured: str) -> Reading:

@@ -12,7 +12,7 @@ from functools import lru_cache
 from itertools import combinations
 from typing import NamedTuple
 
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 from ..quantities.units import PREFIXES, is_in_table
 from ..text import ascii_text, composed
 from . import words
@@ -83,7 +83,7 @@ FACTOR = "a sign or a factor stands beside the word or its unit"
 _LEFT_OVER = r"[\[(][\s_.,;%-]*[\])]|[\s_.,-]{2,}"  # where words were taken away
 SPREAD = "it may be an uncertainty of {0}, of which the columns are {0}_err, or {0}_minus and {0}_plus"
 NO_FACTOR = "it is an expanded uncertainty, and its coverage factor k is missing"
-_FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
+FACTOR_OF_UNIT = r"^[x×*]?\s*\d[\d.]*\s*(?:[eE^×*]*\s*[-+−⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+\s*)*[×*·]?\s*"  # as in 10^-20 J
 _LONGEST = 120  # letters of a header that can be one
 
 
@@ -161,6 +161,8 @@ def splits_of(text: str) -> Iterator[Split]:
 def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
     """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
     word, unit, is_explicit, is_mangled = split.word, split.unit, split.is_explicit, split.is_mangled
+    if key(word) not in known and words.with_symbol(word) is None:
+        word = words.without_body(word)
     meaning = known.get(key(word))
     stem, _, symbol = word.rpartition(" ")
     if meaning is None and is_explicit and (named := known.get(key(stem))):  # as in Young's modulus E
@@ -266,7 +268,7 @@ def _scaled(text: str, measured: str) -> Reading | None:
 def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading | None:
     """Return the refusal of a header that has the word of an input and cannot be read; None if it passes through."""
     for split in sorted(splits, key=lambda split: len(split.word), reverse=True):
-        unit = re.sub(_FACTOR_OF_UNIT, "", split.unit) or split.unit
+        unit = re.sub(FACTOR_OF_UNIT, "", split.unit) or split.unit
         bare = split._replace(word=re.sub(_FACTORS, "", split.word), unit=unit)
         if bare != split and (reading := _exact(bare, known)) and not reading.is_symbol:
             return Reading(reading.name, problem=FACTOR)
@@ -283,6 +285,8 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         elif NOMENCLATURE[name].sphere == 1 and _is_of_sphere_2(split):
             name = NOMENCLATURE[name].twin
         names = [name, NOMENCLATURE[name].twin] if not is_slip and NOMENCLATURE[name].sphere == 1 else [name]
+        if sphere := words.sphere_of(words.tokens_of(split.word)):
+            names = [of_sphere(sphere, name)]
         if split.unit and word == key(split.word):
             tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
             is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)

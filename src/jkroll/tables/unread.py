@@ -8,6 +8,7 @@ as other things that their word must point to an input. Of a column of text the 
 import re
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache
+from itertools import pairwise
 from typing import NamedTuple
 
 from ..errors import JkrollError
@@ -19,15 +20,16 @@ from ..quantities.laws import DEFAULT_LAW, LAWS, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, QUANTITY_SYNONYMS, of_sphere
 from ..quantities.units import is_in_table
 from ..quantities.values import QuantityError, value_of
-from ..text import ascii_text, shown
+from ..text import shown
 from . import words
 from .cells import has_no_value, is_number
-from .reading import FACTOR_INSIDE, Reading, Split, normalized, reading_of, splits_of
-from .words import INPUTS, MATERIALS, fits, headed, unit_for
+from .reading import FACTOR_INSIDE, FACTOR_OF_UNIT, Reading, Split, normalized, reading_of, splits_of
+from .words import INPUTS, MATERIALS, fits, headed, sphere_of, tokens_of, unit_for
 
 # Inputs of which one takes the place of others, besides those of EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
 _OF_INPUTS = {route for name, routes in routes_anywhere().items() if name in INPUTS for route in routes}
+_OF_PARTS = ("approach_at_load", "atomic_spacing", "yield_displacement")  # whose words are beside those of others
 _MOST_MEANT = 3  # inputs among which a user chooses
 
 
@@ -117,9 +119,9 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
     if not candidates:
         candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
     tokens = tokens_of(split.word)
-    if not tokens or _is_result(split):
+    if _is_result(split):
         return head
-    spheres = {0, _sphere(tokens) or 1, _sphere(tokens) or 2}
+    spheres = {0, sphere_of(tokens) or 1, sphere_of(tokens) or 2}
     candidates = {
         name: unit
         for name, unit in candidates.items()
@@ -140,10 +142,17 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
 
 
 def _unit(split: Split, name: str) -> str:
-    """Return the unit of a quantity that a header has, as `unit_for` has it; one of the table has its dimension."""
-    if name in MATERIALS or (is_in_table(split.unit) and not fits(split.unit, name)):
+    """Return the unit of an input that a header has, UNIT where it cannot be read as it is; "" for another unit."""
+    if not split.unit or name in MATERIALS or (is_in_table(split.unit) and not fits(split.unit, name)):
         return ""
-    return unit_for(split.unit, name, is_explicit=split.is_explicit)
+    if unit := unit_for(split.unit, name, is_explicit=split.is_explicit):
+        return unit
+    spelt = re.sub(FACTOR_OF_UNIT, "", split.unit).casefold()
+    return (
+        "UNIT"
+        if split.is_explicit and any(fits(each, name) for each in (spelt, spelt.rstrip("s"), spelt.upper()))
+        else ""
+    )
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
@@ -159,7 +168,7 @@ def _of_solids(head: Reading, cells: Sequence[str], supply: Supply) -> Reading |
     """Return a column whose cells name known materials, which may be those of a sphere; None for another one."""
     if not supply.solids or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)):
         return None
-    sphere = _sphere(tokens_of(normalized(head.text)))
+    sphere = sphere_of(tokens_of(normalized(head.text)))
     names = [MATERIALS[sphere - 1]] if sphere and MATERIALS[sphere - 1] in supply.solids else [*supply.solids]
     return head._replace(name=names[0], problem="not read, and its cells are materials", meant=names)
 
@@ -189,26 +198,24 @@ def _is_value(cell: str, name: str) -> bool:
 
 def _with_unit(text: str) -> Split:
     """Return the division of a header with the longest unit that the table of units, or an input, knows."""
-    known = [split for split in splits_of(text) if split.unit and _is_unit(split)]
-    return max(known, key=lambda split: len(split.unit), default=Split(text, ""))
+    known = [split._replace(unit=split.unit.lstrip(" /|:;-")) for split in splits_of(_plain(text)) if _is_unit(split)]
+    return max(known, key=lambda split: (len(split.unit), len(split.word)), default=Split(text, ""))
+
+
+def _plain(text: str) -> str:
+    """Return a header with squares and cubes of metres as powers."""
+    return re.sub(
+        r"(?i)(?<![a-z])(sq|cu)[\s._]*(c?m)(?![a-z])", lambda found: f"{found[2]}{_POWERS[found[1].lower()]}", text
+    )
+
+
+_POWERS = {"sq": "2", "cu": "3"}
 
 
 def _is_unit(split: Split) -> bool:
-    if not split.is_explicit and len(split.unit) == 1 and (split.unit != "m" or len(split.word) < 3):
+    if not split.is_explicit and len(split.unit) == 1 and (split.unit not in "mNJ" or len(split.word) < 3):
         return False  # an index
-    if is_in_table(split.unit):
-        return True
-    return any(unit_for(split.unit, name, is_explicit=split.is_explicit) for name in INPUTS)
-
-
-def tokens_of(text: str) -> list[str]:
-    """Return the words and symbols of a header, in small letters.
-
-    >>> tokens_of("E wall"), tokens_of("surfAdh_2"), tokens_of("z0")
-    (['e', 'wall'], ['surf', 'adh', '2'], ['z0'])
-    """
-    parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", ascii_text(text).replace("'", ""))
-    return re.findall(r"[a-z]+\d*|\d+", parted.casefold())
+    return is_in_table(split.unit) or any(_unit(split, name) for name in INPUTS)
 
 
 def _is_result(split: Split) -> bool:
@@ -229,27 +236,25 @@ def _symbols_of_inputs() -> Collection[str]:
 
 def _points_to(tokens: Sequence[str], name: str) -> bool:
     """Return whether the words of a column leave it an input of its dimension."""
-    unit = NOMENCLATURE[name].unit
-    others = words.NO_INPUTS.get(unit, frozenset())
-    begun = {token[:length] for token in tokens for length in range(4, len(token))}
-    if not (words.LABELS | words.OTHERS | others).isdisjoint(tokens) or not others.isdisjoint(begun):
+    first, unit = of_sphere(1, name), NOMENCLATURE[name].unit
+    if not words.LABELS.isdisjoint(tokens):
         return False
-    if of_sphere(1, name) not in words.POINTERS:
+    if first not in _OF_PARTS:
+        others = words.NO_INPUTS.get(unit, frozenset())
+        is_other = any(word in token for word in others if len(word) > 4 for token in tokens)
+        if is_other or not (words.OTHERS | others).isdisjoint(tokens):
+            return False
+    if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS
-    symbols, stems = words.POINTERS[of_sphere(1, name)]
-    bare = {*tokens, *(token.rstrip("12") for token in tokens)}
+    symbols, stems = words.POINTERS[first]
+    joined = map("".join, pairwise(tokens))  # F_n, cut-off
+    bare = {*tokens, *joined, *(token.rstrip("12") for token in tokens)}
     return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in tokens)
-
-
-def _sphere(tokens: Sequence[str]) -> int:
-    """Return the sphere that the words of a header name; 0 for none."""
-    numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*[12]", token)]
-    return next(iter([*numbers, *(words.SPHERES[token] for token in tokens if token in words.SPHERES)]), 0)
 
 
 def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> tuple[list[str], bool]:
     """Return which of some inputs the words of a column mean most likely, and whether a word tells."""
-    sphere, is_of_pair = _sphere(tokens), not words.OF_PAIR.isdisjoint(tokens)
+    sphere, is_of_pair = sphere_of(tokens), not words.OF_PAIR.isdisjoint(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
     if not sphere:
@@ -272,8 +277,10 @@ def _score(tokens: Sequence[str], name: str) -> int:
 
 def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]) -> bool:
     if len(token) < 3:
-        return token in symbols
-    return token in symbols or any(word.startswith(token) or token.startswith(word[:5]) for word in vocabulary)
+        return token in symbols or token in vocabulary
+    return token in symbols or any(
+        len(word) > 2 and (word.startswith(token) or token.startswith(word[:5])) for word in vocabulary
+    )
 
 
 @cache
@@ -281,4 +288,4 @@ def _vocabulary(name: str) -> Collection[str]:
     """Return the words of an input: of its name, its option, and those of others."""
     texts = [name, *(word for of in (OPTION_WORDS, QUANTITY_SYNONYMS) for word, meant in of.items() if meant == name)]
     texts += words.WORDS_BESIDES.get(name, ())
-    return {token for text in texts for token in tokens_of(text) if len(token) > 2} - words.GENERIC
+    return {token for text in texts for token in tokens_of(text) if len(token) > 1} - words.GENERIC

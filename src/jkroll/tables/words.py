@@ -44,8 +44,8 @@ _DOUBTFUL_WORDS = {
     **dict.fromkeys("normalforce appliedforce preload setpoint".split(), _FORCE),
     **dict.fromkeys("indentation overlap penetration".split(), Meaning(["approach_at_load"], "it may be the approach")),
     **dict.fromkeys(
-        """modulus effectivemodulus equivalentmodulus combinedmodulus compositemodulus dmtmodulus jkrmodulus hertzmodulus
-        sneddonmodulus indentationmodulus""".split(),
+        """modulus effectivemodulus equivalentmodulus combinedmodulus compositemodulus dmtmodulus jkrmodulus
+        hertzmodulus sneddonmodulus indentationmodulus""".split(),
         _MODULUS,
     ),
     "surfacetension": Meaning(["surface_energy"], "it may be the tension of a liquid"),
@@ -87,6 +87,11 @@ OTHERS = {
 NEUTRAL = {*"""mean average avg nominal measured applied indentation particle particles sphere spheres grain grains bead
     beads monomer monomers tip probe indenter sample surface wall substrate plate body solid target projectile first
     second s""".split()}  # fmt: skip
+# Bodies that are sphere 1, which moves, and sphere 2; of a sample it is not certain.
+BODIES = {
+    1: {*"tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer".split()},
+    2: {*"wall substrate sub plate plane target counterface counterbody boundary geometry".split()},
+}
 # Beside a word they make it a function of the quantity.
 FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
 # Beside a word they make it that of the pair.
@@ -225,6 +230,45 @@ def with_index(text: str) -> str:
     return key(symbols()[parts[1]].names[0]) if parts and (parts[2] or "").casefold() not in {*OTHERS, *LABELS} else ""
 
 
+def tokens_of(text: str) -> list[str]:
+    """Return the words, symbols and numbers of a header, in small letters.
+
+    >>> tokens_of("E wall"), tokens_of("surfAdh_2"), tokens_of("z0")
+    (['e', 'wall'], ['surf', 'adh', '2'], ['z0'])
+    """
+    parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", ascii_text(text).replace("'", ""))
+    return re.findall(r"[a-z]+\d*|\d+", parted.casefold())
+
+
+def sphere_of(tokens: Sequence[str]) -> int:
+    """Return the sphere that words of a header name, by its number or a body; 0 for none."""
+    numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*[12]", token)]
+    bodies = [sphere for token in tokens for sphere, bodies in BODIES.items() if token in bodies]
+    return next(iter([*numbers, *bodies]), 0)
+
+
+_GAPS = re.compile(r"[\s_.,(){}\[\]-]+|(?<=[a-z0-9])(?=[A-Z])")
+_BODY = rf"(?:(?:body|material|sphere|particle)_?(?P<number>[12])|(?P<body>{'|'.join([*BODIES[1], *BODIES[2]])}))"
+_WITH_BODY = (
+    re.compile(rf"(?i){_BODY}_(?P<word>.*[^\d_])"),
+    re.compile(rf"(?i)(?P<word>.*?[^\d_])(?:_of(?:_the)?)?_{_BODY}"),
+)
+
+
+def without_body(word: str) -> str:
+    """Return a word with the number of its sphere in place of a body; any other word as it is.
+
+    >>> without_body("E wall"), without_body("tip radius"), without_body("radius of sphere 2"), without_body("wall")
+    ('E2', 'radius1', 'radius2', 'wall')
+    """
+    plain = "_".join(filter(None, _GAPS.split(word)))
+    for pattern in _WITH_BODY:
+        found = pattern.fullmatch(plain)
+        if found:
+            return f"{found['word']}{found['number'] or sphere_of([found['body'].casefold()])}"
+    return word
+
+
 def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
     """Return meanings of words, and those of the same words with 1 or 2 for the sphere where an input is of one."""
     of_spheres = dict(known)
@@ -254,7 +298,7 @@ def lacking_a_letter(word: str) -> list[str]:
 # --- Units ------------------------------------------------------------------------------------------------------------
 
 _COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2 mJ/m2 erg/cm2 N/m mN/m dyn/cm kg/m3
-    g/cm3 g/cc m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
+    g/cm3 g/cc g/ml kg/l N/mm2 kN/mm2 dyn/cm2 m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
 
 
 @cache
@@ -322,16 +366,6 @@ def headed(name: str, unit_text: str = "UNIT") -> str:
 
 # --- Words of columns that are not read -------------------------------------------------------------------------------
 
-# Of which sphere a property is: the first is the one that moves.
-SPHERES = {
-    **dict.fromkeys(
-        """tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer first""".split(),
-        1,
-    ),
-    **dict.fromkeys(
-        "wall substrate sample plate plane flat base target counterface counterbody second other".split(), 2
-    ),
-}
 # Beside a word they make it a multiple or a part of the quantity.
 SENSES = {*"half double twice fwhm hwhm squared square square inv times per ratio rel relative change rate".split()}
 # SI units so common that a word must point to an input.
@@ -341,16 +375,22 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
     "hamaker": ("a ah".split(), ["hamaker"]),
     "adhesion_hysteresis": ((), ["hyst"]),
     "radius": (
-        "r rp rs rt rw ri rj d dp ds dt dw di dj rad dia tip probe ball".split(),
+        "r a rp rs rt rw ri rj d d10 d32 d43 d50 d90 dp ds dt dw di dj rad dia tip probe ball".split(),
         """radi rayon diam durchm size groess gross grain partic sphere bead kugel korn partikel colloid monomer
-        indenter bille tamano taille""".split(),
+        indenter bille tamano taille raio straal rtip""".split(),
     ),
     "reduced_radius": ("r reff".split(), "radi rayon".split()),
     "yield_displacement": ("xi".split(), "displac verschieb deplac critic krit".split()),
-    "atomic_spacing": ("z0 d0 eps".split(), "spacing interatom abstand".split()),
-    "cutoff": ("d0".split(), "cutoff".split()),
-    "approach_at_load": ("delta".split(), "indent approach overlap penetr deform eindring".split()),
-    "load": ("fn p preload".split(), "load last charge setpoint applied normal carga".split()),
+    "atomic_spacing": (
+        "z0 d0 h0 hmin eps eps0".split(),
+        "spacing interatom atomic minim separation attract equilib".split(),
+    ),
+    "cutoff": ("d0 cutoff".split(), "cutoff".split()),
+    "approach_at_load": ("delta deltan".split(), "indent approach overlap penetr deform eindring enfonc".split()),
+    "load": (
+        "fn fz p ext external app set pre preload trigger".split(),
+        "load last charge setpoint applied normal carga trigger".split(),
+    ),
 }
 GENERIC = {
     *"energy energie energia modulus module modulo modul coefficient constante rate radius work of".split()
@@ -359,32 +399,34 @@ GENERIC = {
 NO_INPUTS: Mapping[str, frozenset[str]] = {
     unit: frozenset(text.split())
     for unit, text in {
-        "J/m^2": """stiffness spring constant steifigkeit raideur k kn kt kc ks kr cantilever lever liquid water fluence
-            dose gradient slope sensitivity polar dispersive film""",
-        "Pa": """pressure press druck pression stress spannung yield hardness haerte durete strength tensile compressive
-            vacuum vapour vapor hertz hertzian tresca mises p sigma""",
+        "J/m^2": """stiffness spring constant steifigkeit federkonstante raideur k kn kt kc ks kr cantilever lever
+            liquid water fluence dose gradient slope sensitivity polar dispersive film""",
+        "Pa": """festigkeit vickers knoop pressure press druck pression stress spannung yield hardness haerte
+            durete strength tensile compressive vacuum vapour vapor hertz hertzian tresca mises p sigma""",
         "kg/m^3": "gas air fluid liquid water medium bulk tap tapped packing loose number charge",
-        "J": """atom molecule mol formation exfoliation decomposition vbm cbm heat thermal activation bond lattice band gap photon fermi dissipation dissipated lost loss barrier kt kbt
-            break breaking rolling roll fold sticking pull binding strain internal""",
-        "m/s": """sound wave wind flow gas fluid scan ramp retract retraction terminal settling sticking rebound rotation
-            angular escape crack pull stick""",
-        "m": """contact gyration height thickness width length position distance dist roughness rms rq ra wavelength box
-            film layer lattice pore mesh grid lambda mfp path trajectory screen debye""",
-        "N": """adhesion adhesive pull off pulloff friction lateral shear measured max peak snap detach detachment rupture
-            capillary drag electrostatic""",
+        "J": """potential ioni chemical atom molecule mol formation exfoliation decomposition vbm cbm heat thermal
+            activation bond lattice band bandgap gap photon fermi dissipation dissipated lost loss barrier kt kbt break
+            breaking rolling roll fold sticking pull binding strain internal""",
+        "m/s": """sound schall thermal friction shear vx vy vz wave wind flow gas fluid scan ramp retract
+            retraction terminal settling sticking rebound rotation angular escape crack pull stick""",
+        "m": """contact gyration height thickness width length position distance dist roughness rms rq ra
+            wavelength box film layer lattice pore mesh grid tube bend orbital separation lambda mfp path trajectory
+            screen debye""",
+        "N": """adhesion adhesive pull off pulloff friction lateral shear measured max peak snap detach detachment
+            rupture capillary drag electrostatic""",
     }.items()
 }
 # Words that others use for an input, and that are not certain to mean it.
 WORDS_BESIDES: Mapping[str, Sequence[str]] = {
     "surface_energy": "surface surf tension sfe".split(),
-    "work_of_adhesion": "adhesion adh interface interfacial fracture bond".split(),
+    "work_of_adhesion": "adhesion adh interface interfacial fracture release separation dupre haft gc gic jkr".split(),
     "adhesion_hysteresis": ["hysteresis"],
     "youngs_modulus": "young elastic modul dmt ym".split(),
-    "contact_modulus": "contact reduced effective equivalent star".split(),
-    "shear_strength": "friction strength".split(),
+    "contact_modulus": "contact reduced reduz reduit reducido red effective effekt eff equivalent eq star".split(),
+    "shear_strength": "friction strength tau".split(),
     "energy": "kinetic impact collision ekin".split(),
     "speed": "relative impact collision rel".split(),
-    "yield_displacement": "xi critical rolling".split(),
+    "yield_displacement": "xi critical rolling roll".split(),
 }
 
 # --- Rows of statistics -----------------------------------------------------------------------------------------------
