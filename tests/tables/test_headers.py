@@ -106,6 +106,8 @@ REFUSED = {
     "Energy (old)": "what stands behind energy is not its unit",
     "radiuss [nm]": "=radius [nm]'",
     **dict.fromkeys(("radius [?m]", "LOAD [PN]", "Radius (Mm)", "load [-nN]", *LOSSY), "is not its unit. Write"),
+    "asperity tip radius [nm]": "Write a column asperity_radius [UNIT] in place of",
+    "rho_w [kg/m3]": "Write a column density [UNIT] or density2 [UNIT] in place of",
     "loadpN": "'loadpN=load [UNIT]'",  # no N
     # maxLoad (µN) and load P (N) among them
     **dict.fromkeys(("load_p_n", "Load.P..N.", "load_micro_N"), "=load [UNIT]'"),
@@ -117,12 +119,12 @@ REFUSED = {
     "Young's E (mean $x$) [GPa]": '"Young\'s E (mean \\$x\\$) [GPa]="',
     "E (Young's modulus) [GPa]": "it may be youngs_modulus",
     "gamma' [mJ/m2]": "it may be surface_energy",
-    "surface energy (polar) [mJ/m2]": "a column surface_energy [UNIT] in place of",
+    "surface energy (polar) [mJ/m2]": "a column surface_energy [UNIT] or surface_energy2 [UNIT] in place of",
     "gama [mJ/m2]": "=surface_energy [mJ/m2]'",
     "gama": "=surface_energy [UNIT]'",
     "surface_energy in GPa": "what stands behind surface_energy is not its unit",
     "log radius [nm]": "Write a column radius [UNIT] in place of 'log radius [nm]', or --column",
-    "radius_cv [nm]": "Write a column radius [UNIT] in place of 'radius_cv [nm]', or --column",
+    "radius_cv [nm]": "Write a column radius [UNIT] or radius2 [UNIT] in place of 'radius_cv [nm]', or --column",
     **{
         f"{word} [nm]": f"'{word} [nm]=radius [nm]' or --column '{word} [nm]=reduced_radius [nm]', or"
         for word in ("Equivalent radius", "harmonic mean radius", "combined radius")
@@ -140,7 +142,7 @@ REFUSED = {
     "R_p [nm]": "--column 'R_p [nm]=radius [nm]'",
     "E_avg (GPa)": "=youngs_modulus [UNIT]' or --column 'E_avg (GPa)=youngs_modulus2 [UNIT]'",
     **dict.fromkeys(("rho_p [kg/m3]", "ρs (g/cm³)"), "it may be density"),
-    "second radius (nm)": "'second radius (nm)=radius [nm]' or --column 'second radius (nm)=radius2 [nm]'",
+    "second radius (nm)": "Write --column 'second radius (nm)=radius2 [nm]', or",
     **dict.fromkeys(("applied tip load [nN]", "laod [nN]", "Indentation load (nN)"), "=load [nN]'"),
     "radius_max [nm]": "alone is no uncertainty of radius",
     **dict.fromkeys(

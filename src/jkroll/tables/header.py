@@ -369,8 +369,9 @@ def _way(head: Reading) -> str:
     """Return what to write for a column that may be an input; "" where nothing is certain."""
     if head.meant:
         return " or ".join(_option(head.text, meant) for meant in head.meant)
-    is_value = head.name and not head.part and head.problem != FACTOR and not head.problem.startswith(NOT_READ)
-    return f"a column {headed(head.name)} in place of {quoted(head.text)}" if is_value else ""
+    if not head.name or head.part or head.problem == FACTOR or head.problem.startswith(NOT_READ):
+        return ""
+    return f"a column {' or '.join(map(headed, head.names or [head.name]))} in place of {quoted(head.text)}"
 
 
 def _option(text: str, meaning: str) -> str:

@@ -21,6 +21,8 @@ SYMBOLS_TOO |= {
     "vimp": "speed",
     "YM": "youngs_modulus",
     "AH": "hamaker",
+    "A11": "hamaker",
+    "A22": "hamaker2",
 }
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
@@ -42,8 +44,8 @@ _DOUBTFUL_WORDS = {
     **dict.fromkeys("normalforce appliedforce preload setpoint".split(), _FORCE),
     **dict.fromkeys("indentation overlap penetration".split(), Meaning(["approach_at_load"], "it may be the approach")),
     **dict.fromkeys(
-        """modulus effectivemodulus equivalentmodulus combinedmodulus compositemodulus dmtmodulus jkrmodulus hertzmodulus
-        sneddonmodulus indentationmodulus""".split(),
+        """modulus effectivemodulus equivalentmodulus combinedmodulus compositemodulus dmtmodulus jkrmodulus
+        hertzmodulus sneddonmodulus indentationmodulus""".split(),
         _MODULUS,
     ),
     "surfacetension": Meaning(["surface_energy"], "it may be the tension of a liquid"),
@@ -97,6 +99,8 @@ OF_PAIR = {
     *"""equivalent effective reduced combined composite harmonic reduzierter effektiver reduit effectif
     reducido""".split()
 }
+ASPERITIES = {*"asperity asperities".split()}  # whose radius is none of a sphere
+OF_SPHERE_2 = r"(?i)(?:(?<![^\W_])(?<![-^*])|sphere|body|particle|material)2(?![\d.])|(?<![^\W_])(?:second(?!ar)|2nd)"
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
@@ -300,7 +304,7 @@ _COMMON = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2
 @cache
 def units_by_letters() -> dict[str, list[str]]:
     """Return common units by their letters and digits, as they are and in small letters."""
-    units = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"], "mps": ["m/s"]}
+    units = {"Gpa": ["GPa"], "Mpa": ["MPa"], "Kpa": ["kPa"], "mps": ["m/s"], "mum": ["um"]}
     for unit in _COMMON:
         letters = unit.replace("/", "")
         reciprocal = f"{letters}1" if "/" in unit and not letters[-1].isdigit() else letters  # m.s-1
