@@ -24,7 +24,7 @@ from ..text import shown
 from . import words
 from .cells import has_no_value, is_number
 from .reading import FACTOR_INSIDE, FACTOR_OF_UNIT, Reading, Split, normalized, reading_of, splits_of
-from .words import INPUTS, MATERIALS, fits, headed, sphere_of, tokens_of, unit_for
+from .words import INPUTS, MATERIALS, fits, headed, key, sphere_of, tokens_of, unit_for
 
 # Inputs of which one takes the place of others, besides those of EXCLUSIVE.
 _OF_MODULI = tuple(("contact_modulus", name) for name in ("youngs_modulus", "youngs_modulus2"))
@@ -225,6 +225,8 @@ _POWERS = {"sq": "2", "cu": "3"}
 def _is_unit(split: Split) -> bool:
     if not split.is_explicit and len(split.unit) == 1 and (split.unit not in "mNJ" or len(split.word) < 3):
         return False  # an index
+    if key(split.unit) in words.meanings(""):
+        return False  # specific gravity
     return is_in_table(split.unit) or any(_unit(split, name) for name in INPUTS)
 
 
@@ -259,7 +261,7 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
         return unit not in words.COMMON_UNITS
     symbols, stems = words.POINTERS[first]
     joined = map("".join, pairwise(tokens))  # F_n, cut-off
-    bare = {*tokens, *joined, *(token.rstrip("12") for token in tokens)}
+    bare = {*tokens, *joined, *(re.sub("[12]$", "", token) for token in tokens)}
     return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in tokens)
 
 
@@ -282,8 +284,8 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
 def _score(tokens: Sequence[str], name: str) -> int:
     """Return how many words of a header are those of an input, or begin like them."""
     first = of_sphere(1, name)
-    symbols, vocabulary = [token.rstrip("12") for token in tokens_of(symbol_of(first))], _vocabulary(first)
-    return sum(_is_one_of(token.rstrip("12"), symbols, vocabulary) for token in tokens)
+    symbols, vocabulary = [re.sub("[12]$", "", token) for token in tokens_of(symbol_of(first))], _vocabulary(first)
+    return sum(_is_one_of(re.sub("[12]$", "", token), symbols, vocabulary) for token in tokens)
 
 
 def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]) -> bool:
