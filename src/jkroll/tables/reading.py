@@ -282,11 +282,10 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         name, is_shared = meaning.names[0], word in words.SHARED
         if name == "radius" and not words.ASPERITIES.isdisjoint(tokens_of(split.word)):
             name = "asperity_radius"
-        elif NOMENCLATURE[name].sphere == 1 and _is_of_sphere_2(split):
-            name = NOMENCLATURE[name].twin
-        names = [name, NOMENCLATURE[name].twin] if not is_slip and NOMENCLATURE[name].sphere == 1 else [name]
-        if sphere := words.sphere_of(words.tokens_of(split.word)):
-            names = [of_sphere(sphere, name)]
+        sphere = words.sphere_of(words.tokens_of(split.word))
+        name = of_sphere(sphere, name) if sphere else name
+        is_open = not sphere and not is_slip and NOMENCLATURE[name].sphere == 1
+        names = [name, NOMENCLATURE[name].twin] if is_open else [name]
         if split.unit and word == key(split.word):
             tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
             is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
@@ -302,12 +301,6 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         if (unit_text and is_slip) or ((unit_text or is_telling) and not is_shared):
             return _doubtful(split, word, meaning, names, unit_text, is_slip=is_slip)
     return None
-
-
-def _is_of_sphere_2(split: Split) -> bool:
-    """Return whether words say that a column is of sphere 2, as in sphere 2 density, density (2), second density."""
-    text = split.word if is_in_table(split.unit) else f"{split.word} {split.unit}"
-    return re.search(words.OF_SPHERE_2, text) is not None
 
 
 def _doubtful(

@@ -100,7 +100,6 @@ OF_PAIR = {
     reducido""".split()
 }
 ASPERITIES = {*"asperity asperities".split()}  # whose radius is none of a sphere
-OF_SPHERE_2 = r"(?i)(?:(?<![^\W_])(?<![-^*])|sphere|body|particle|material)2(?![\d.])|(?<![^\W_])(?:second(?!ar)|2nd)"
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
@@ -240,9 +239,13 @@ def tokens_of(text: str) -> list[str]:
     return re.findall(r"[a-z]+\d*|\d+", parted.casefold())
 
 
+_ORDINALS = {"first": 1, "second": 2}
+
+
 def sphere_of(tokens: Sequence[str]) -> int:
     """Return the sphere that words of a header name, by its number or a body; 0 for none."""
     numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*[12]", token)]
+    numbers += [_ORDINALS[token] for token in tokens if token in _ORDINALS]
     bodies = [sphere for token in tokens for sphere, bodies in BODIES.items() if token in bodies]
     return next(iter([*numbers, *bodies]), 0)
 
@@ -397,7 +400,7 @@ POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
     ),
 }
 GENERIC = {
-    *"energy energie energia modulus module modulo modul coefficient constante rate radius work of".split()
+    *"energy energie energia modulus module modulo modul coefficient constante rate radius rayon radio work of".split()
 }  # which tell no inputs of one dimension apart
 # By SI unit, words of what is no input.
 NO_INPUTS: Mapping[str, frozenset[str]] = {
