@@ -7,7 +7,7 @@ as other things that their word must point to an input. Of a column of text the 
 
 import re
 from collections.abc import Collection, Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -38,6 +38,7 @@ _OF_PARTS = (
     "poisson_ratio",
     "hysteresis_fraction",
 )
+_OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}
 NOT_READ = "not read, and "  # what stands in for it, behind
 _MOST_MEANT = 3  # inputs among which a user chooses
 
@@ -124,7 +125,8 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
         return reading
     text = normalized(head.text)
     split = _with_unit(text)
-    candidates = {name: unit for name in supply.clauses if (unit := _unit(split, name))}
+    units = {unit: _unit(split, name) for unit, name in _OF_EACH_UNIT.items()}
+    candidates = {name: unit for name in supply.clauses if (unit := units.get(NOMENCLATURE[name].unit, ""))}
     if not candidates:
         candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
     tokens = tokens_of(split.word)
@@ -150,9 +152,10 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
     return head._replace(name=first, problem=problem, meant=meant[:_MOST_MEANT], names=names or [*candidates])
 
 
+@lru_cache(maxsize=5000)
 def _unit(split: Split, name: str) -> str:
     """Return the unit of an input that a header has, UNIT where it cannot be read as it is; "" for another unit."""
-    if not split.unit or name in MATERIALS or (is_in_table(split.unit) and not fits(split.unit, name)):
+    if not split.unit or (is_in_table(split.unit) and not fits(split.unit, name)):
         return ""
     if unit := unit_for(split.unit, name, is_explicit=split.is_explicit):
         return unit
@@ -227,17 +230,17 @@ def _is_unit(split: Split) -> bool:
         return False  # an index
     if key(split.unit) in words.meanings(""):
         return False  # specific gravity
-    return is_in_table(split.unit) or any(_unit(split, name) for name in INPUTS)
+    return is_in_table(split.unit) or any(_unit(split, name) for name in _OF_EACH_UNIT.values())
 
 
 def _is_result(split: Split) -> bool:
     """Return whether a word is the name or the symbol of a result of this program, or begins with such a name."""
     name = re.sub(r"[\s_.-]+", "_", split.word.strip()).casefold()
     for result, quantity in NOMENCLATURE.items():
-        if result not in _OF_INPUTS and formula_of(result) is not None and fits(split.unit, result):
-            is_named = name == result or name.startswith(f"{result}_")
-            if is_named or (quantity.symbol == split.word and quantity.symbol not in _symbols_of_inputs()):
-                return True
+        is_named = name == result or name.startswith(f"{result}_")
+        is_meant = is_named or (quantity.symbol == split.word and quantity.symbol not in _symbols_of_inputs())
+        if is_meant and result not in _OF_INPUTS and formula_of(result) is not None and fits(split.unit, result):
+            return True
     return False
 
 
