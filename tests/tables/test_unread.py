@@ -1,0 +1,135 @@
+"""Columns that are not read: none passes beside a number that stands in for it, and what is advised works."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from harness import Run
+from meant_headers import IDLE, MISREAD, PASSED, groups_of, meant_headers, outcome
+from relative import approx
+
+BESIDE = "material,radius [nm]"  # of quartz
+REFUSED = {
+    "Interface Energy (J/m^2)": "work_of_adhesion [J/m^2]",
+    "dens. of solid (g/cm3)": "density [g/cm3]",
+    "impact vel (m/s)": "speed [m/s]",
+    "elast 2 (GPa)": "youngs_modulus2 [GPa]",
+    "crit. displacement [nm]": "yield_displacement [nm]",
+    "F_set (nN)": "load [nN]",
+    "sample surface energy (mJ/m2)": "surface_energy [mJ/m2]",
+}
+PASSING = (
+    "stiffness [N/m]", "hertz_pressure [Pa]", "lost_energy [J]", "hardness (GPa)", "yield stress (MPa)", "x [um]",
+    "spring constant (N/m)", "height (nm)", "pull-off force (nN)", "heat of fusion (J)", "sound speed (m/s)", "T [K]",
+    "time [s]", "contact radius (nm)", "roughness Rq (nm)", "wavelength_nm", "tap rho_b (kg/m3)", "material_id",
+)  # fmt: skip
+
+
+def ran(run: Run, heads: str, cells: str, options: str = "", path: str = "x.csv") -> str:
+    """Return what is said of a table, after its exit code."""
+    Path(path).write_text(f"{heads}\n{cells}\n", encoding="utf-8")
+    found = run("batch", path, *shlex.split(options), "-o", "out.csv")
+    return f"{found.code}: {found.err}"
+
+
+@pytest.fixture(autouse=True)
+def _wide(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "2000")
+
+
+@pytest.mark.parametrize("head", REFUSED)
+def test_a_column_that_may_be_an_input_is_refused_and_the_advice_reads_it(run: Run, head: str) -> None:
+    said = ran(run, f"{BESIDE},{head}", "quartz,100,3")
+    assert said.startswith("2: ")
+    advised = [shlex.split(word)[0] for word in re.findall(r"--column ('[^']*')", said)]
+    assert f"{head}={REFUSED[head]}" in advised
+    assert f"{head}=" in advised
+    assert ran(run, f"{BESIDE},{head}", "quartz,100,3", shlex.join(["--column", f"{head}={REFUSED[head]}"]))[0] in "01"
+
+
+@pytest.mark.parametrize("head", PASSING)
+def test_a_column_of_something_else_passes(run: Run, head: str) -> None:
+    assert f"passed through: {head}" in ran(run, f"{BESIDE},{head}", "quartz,100,3").replace('"', "")
+
+
+def test_the_message_says_what_stands_in_and_pass_rest_names_it(run: Run) -> None:
+    said = ran(run, "material,radius [nm],foo (GPa),bar (g/cm3)", "quartz,100,3,2", "--density 2g/cm3")
+    assert "'foo (GPa)' (first cell '3'): not read, and E is the material's" in said
+    assert "'bar (g/cm3)' (first cell '2'): not read, and ρ is --density 2g/cm3" in said
+    options = "--density 2g/cm3 --pass-rest --quantities pull_off_force,mass"
+    said = ran(run, "material,radius [nm],foo (GPa),bar (g/cm3)", "quartz,100,3,2", options)
+    assert '"foo (GPa)", "bar (g/cm3)" (ρ is --density 2g/cm3)' in said  # no result rests on E
+
+
+def test_what_no_result_rests_on_passes(run: Run) -> None:
+    """The reduced radius and w decide on a pull-off force."""
+    said = ran(run, f"{BESIDE},bar (g/cm3),foo (m/s)", "quartz,100,2,3", "--quantities pull_off_force")
+    assert said.startswith("0: ")
+
+
+@pytest.mark.parametrize("columns", ["youngs_modulus [GPa],youngs_modulus2 [GPa]", "contact_modulus [GPa]"])
+def test_what_columns_give_stands_for_nothing(run: Run, columns: str) -> None:
+    cells = ",".join(["5"] * len(columns.split(",")))
+    assert "'foo" not in ran(run, f"{BESIDE},{columns},foo (GPa)", f"quartz,100,{cells},3")
+
+
+def test_cells_say_the_unit_where_the_header_has_none(run: Run) -> None:
+    said = ran(run, f"{BESIDE},adhesive", "quartz,100,25 mJ/m2")
+    assert "'adhesive' (first cell '25 mJ/m2'): not read" in said
+
+
+@pytest.mark.parametrize(("head", "name"), [("Werkstoff", "material2"), ("wall", "material2"), ("what", "material2")])
+def test_a_column_of_materials_is_refused(run: Run, head: str, name: str) -> None:
+    said = ran(run, f"{BESIDE},{head}", "quartz,100,iron")
+    assert f"Write --column '{head}={name}', or --column '{head}='" in said
+    assert ran(run, f"radius [nm],{head}", "100,iron").startswith("2: ")
+
+
+def test_labels_and_letters_are_no_materials(run: Run) -> None:
+    assert ran(run, f"{BESIDE},grade", "quartz,100,C").startswith("0: ")
+    assert ran(run, f"{BESIDE},lab", "quartz,100,Zurich").startswith("0: ")
+
+
+def test_properties_that_columns_give_need_no_material(run: Run) -> None:
+    heads = "radius [nm],gamma [mJ/m2],E [GPa],nu,rho [kg/m3]"
+    both = f"{heads},radius2 [nm],gamma2 [mJ/m2],E2 [GPa],nu2,rho2 [kg/m3]"
+    assert ran(run, f"{both},name", f"{','.join(['100,25,54,0.2,2600'] * 2)},quartz").startswith("0: ")
+    assert "its cells are materials" in ran(run, f"{heads},name", "100,25,54,0.2,2600,quartz")
+
+
+def test_a_column_of_a_table_of_ours_is_none(run: Run) -> None:
+    """A table that batch has written is read again."""
+    Path("first.csv").write_text("material,radius [nm],speed [m/s]\nquartz,100,1\n")
+    assert run("batch first.csv -o second.csv").code == 0
+    again = run("batch second.csv -o third.csv --quantities yield_angle")
+    assert "not read" not in again.err
+
+
+@pytest.mark.parametrize("seed", [4, 5])
+def test_few_headers_that_mean_an_input_pass(seed: int) -> None:
+    """Those with a plain word and a unit in brackets nearly never do, and none is misread."""
+    headers = meant_headers(seed, 1500)
+    outcomes = {header.text: outcome(header) for header in headers}
+    assert MISREAD not in outcomes.values()
+    groups = groups_of(headers)
+    for group, most in (("inputs", 0.09), ("plain", 0.08), ("sphere 2", 0.15)):
+        passed = [each.text for each in groups[group] if outcomes[each.text] == PASSED]
+        assert len(passed) <= most * len(groups[group]), (group, passed)
+    none = [each.text for each in groups["none"] if outcomes[each.text] in (PASSED, IDLE)]
+    assert len(none) > 0.6 * len(groups["none"])
+
+
+def test_a_reduced_radius_beside_half_a_sense_is_no_advice(run: Run) -> None:
+    for head in ("half radius of grain (um)", "2*foo (GPa)", "log E_mat (GPa)"):
+        said = ran(run, f"material,{head}", "quartz,3", "--radius 1um")
+        assert said.startswith("2: "), head
+        assert re.findall(r"--column '[^']*=(\w+)", said) == [], head
+
+
+def test_a_number_read_from_the_wall_is_that_of_sphere_2(run: Run) -> None:
+    Path("x.csv").write_text("radius [um],E [GPa],nu,E wall (GPa),wall poisson ratio\n1,70,0.2,3,0.4\n")
+    assert run("batch x.csv --quantities contact_modulus --material2 gold -o out.csv").code == 0
+    value = float(Path("out.csv").read_text().splitlines()[1].split(",")[5])
+    assert value == approx(1e9 / ((1 - 0.04) / 70 + (1 - 0.16) / 3), rel=1e-12)
