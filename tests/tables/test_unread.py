@@ -107,14 +107,17 @@ def test_a_column_of_a_table_of_ours_is_none(run: Run) -> None:
     assert "not read" not in again.err
 
 
-@pytest.mark.parametrize("seed", [4, 5])
-def test_few_headers_that_mean_an_input_pass(seed: int) -> None:
-    """Those with a plain word and a unit in brackets nearly never do, and none is misread."""
-    headers = meant_headers(seed, 1500)
+MOST = {"inputs": 0.09, "plain": 0.08, "sphere 2": 0.15}  # of the headers of a group that may pass
+
+
+@pytest.mark.parametrize(("seed", "count"), [(4, 600), pytest.param(5, 12_000, marks=pytest.mark.slow)])
+def test_few_headers_that_mean_an_input_pass(seed: int, count: int) -> None:
+    """Nearly none does that is a plain word with a unit in brackets, and none is misread."""
+    headers = meant_headers(seed, count)
     outcomes = {header.text: outcome(header) for header in headers}
     assert MISREAD not in outcomes.values()
     groups = groups_of(headers)
-    for group, most in (("inputs", 0.09), ("plain", 0.08), ("sphere 2", 0.15)):
+    for group, most in MOST.items():
         passed = [each.text for each in groups[group] if outcomes[each.text] == PASSED]
         assert len(passed) <= most * len(groups[group]), (group, passed)
     none = [each.text for each in groups["none"] if outcomes[each.text] in (PASSED, IDLE)]
