@@ -179,9 +179,11 @@ def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
 
 def _of_solids(head: Reading, cells: Sequence[str], supply: Supply) -> Reading | None:
     """Return a column whose cells name known materials, which may be those of a sphere; None for another one."""
-    if not supply.solids or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)):
+    tokens = tokens_of(normalized(head.text))
+    is_label = not words.LABELS.isdisjoint({*tokens} - {"name", "names"})
+    if is_label or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)) or not supply.solids:
         return None
-    sphere = sphere_of(tokens_of(normalized(head.text)))
+    sphere = sphere_of(tokens)
     names = [MATERIALS[sphere - 1]] if sphere and MATERIALS[sphere - 1] in supply.solids else [*supply.solids]
     return head._replace(name=names[0], problem=f"{NOT_READ}its cells are materials", meant=names)
 

@@ -408,7 +408,7 @@ NO_INPUTS: Mapping[str, frozenset[str]] = {
     for unit, text in {
         "J/m^2": """stiffness spring constant steifigkeit federkonstante raideur k kn kt kc ks kr cantilever lever
             liquid water fluence dose gradient slope sensitivity polar dispersive film""",
-        "Pa": """festigkeit vickers knoop pressure press druck pression stress spannung yield hardness haerte
+        "Pa": """uts festigkeit vickers knoop pressure press druck pression stress spannung yield hardness haerte
             durete strength tensile compressive vacuum vapour vapor hertz hertzian tresca mises p sigma""",
         "kg/m^3": "gas air fluid liquid water medium bulk tap tapped packing loose number charge",
         "J": """potential ioni chemical atom molecule mol formation exfoliation decomposition vbm cbm heat thermal
