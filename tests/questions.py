@@ -14,7 +14,7 @@ from jkroll.errors import JkrollError
 from jkroll.model.plan import formula_of
 from jkroll.physics.jkr import FOLD_APPROACH
 from jkroll.quantities.laws import LAWS
-from jkroll.quantities.nomenclature import NOMENCLATURE, header
+from jkroll.quantities.nomenclature import CONVERTED, NOMENCLATURE, header
 from jkroll.quantities.values import has_uncertainty
 from scenes import log_uniform
 
@@ -155,9 +155,17 @@ class _Values:
             self._add("poisson_ratio", self._ratio)
         if self._is(0.5):
             self._sphere_2(has_own_energy=energy == "surface_energy")
+        self._convert()
         self._state()
         self._others()
         return self.found
+
+    def _convert(self) -> None:
+        """Take some sizes for diameters, and some moduli for shear moduli; the other values stay the same."""
+        random = Random(str(self.found))
+        for name, other in CONVERTED.items():
+            if other in self.found and "rigid" not in self.found[other] and random.random() < 0.3:
+                self.found = {name if each == other else each: texts for each, texts in self.found.items()}
 
     def _sphere_2(self, *, has_own_energy: bool) -> None:
         if self._is(0.3):

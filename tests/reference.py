@@ -258,6 +258,7 @@ def _half_circle_pressure(r: Exact, A: Exact, delta: Exact, E: Exact, R: Exact) 
 EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     # the pair
     "work_of_adhesion": lambda gamma1, gamma2: 2 * sqrt(gamma1 * gamma2),
+    "diameter": lambda R1: 2 * R1,
     "radius_ratio": lambda R1, R2: R1 / R2,
     "reduced_radius": lambda R1, R2: 1 / (1 / R1 + 1 / R2),
     "contact_modulus": lambda E1, nu1, E2, nu2: 1 / ((1 - nu1**2) / E1 + (1 - nu2**2) / E2),
@@ -339,6 +340,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "restitution": lambda v, v_s: sqrt(max(1 - (v_s / v) ** 2, mpf(0))),
     "lost_energy": lambda v, v_s, m: m * min(v, v_s) ** 2 / 2,
     # sliding
+    "shear_modulus": lambda E1, nu1: E1 / (2 * (1 + nu1)),
     "contact_shear_modulus": lambda E1, nu1, E2, nu2: (
         1 / (2 * (2 - nu1) * (1 + nu1) / E1 + 2 * (2 - nu2) * (1 + nu2) / E2)
     ),
@@ -420,6 +422,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
 
 # What only scenes have: sphere 2, and a quantity that is another one by definition.
 OF_A_SCENE: Mapping[str, Callable[..., Exact]] = {
+    "diameter2": lambda R2: 2 * R2,
+    "shear_modulus2": lambda E2, nu2: E2 / (2 * (1 + nu2)),
     "mass2": lambda R2, rho2: 4 * pi / 3 * R2**3 * rho2,
     "rayleigh_frequency2": lambda R2, rho2, E2, nu2: _wave_speed(rho2, E2, nu2) / (pi * R2),
     "moment_of_inertia2": lambda m2, R2: 2 * m2 * R2**2 / 5,

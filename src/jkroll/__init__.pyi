@@ -38,6 +38,7 @@ from .physics.contact import contact_radius_at_load as contact_radius_at_load
 from .physics.contact import contact_radius_in_spacings as contact_radius_in_spacings
 from .physics.contact import contact_radius_ratio as contact_radius_ratio
 from .physics.contact import contact_shear_modulus as contact_shear_modulus
+from .physics.contact import diameter as diameter
 from .physics.contact import displacement_limit as displacement_limit
 from .physics.contact import displacement_over_contact_radius as displacement_over_contact_radius
 from .physics.contact import displacement_ratio as displacement_ratio
@@ -62,6 +63,7 @@ from .physics.contact import reduced_mass as reduced_mass
 from .physics.contact import reduced_moment_of_inertia as reduced_moment_of_inertia
 from .physics.contact import reduced_radius as reduced_radius
 from .physics.contact import rolling_mass as rolling_mass
+from .physics.contact import shear_modulus as shear_modulus
 from .physics.contact import stiffness as stiffness
 from .physics.contact import tabor_parameter as tabor_parameter
 from .physics.contact import tangential_stiffness as tangential_stiffness

@@ -89,8 +89,19 @@ REFUSED = {
         "no such option '--gamma12'; the energy of an interface stands in the work of adhesion: "
         "--work-of-adhesion, γ1 + γ2 - γ12"
     ),
-    "pull-off quartz --diameter 200nm": (
-        "no such option '--diameter'; a radius, half of it, stands alone: jkroll pull-off quartz 100nm"
+    "pull-off quartz 100nm --diameter 200nm": "a radius and --diameter exclude each other: one follows from the other",
+    "contact quartz 100nm --young 54GPa --shear-modulus 23GPa": (
+        "--young and --shear-modulus exclude each other: one follows from the other"
+    ),
+    "pull-off quartz --reduced-radius 50nm --diameter2 2um": (
+        "--diameter2 and --reduced-radius exclude each other: one follows from the other"
+    ),
+    "pull-off quartz --diameter=-1um": "--diameter: '-1um' must be positive; expected a length such as 200nm",
+    "contact 100nm --gamma 25mJ/m2 --shear-modulus 23GPa": (
+        "contact needs Poisson's ratio; name a material, such as quartz, or give --poisson 0.3"
+    ),
+    "contact quartz 100nm --shear-modulus rigid": (
+        "--shear-modulus: 'rigid' does not begin with a number; expected a pressure such as 30GPa"
     ),
     "pull-off quartz 100nm --quantities=": "'' is not a quantity; jkroll quantities lists them",
     "pull-off --\x1b[31m": "no such option '--?[31m'; see jkroll pull-off --help",

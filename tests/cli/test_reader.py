@@ -67,7 +67,7 @@ REFUSED = {
     "pull-off quartz 1um --velocity 1m/s": (
         "no such option '--velocity'; --speed is an option of n-roll, impact, report and 3 more"
     ),
-    "pull-off quartz --diam 1um": "no such option '--diam'; see jkroll pull-off --help",
+    "pull-off quartz --diam 1um": "no such option '--diam'; did you mean --diameter?",
     "pull-off quartz 1um --format xml": (
         "pull-off takes no '--format'; write --json, --csv or --bare, or name a file: -o x.tsv"
     ),

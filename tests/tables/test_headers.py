@@ -67,6 +67,10 @@ reduced_radius 1e-9: reduced_radius [nm]
 radius 1e-9: radius【nm】 | radius–nm | radius = nm | radius R (nm)
 youngs_modulus 1e9: E-Modul [GPa] | E · GPa | E1 – GPa | Elastic Modulus E (GPa) | Young's modulus E1 [GPa]
 density 1: Density ρ (kg/m³) | densities [kg/m3]
+diameter 1e-6: diameter [um] | Dia (µm) | diam_um | Durchmesser [um] | Diameter, um | diameters (um) | Diameter D (um)
+diameter2 1e-6: diameter2 [um] | Diameter 2, um
+shear_modulus 1e9: shear modulus (GPa) | G [GPa] | G1_GPa | Shear Modulus G [GPa] | Schubmodul (GPa)
+shear_modulus2 1e6: shear_modulus2 [MPa] | G2 (MPa)
 hamaker 1e-21: Hamaker constant A (zJ) | a_zj
 """
 
@@ -80,14 +84,30 @@ def meanings(line: str) -> dict[str, tuple[str, float]]:
 
 READ = {text: meaning for line in _READ.strip().splitlines() for text, meaning in meanings(line).items()}
 READ |= dict.fromkeys((' "gamma [mJ/m2]"', "\u200fsurface energy [mJ∙m⁻²]\u200e"), ("surface_energy", 1e-3))
-_SIZE = "a radius is half of a diameter or a size"
-_SIZES = "d | D [nm] | d_p [um] | Dp (nm) | diameter (nm) | Diameter | d_um | size | particle size [um]"
 _LACKING = "(first cell '100'): neither has a unit. Write --column"
 _FACTOR = "a sign or a factor stands beside the word or its unit"
 # Programs that know no µ and no capitals have written m for µm, and m for M.
 LOSSY = ("radius__m_", "Load___N_", "hamakerZj", "load_MN", "speed__m_s_")
 REFUSED = {
-    **dict.fromkeys([*_SIZES.split(" | "), "size2_um", "Ø [nm]", "diameter_um", "diameter2 [nm]"], _SIZE),
+    **{
+        text: f"it may be a diameter. Write --column '{text}=diameter [{unit}]', or --column"
+        for text, unit in {
+            "d": "UNIT",
+            "D [nm]": "nm",
+            "d_p [um]": "um",
+            "Dp (nm)": "nm",
+            "d_um": "um",
+            "Ø [nm]": "nm",
+        }.items()
+    },
+    "D2 [um]": "Write --column 'D2 [um]=diameter2 [um]', or",
+    **{
+        text: f"a radius or a diameter. Write --column '{text}=radius{unit}' or --column '{text}=diameter{unit}', or"
+        for text, unit in {"size": " [UNIT]", "particle size [um]": " [um]", "size2_um": "2 [um]"}.items()
+    },
+    "Diameter": f"Diameter' {_LACKING} 'Diameter=diameter [UNIT]', or --column 'Diameter=' to pass it through",
+    "equivalent diameter [um]": "Write a column diameter [UNIT] in place of 'equivalent diameter [um]', or",
+    "G_s [GPa]": "=shear_modulus [UNIT]' or --column 'G_s [GPa]=shear_modulus2 [UNIT]'",
     "r [nm]": "r may be a distance. Write --column 'r [nm]=radius [nm]'",
     **dict.fromkeys(("s [nm]", "S (nm)"), "s may be a distance. Write --column"),
     **dict.fromkeys(("indentation [nm]", "Overlap (nm)"), "it may be the approach. Write --column"),
@@ -160,7 +180,8 @@ PASSING = (
     "material_id | density_type | d [s] | equivalent diameter [um] | v_m | hysteresis_ratio | spread [m/s] | "
     "sigma_xx [Pa] | u [m/s] | u(x) [nm] | sigma [Pa] | kinetic_energy [J] | head [nN] | grain area [nm^2] | "
     "nu_g0 | E...MPa. | velocity_c_m_s | E_loss (GPa) | rho_bulk [kg/m3] | num [-] | nu_e [Hz] | "
-    "speed of sound (m/s) | contact angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s]"
+    "speed of sound (m/s) | contact angle (deg) | energy_per_atom_eV | R | n_c | Size (mm) | rad | rad [1/s] | "
+    "G' (GPa) | storage shear modulus (Pa)"
 ).split(" | ")
 
 
@@ -186,7 +207,7 @@ def test_a_spelling_is_refused_with_a_remedy(run: Run, text: str) -> None:
     for advice in re.findall(r"--column (?:'[^']*'|\"[^\"]*\")", ran.err):
         typed = shlex.split(advice.replace("UNIT", "m").replace("\\$", "$"))  # which shlex leaves
         assert "the table has no column" not in run("batch", "x.csv", "--material", "quartz", *typed).err
-    if REFUSED[text] in (_FACTOR, _SIZE):
+    if REFUSED[text] == _FACTOR:
         assert ran.err.count("--column") == 1  # which passes it through: no other line is certainly right
 
 
@@ -215,7 +236,7 @@ def test_a_prime_is_part_of_a_symbol_and_quotes_are_not() -> None:
         assert understood([text], [["3 GPa"]]).names == {"youngs_modulus"}
 
 
-_OF_2 = "D2 [um] | diameter2 (um) | Diameter 2, um | radius [nm].1"
+_OF_2 = "D2 [um] | radius [nm].1"
 
 
 @pytest.mark.parametrize("other", [*_OF_2.split(" | "), "E_sample [GPa]", "surface gamma (J/m2)", "γ12 [mJ/m2]"])
@@ -242,7 +263,7 @@ def test_the_advice_for_values_without_a_unit_reads_their_uncertainty_too(parts:
 
 
 @pytest.mark.parametrize("nothing", ["", "NaN", "NA", "n/a", "--"])
-@pytest.mark.parametrize("text", ["gama [mJ/m2]", "gamma", "diameter [nm]"])
+@pytest.mark.parametrize("text", ["gama [mJ/m2]", "gamma", "D [nm]"])
 def test_a_cell_without_a_value_says_nothing_of_its_header(text: str, nothing: str) -> None:
     """The next cell does: where the column passed through, another number would stand in."""
     with pytest.raises(BadTable, match=r"first cell '25'"):

@@ -22,7 +22,7 @@ from ..model.reasons import grouped
 from ..model.uncertainty import Sources, error_bars, sources_of_results
 from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
+from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, computed_as
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
@@ -74,7 +74,8 @@ def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tupl
     every = [*names, *(limit.name for limit in limits)]
     own, used = ({*scene.inputs_of(*scene.possible(each))} for each in (names, every))
     needed = used - (STATE_OR_LOAD - own) | depends_on((*scene.missing(every),), (scene.law.name,))
-    return own | used & {"atomic_spacing"}, [name for name in scene.stated if name not in needed]
+    idle = [name for name in scene.described if needed.isdisjoint((name, computed_as(name)))]
+    return own | used & {"atomic_spacing"}, idle
 
 
 def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_values: bool) -> dict[str, str]:

@@ -15,7 +15,7 @@ from ..model.reasons import MissingInput
 from ..model.sweep import Pair, Sweep
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import law_named
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
 from ..text import ending, quoted, say_wrapped, shown
@@ -127,10 +127,14 @@ class Call:
 
     @property
     def typed(self) -> dict[str, str]:
-        """The inputs and measured quantities that were given, as they were typed; empty for several values."""
+        """The inputs and measured quantities that were given, as they were typed.
+
+        The text is empty for several values, and for an input that was typed in place of another one.
+        """
         measured = (text.partition("=") for text in self.measured)
         texts = self.values | {quantity_named(word): value for word, _, value in measured}
-        return {name: "" if "," in text or ":" in text else as_typed(text) for name, text in texts.items()}
+        typed = {name: "" if "," in text or ":" in text else as_typed(text) for name, text in texts.items()}
+        return typed | {CONVERTED[name]: "" for name in self.values.keys() & CONVERTED.keys()}
 
     @cached_property
     def loads(self) -> "Loads | None":

@@ -56,8 +56,9 @@ def _unseen(option: Option) -> Option:
 
 # What goes with an input, or in its place.
 _WITH = {
-    "material2": ", or --gamma2, --young2, --poisson2, --density2",
+    "material2": ", or --gamma2, --young2, --shear-modulus2, --poisson2, --density2",
     "surface_energy": ", or --work-of-adhesion",
+    "diameter": ", --diameter2 of sphere 2",
     "youngs_modulus": ", or rigid, with --poisson 0.3",
     "yield_displacement": (
         ", decides the answer: jkroll guide measurements; or --adhesion-hysteresis, --hysteresis-fraction"
@@ -110,7 +111,7 @@ PANEL = Option("panel", "--panel", "One panel only: force, pressure or moment", 
 _OMITTED = "Omit title and caption, or the limits"
 PICTURE = (
     Option("mark", "--mark", "Mark grains as points, separated by commas", "quartz@100nm"),
-    Option("data", "--data", "Write the numbers as CSV; - is standard output", "FILE"),
+    Option("data", "--data", "Write the numbers as CSV; - is stdout", "FILE"),
     Option("target", "-o", "Draw a .svg, .pdf or .png file (plot extra)", "FILE"),
     *STYLE,
     Option("uncaptioned", "--no-caption", _OMITTED),
@@ -162,13 +163,14 @@ PROGRAM = (
     HELP,
 )
 
-_OF_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2")
+_OF_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "shear_modulus2", "poisson_ratio2", "density2")
 # Inputs that every question takes, as it takes materials.
-_ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density",
-    *_OF_SPHERE_2, "atomic_spacing")  # fmt: skip
+_ALWAYS = ("radius2", "diameter", "diameter2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus",
+    "shear_modulus", "poisson_ratio", "density", *_OF_SPHERE_2, "atomic_spacing")  # fmt: skip
 # Inputs that stand among the further options of the help, even where they are used.
-_FURTHER = (*_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio", "adhesion_hysteresis", "hysteresis_fraction",
-    "hamaker", "hamaker2", "cutoff", "viscous_time", "asperity_radius")  # fmt: skip
+_FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio",
+    "adhesion_hysteresis", "hysteresis_fraction", "hamaker", "hamaker2", "cutoff", "viscous_time",
+    "asperity_radius")  # fmt: skip
 
 
 @cache
@@ -187,6 +189,7 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option, ...]:
         depends |= {"model"}
     names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if not quantities or name in depends)))
     shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
+    shown = shown | {"diameter"} if quantities else shown - {"diameter"}  # a longer help has no line for it
     return tuple(
         Option(name, quantity.option, metavar=quantity.example, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)

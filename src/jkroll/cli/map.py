@@ -18,7 +18,7 @@ from ..pictures.request import PlotRequest, picture_of
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain, symbol
-from ..quantities.nomenclature import as_input, header
+from ..quantities.nomenclature import as_input, computed_as, header
 from ..quantities.values import QuantityError, between, parse_quantity
 from ..text import ending, listed, quoted, say, say_wrapped
 from .call import PICTURES, Call
@@ -184,14 +184,15 @@ def map_request(call: Call) -> PlotRequest:
     y = axis_of(call.y, "--y") if call.y is not None else None
     axes = [x, y] if y is not None else [x]
     within = depends_on((quantity,), tuple(model or DEFAULT_LAW for model in call.models))
+    fixed = {*map(computed_as, call.values)}
     for axis in axes:
-        if axis.name in call.values:
+        if computed_as(axis.name) in fixed:
             raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
         if axis.name == quantity:
             raise BadRequest(f"{quantity} is the quantity that is drawn; it cannot be an axis too")
         if axis.name not in within:
             raise BadRequest(f"{quantity} does not depend on {axis.name}")
-    if len({axis.name for axis in axes}) < len(axes):
+    if len({computed_as(axis.name) for axis in axes}) < len(axes):
         raise BadRequest(f"both axes are {axes[0].name}")
     if (count := len(call.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
@@ -208,5 +209,6 @@ def _distinction(scene: Scene, call: Call) -> str:
     if len(call.models) > 1 and scene.stated_model is not None:
         parts.append(scene.law.title)
     several = [name for name, text in call.values.items() if "," in text or ":" in text]
-    parts += [f"{symbol(name)} = {amount(name, scene.given[name])}" for name in several]
+    computed = [name if name in scene.given else computed_as(name) for name in several]
+    parts += [f"{symbol(name)} = {amount(name, scene.given[name])}" for name in computed]
     return ", ".join(parts)

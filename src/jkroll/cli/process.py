@@ -43,7 +43,6 @@ HINTS: Mapping[str, str] = {
     "--format": "write --json, --csv or --bare, or name a file: -o x.tsv",
     "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
     "--plane": "a plane is a sphere 2 without end: --radius2 plane",
-    "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
     **dict.fromkeys(
         ("--roughness", "--humidity", "--temperature"),

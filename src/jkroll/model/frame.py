@@ -20,6 +20,7 @@ from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
 from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law
 from ..quantities.nomenclature import (
+    CONVERTED,
     INFINITY,
     NOMENCLATURE,
     PROPERTIES,
@@ -32,6 +33,7 @@ from ..quantities.nomenclature import (
 from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain, middle
 from ..text import listed
 from .column import Column, at_row, first_of
+from .conversions import converted, lacked
 from .plan import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
 from .reasons import (
     HIDDEN,
@@ -114,6 +116,7 @@ DEFAULTS = {
 }
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
+    "diameter2": (INFINITY, {}),  # converted to a radius
     "radius2": (INFINITY, {"radius_ratio": 0.0, "rayleigh_frequency2": 0.0, **dict.fromkeys(_OF_A_PLANE, INFINITY)}),
     "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, it does not matter
     "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
@@ -127,8 +130,8 @@ EXCLUSIVE = (
     ("load", *sorted(STATE)),
     IN_ITS_PLACE,
     ("contact_modulus", "modulus_over_energy"),
-    ("radius", "reduced_radius"),
-    ("radius2", "reduced_radius"),
+    *product(("radius", "diameter", "radius2", "diameter2"), ("reduced_radius",)),
+    *((other, name) for name, other in CONVERTED.items()),
 )
 
 # What was stated in place of a solid's yield displacement, or makes sphere 2 one of another solid.
@@ -143,10 +146,10 @@ _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strengt
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
-    The inputs that were given by name are `stated`; with the properties of the materials, and without uncertainties,
-    they are `given`; with what is assumed and what follows from the value of an input they are `known`. `values` are
-    those of the known names and of all results so far, nan where there is none; `reasons` say why. Both are numbers,
-    which hold for all rows, or arrays.
+    The inputs that were given by name are `described`; converted, they are `stated`; with the properties of the
+    materials, and without uncertainties, they are `given`; with what is assumed and what follows from the value of an
+    input they are `known`. `values` are those of the known names and of all results so far, nan where there is none;
+    `reasons` say why. Both are numbers, which hold for all rows, or arrays.
 
     >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{scene['pull_off_force']:.4e}"
@@ -179,12 +182,16 @@ class Scene:
         self.material, self.material2, self.moved = material, material2, moved
         # The materials of the spheres that have one of their own, each with the number of the sphere.
         self.materials = [(solid, sphere) for solid, sphere in ((material, 1), (material2, 2)) if solid is not None]
-        self.uncertain: dict[str, Uncertain] = {name: value for name, value in given.items() if is_uncertain(value)}
-        self.stated = {**given}
         # By the name of an input, the material that has it, and its name there.
         self.of_materials = {
             of_sphere(sphere, name): (solid, name) for solid, sphere in self.materials for name in solid.properties
         }
+        self.described = {**given}
+        self.stated = self.described if CONVERTED.keys().isdisjoint(given) else self._converted()
+        for name in self.stated.keys() & CONVERTED.keys():  # without ν, G stands for E, which is missing
+            self.of_materials.pop(CONVERTED[name], None)
+        stated = self.stated.items()
+        self.uncertain: dict[str, Uncertain] = {name: value for name, value in stated if is_uncertain(value)}
         of_solids = {given: solid.properties[name] for given, (solid, name) in self.of_materials.items()}
         every = {**of_solids, **self.stated, **moved}
         self.given: dict[str, Any] = {name: middle(value) for name, value in every.items() if value is not None}
@@ -210,19 +217,22 @@ class Scene:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle what was described; the rest is computed anew."""
-        return _described, (self.stated, self.material, self.material2, self.stated_model, self.moved)
+        return _described, (self.described, self.material, self.material2, self.stated_model, self.moved)
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
 
-        A value that a material gave is moved, the others are stated. What follows from the same values is not computed
-        again, which saves a tenth of a table with doubts.
+        A value that a material gave is moved, the others are stated. A radius takes the place of a diameter that was
+        described, and E that of G. What follows from the same values is not computed again, which saves a tenth of a
+        table with doubts.
         """
         model = values.pop("model", self.stated_model)
         of_materials = self.of_materials.keys() & values.keys() - self.stated.keys()
         moved = {**self.moved, **{name: values.pop(name) for name in of_materials}}
-        every = {**self.stated, **values}
-        given = {name: value for name, value in every.items() if value is not None}
+        every = {**self.described, **values}
+        given = {
+            name: value for name, value in every.items() if value is not None and CONVERTED.get(name) not in values
+        }
         scene = Scene(given, self.material, self.material2, model=model, moved=moved)
         scene._shared = {**self._shared}
         return scene
@@ -236,6 +246,16 @@ class Scene:
     def by_law_at_spacing(self) -> "Scene":
         """The same, with its atomic spacing stated."""
         return self.by_law.replace(atomic_spacing=self.by_law["atomic_spacing"])
+
+    def _converted(self) -> dict[str, Any]:
+        """Return the described inputs, with those in place of others converted."""
+        values = {name: middle(value) for name, value in self.described.items()}
+        for name, value in values.items():
+            check_range(name, value)
+        broadcast({name: value for name, value in values.items() if not isinstance(value, NUMBER)})
+        data = {name: solid.measures[of_solid] for name, (solid, of_solid) in self.of_materials.items()}
+        known = {name: value for name, value in {**data, **self.moved}.items() if value is not None}
+        return converted(self.described, known, own_material2=self.material2 is not None)
 
     def _displacement_of_solid(self) -> Interval | None:
         """Return the yield displacement that the solid of both spheres has at these radii, unless it is stated."""
@@ -371,7 +391,7 @@ class Scene:
         plan = self.plan(name)
         if plan.lacking:
             return NotInLaw(name, in_order(plan.lacking), self.law.title)
-        names = plan.missing
+        names = lacked(plan.missing, self.stated)
         if XI in names and "radius" not in self.given:
             names = names - {XI} | {"radius"}  # by which that of a solid is scaled
         lacking = {}

@@ -13,10 +13,14 @@ from typing import Any
 
 from ..physics import FORMULAS
 from ..quantities.laws import DEFAULT_LAW, Routes, law_of, routes, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, of_sphere
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, UnknownQuantity, computed_as, of_sphere
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
-OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
+OF_A_SOLID = frozenset(
+    name
+    for name, quantity in NOMENCLATURE.items()
+    if quantity.sphere == 1 and quantity.option and computed_as(name) != "radius"
+)
 KEPT = 5_000  # plans that are remembered: of each set of inputs there are some hundred
 
 
@@ -112,7 +116,10 @@ def in_order(names: Collection[str]) -> tuple[str, ...]:
 
 @cache
 def depends_on(names: tuple[str, ...], models: tuple[str, ...] = (DEFAULT_LAW,)) -> frozenset[str]:
-    """Return every name on which quantities can depend under some laws, whatever is given."""
+    """Return every name on which quantities can depend under some laws, whatever is given.
+
+    With an input it has those that are converted to it.
+    """
     routes_to = routes_anywhere(models)
     reached: set[str] = set()
     pending = [*names]
@@ -122,7 +129,7 @@ def depends_on(names: tuple[str, ...], models: tuple[str, ...] = (DEFAULT_LAW,))
             reached.add(name)
             formulas = [each for each in (name, *routes_to.get(name, ())) if formula_of(each) is not None]
             pending += [argument for formula in formulas for _, argument in arguments_of(formula)]
-    return frozenset(reached)
+    return frozenset(reached).union(name for name, other in CONVERTED.items() if other in reached)
 
 
 def parameters_of(formula: Any) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from typing import Any, overload
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
-from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, named
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, UnknownQuantity, named
 from ..quantities.values import QuantityError, is_uncertain
 from ..text import listed
 from .containers import Reader, units_of
@@ -119,7 +119,7 @@ def _material(argument: str, material: str | Material | None, materials: Materia
         raise QuantityError(argument, str(material), "is not the name of one material", 'write "quartz"')
     properties = Reader().in_si(material.properties)
     for name, value in properties.items():
-        if not NOMENCLATURE[name].twin:
+        if not NOMENCLATURE[name].twin or name in CONVERTED:
             raise QuantityError(name, str(value), "is not a property of a material", "give it by its name")
         if not isinstance(value, float):
             raise QuantityError(name, str(value), "is not a single number")

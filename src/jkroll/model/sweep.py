@@ -12,7 +12,7 @@ from math import prod
 from typing import Any
 
 from ..materials.library import Material
-from ..quantities.nomenclature import NOMENCLATURE, of_sphere
+from ..quantities.nomenclature import NOMENCLATURE, computed_as, of_sphere
 from ..quantities.values import Spread
 from .frame import FOLLOWS, Scene
 from .plan import in_order
@@ -20,6 +20,7 @@ from .reasons import OF_IDENTICAL_SPHERES, Failure
 from .rows import BLOCK, Columns, Indices, Numbers, Wanted, evaluated, sides_in
 
 Pair = tuple[Material | None, Material | None]
+_MODULI_OF_TWO_KINDS = ({"shear_modulus", "youngs_modulus2"}, {"youngs_modulus", "shear_modulus2"})
 
 
 class Sweep:
@@ -115,10 +116,22 @@ class Sweep:
 
     def _may_be_alike(self, name: str) -> bool:
         """Return whether an input of sphere 2 may have a value of sphere 1, and one of them has several."""
-        second, first = self.spreads[name], self.spreads.get(of_sphere(1, name), ())
-        several = sum(map(len, second)) + sum(map(len, first)) > 2
-        overlap = any(spread.low <= other.high and other.low <= spread.high for spread in second for other in first)
-        return NOMENCLATURE[name].sphere == 2 and several and overlap
+        if NOMENCLATURE[name].sphere != 2:
+            return False
+        of_1 = computed_as(of_sphere(1, name))
+        first = next((other for other in self.spreads if computed_as(other) == of_1), "")
+        ends, ends_of_1 = self._ends(name), self._ends(first) if first else []
+        several = sum(map(len, (*self.spreads[name], *self.spreads.get(first, ())))) > 2
+        is_by_ratio = {name, first} in _MODULI_OF_TWO_KINDS  # E = 2G(1 + ν)
+        overlap = any(
+            low <= other_high and other_low <= high for low, high in ends for other_low, other_high in ends_of_1
+        )
+        return several and (overlap or is_by_ratio)
+
+    def _ends(self, name: str) -> list[tuple[float, float]]:
+        """Return the ends of the lists and ranges of an input, those of a diameter as radii."""
+        factor = 0.5 if name in ("diameter", "diameter2") else 1.0
+        return [(factor * spread.low, factor * spread.high) for spread in self.spreads[name]]
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 

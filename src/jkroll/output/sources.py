@@ -21,7 +21,7 @@ from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount, symbol_of
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.markup import as_latex, symbol
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.nomenclature import CONVERTED, INFINITY, NOMENCLATURE
 from ..text import listed, say, say_wrapped
 
 if TYPE_CHECKING:
@@ -136,11 +136,12 @@ def _power_law(name: str, scene: Scene) -> str:
     None are returned at the edge of a range, where one of them is not known.
     """
     texts = []
+    moduli = {name: scene.stated[name] for name in CONVERTED.values() if name in scene.stated}  # fixed, as ν moves
     for given in scene.inputs_of(name):
         value = scene[given]
         if 0 < abs(value) < INFINITY:
             factor = _LESS if takes(given, value * _LESS) else 1 / _LESS
-            moved = scene.replace(**{given: value * factor}).numbers(name).get(name, 0.0)
+            moved = scene.replace(**{**moduli, given: value * factor}).numbers(name).get(name, 0.0)
             if not moved * scene[name] > 0:
                 return ""
             power = log(moved / scene[name]) / log(factor)

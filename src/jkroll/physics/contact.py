@@ -40,6 +40,16 @@ def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceE
     return 2 * sqrt(surface_energy * surface_energy2)
 
 
+def diameter(*, radius: Length) -> Length:
+    """Return the diameter of a sphere.
+
+        D1 = 2R1
+
+    Valid:    Any radius; the diameter of a plane is infinite.
+    """
+    return 2 * radius
+
+
 def radius_ratio(*, radius: Length, radius2: Length) -> Number:
     """Return the radius of sphere 1 over that of sphere 2: 1 for identical spheres, 0 on a plane.
 
@@ -94,6 +104,17 @@ def contact_modulus_of_ratio(*, modulus_over_energy: PerLength, work_of_adhesion
     Source:   Eq (49).
     """
     return modulus_over_energy * work_of_adhesion / 2
+
+
+def shear_modulus(*, youngs_modulus: Stress, poisson_ratio: Number) -> Stress:
+    """Return the shear modulus of a solid.
+
+        G1 = E1/(2(1 + ν1))
+
+    Source:   Hooke's law.
+    Valid:    Isotropic, linear elastic solids.
+    """
+    return youngs_modulus / (2 * (1 + poisson_ratio))
 
 
 def contact_shear_modulus(

@@ -16,7 +16,7 @@ from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
 from ..model.reasons import RESTS_ON_SPACING, Failure, Kind, MissingInput, reason_of
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.markup import symbol
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, computed_as
 from ..quantities.values import parse_quantity
 from ..text import quoted
 from .picture import (
@@ -182,7 +182,9 @@ class Layer:
         inputs, used = self.scene.inputs_of(*names), self.scene.inputs_of(quantity)
         # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
         shown = [name for name in inputs if name in used or name != "load" or name in self.scene.given]
-        self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in drawn])
+        moduli = {} if drawn.keys().isdisjoint(("poisson_ratio", "poisson_ratio2")) else _shear_moduli(scene)
+        on_axes = {*map(computed_as, drawn)}
+        self.inputs = inputs_as_texts(self.scene, [moduli.get(name, name) for name in shown if name not in on_axes])
         remark = NOMENCLATURE[quantity].note
         self.unjudged = [f"Limits are not judged: {_without(error)}." for error in missing[:1]]
         self.notes = (
@@ -238,6 +240,11 @@ class Layer:
         return f"{symbol(x.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
 
 
+def _shear_moduli(scene: Scene) -> dict[str, str]:
+    """Return the shear moduli that were given, by the Young's moduli that vary with Poisson's ratio."""
+    return {CONVERTED[name]: name for name in ("shear_modulus", "shear_modulus2") if name in scene.described}
+
+
 def _without(error: JkrollError) -> str:
     """Return what a limit lacks, with its number."""
     return f"{symbol(error.wanted)} {error.reason()}" if isinstance(error, MissingInput) else str(error)
@@ -262,7 +269,7 @@ def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
     materials = [scene.material.name] if scene.material is not None else []
     if scene.material2 is not None:
         materials.append(f"material2 = {scene.material2.name}")
-    values = ((name, in_words(name, scene.values[name])) for name in names)
+    values = ((name, in_words(name, scene[name])) for name in names)
     return (*materials, *(f"{symbol(name)} = {amount(name, value)}" for name, value in values))
 
 

@@ -193,10 +193,16 @@ _BOTH_SPHERES = {
     "radius": Quantity("R1", "m", "radius of sphere 1", range=POSITIVE, example="100nm", sphere=1, twin="radius2"),
     "radius2": Quantity("R2", "m", "radius of sphere 2, or plane", range=UP_TO_INFINITE, infinity="plane",
         option="--radius2", example="1um", sphere=2, twin="radius"),
+    "diameter": Quantity("D1", "m", "diameter of sphere 1", range=POSITIVE, option="--diameter",
+        example="200nm", sphere=1, twin="diameter2"),
+    "diameter2": Quantity("D2", "m", "diameter of sphere 2, or plane", range=UP_TO_INFINITE, infinity="plane",
+        option="--diameter2", example="2um", sphere=2, twin="diameter"),
     **_of_both("surface_energy", "γ1", "J/m^2", "surface energy per surface", range=POSITIVE, option="--gamma",
         example="25mJ/m2"),
     **_of_both("youngs_modulus", "E1", "Pa", "Young's modulus", range=UP_TO_INFINITE, infinity="rigid",
         option="--young", example="10GPa"),
+    **_of_both("shear_modulus", "G1", "Pa", "shear modulus", range=POSITIVE, option="--shear-modulus",
+        example="30GPa"),
     **_of_both("poisson_ratio", "ν1", "1", "Poisson's ratio", range=POISSON, option="--poisson", example="0.3"),
     **_of_both("density", "ρ1", "kg/m^3", "mass density", range=POSITIVE, option="--density", example="1g/cm3"),
     **_of_both("hamaker", "A1", "J", "Hamaker constant", range=POSITIVE, option="--hamaker", example="6.5e-20J"),
@@ -437,6 +443,24 @@ def as_input(word: str) -> str:
 
 XI = "yield_displacement"  # decides on every rolling quantity
 
+# Inputs in place of others, with which formulas compute: R = D/2, E = 2G(1 + ν).
+CONVERTED = {
+    "diameter": "radius",
+    "diameter2": "radius2",
+    "shear_modulus": "youngs_modulus",
+    "shear_modulus2": "youngs_modulus2",
+}
+
+
+def computed_as(name: str) -> str:
+    """Return the input to which an input is converted; any other name as it is.
+
+    >>> computed_as("diameter2"), computed_as("load")
+    ('radius2', 'load')
+    """
+    return CONVERTED.get(name, name)
+
+
 # What a materials file gives of a material.
 PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
 
@@ -511,6 +535,7 @@ _WORDS_OF_OTHERS = {
     "cutoff": "? cutoff_distance cut_off_distance",
     "density": """mass_density material_density true_density dichte massendichte materialdichte reindichte
         masse_volumique densite densidad ? particle_density specific_mass""",
+    "diameter": "dia diam diameters durchmesser",
     "disruption_speed": "fragmentation_speed fragmentation_velocity fragmentation v_frag",
     "energy": """impact_energy collision_energy stossenergie aufprallenergie energie_d_impact energia_de_impacto
         ? e_kin""",
@@ -525,9 +550,9 @@ _WORDS_OF_OTHERS = {
     "poisson_ratio": """poissons poissons_ratio poisson_number poisson_coefficient poissonzahl querkontraktionszahl
         querdehnzahl coefficient_de_poisson coeficiente_de_poisson""",
     "pull_off_force": "? adhesion adhesion_force detachment_force f f_ad force",
-    "radius": "? diameter",
     "reduced_radius": "effective_radius reduzierter_radius rayon_reduit radio_reducido",
     "roll_energy": "rolling_energy",
+    "shear_modulus": "modulus_of_rigidity rigidity_modulus schubmodul",
     "shear_strength": "interfacial_shear_strength contact_shear_strength",
     "sliding_force": "friction_force static_friction",
     "speed": """velocity impact_velocity impact_speed collision_velocity collision_speed geschwindigkeit

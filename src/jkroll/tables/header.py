@@ -13,7 +13,7 @@ from typing import NamedTuple
 from ..errors import BadRequest, BadTable
 from ..model.frame import EXCLUSIVE
 from ..quantities.laws import LAWS
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, of_sphere
 from ..quantities.nomenclature import header as header_of
 from ..quantities.values import NO_UNIT, QuantityError, unit_of, value_of
 from ..text import first_of, listed, quoted, shown
@@ -146,12 +146,14 @@ def understood(
         if head.is_input and (other := inputs.setdefault(head.name, {}).setdefault(head.part, head)) is not head:
             raise _twice(other, head)
     used = {name: parts for name, group in inputs.items() if (parts := _used(name, group))}
+    used = {name: parts for name, parts in used.items() if not _is_doubled(name, used, rows)}
     values = [head for parts in used.values() for part, head in parts.items() if part in ("", *_ENDS)]
     # A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
     groups = [each for each in EXCLUSIVE if "work_of_adhesion" not in each and not used.keys().isdisjoint(each)]
     held, known = {*used, *chain(*groups)}, {*used, *given}
     texts_of = {name: next(iter(parts.values())).text for name, parts in used.items()}
     heads = [_with_suffix(head, {**dict.fromkeys(given, ""), **texts_of}, measured) for head in heads]
+    held |= {name for name in CONVERTED for head in heads if head.name == CONVERTED[name] and not head.part}  # E, not G
     supply = NOTHING if supply_of is None else supply_of(used)
     heads = [judged(head, [row[head.place] for row in rows], supply) for head in heads]
     left = [head for head in heads if head.problem and not _may_pass(head, held, known)]
@@ -169,6 +171,19 @@ def understood(
     materials = tuple(column for column in columns if column.name in MATERIALS)
     clauses = {head.place: clause for head in left if (clause := supply.clauses.get(head.name))}
     return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials, clauses)
+
+
+def _is_doubled(name: str, used: Mapping[str, Mapping[str, Reading]], rows: Sequence[Sequence[str]]) -> bool:
+    """Return whether a column is a diameter that always stands beside a radius, or G beside E: it passes through.
+
+    One that `--column` states does not.
+    """
+    parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
+    if not others or any(head.is_stated for head in parts.values()):
+        return False
+    own, other = ([head.place for head in each.values()] for each in (parts, others))
+    filled = [row for row in rows if not all(has_no_value(row[place]) for place in own)]
+    return bool(filled) and not any(all(has_no_value(row[place]) for place in other) for row in filled)
 
 
 def _with_suffix(head: Reading, known: Mapping[str, str], measured: str) -> Reading:
@@ -249,8 +264,9 @@ def _with_problem(head: Reading) -> Reading:
 
 def _beside_others(heads: Sequence[Reading], given: Collection[str]) -> Iterator[Reading]:
     """Iterate over heads as the others make them mean."""
-    is_of_two = "radius2" in given or any(head.is_input and head.name == "radius2" for head in heads)
-    moduli = [head for head in heads if head.name in ("youngs_modulus", "youngs_modulus2")]
+    names = {*given, *(head.name for head in heads if head.is_input)}
+    is_of_two = not names.isdisjoint(("radius2", "diameter2"))
+    moduli = [head for head in heads if of_sphere(1, head.name) in ("youngs_modulus", "shear_modulus")]
     direction = next((head.text for head in heads if moduli and re.match(_OF_DIRECTIONS, head.text)), None)
     values = {head.name: head for head in heads if head.is_input and not head.part}
     ends = [head for head in heads if head.is_input and head.part in _ENDS and values.keys().isdisjoint(head.names)]
@@ -308,7 +324,8 @@ def _uncertain_instead(head: Reading, values: Mapping[str, Reading]) -> str:
     rest = re.sub(words.DIFFERENCE, "", text)
     is_difference = rest != text and head.is_input and not head.is_stated
     own = reading_of(rest).name if is_difference else ""
-    return own if own in values and any({own, head.name} <= {*names} for names in EXCLUSIVE) else ""
+    is_other = own in values and own != head.name  # diameter is no difference
+    return own if is_other and any({own, head.name} <= {*names} for names in EXCLUSIVE) else ""
 
 
 def _used(name: str, heads: Mapping[str, Reading]) -> dict[str, Reading]:

@@ -286,6 +286,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         name = of_sphere(sphere, name) if sphere else name
         is_open = not sphere and not is_slip and NOMENCLATURE[name].sphere == 1
         names = [name, NOMENCLATURE[name].twin] if is_open else [name]
+        names = [*meaning.names] if meaning.names[1:] else names
         if split.unit and word == key(split.word):
             tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
             is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
@@ -321,6 +322,8 @@ def _doubtful(
     }
     if of_pair and not words.OF_PAIR.isdisjoint(others):
         names, problem, is_neutral = [name, of_pair], f"it may be {name} or {of_pair}", True
+    elif not words.OF_PAIR.isdisjoint(others):
+        names = names[:1]  # as an equivalent diameter, not one of sphere 2
     if not meaning.has_remedy or not words.FUNCTIONS.isdisjoint(others):
         names = []
     is_whole = split.is_explicit if is_slip else key(split.word).endswith(word) and not split.is_mangled

@@ -22,7 +22,7 @@ from ..model.limits import EVERY_DOUBT
 from ..model.rows import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
 from ..output.writers import WRITERS, remove_begun, result_columns, whole_file, written
 from ..quantities.formatting import Format, amount
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, computed_as
 from ..text import quoted, say, say_wrapped, shown
 from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, output_format, table_of_lines
 from .header import check_inputs, understood
@@ -119,9 +119,10 @@ def _about(table: Table) -> Iterator[str]:
     if assumed := [text for name, text in of_rows.assumed.items() if name not in table.given]:
         yield f"assumed: {', '.join(assumed)}"
     notes = [*dict.fromkeys(remark for lookup in table.lookups.values() for remark in lookup.remarks)]
-    if "radius" not in table.given and not table.asked.explicit:
+    if table.given.isdisjoint(("radius", "diameter")) and not table.asked.explicit:
         notes.append("no column and no option gives a radius; what needs one is left out")
-    filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.columns.names & table.fixed.keys())
+    read = {*map(computed_as, table.columns.names)}
+    filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.fixed if computed_as(name) in read)
     notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
     # What is infinite may make a body rigid in some rows.
     idle = [name for name in of_rows.idle if table.fixed.get(name, INFINITY) != INFINITY]

@@ -17,7 +17,7 @@ from ..model.reasons import MissingInput, NotInLaw
 from ..model.rows import BAD, SIDES, Numbers, Wanted, groups
 from ..model.uncertainty import Sources, sources_of_results
 from ..quantities.laws import law_named
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, computed_as, header
 from ..quantities.values import is_uncertain, value_of
 from ..text import quoted
 from .cells import LABEL, Indices, Lookup
@@ -108,7 +108,9 @@ class Table:
 
         Raises an error of the scene.
         """
-        given, spheres = {**self.fixed, **given}, {**self.spheres, **solids}.values()
+        of_row, spheres = {*map(computed_as, given)}, {**self.spheres, **solids}.values()
+        fixed = {name: value for name, value in self.fixed.items() if computed_as(name) not in of_row}
+        given = {**fixed, **given}
         measured = self.asked.measured
         if not measured:
             return Scene(given, *spheres, model=self.model)

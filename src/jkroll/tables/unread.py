@@ -17,7 +17,7 @@ from ..model.frame import DEFAULTS, EXCLUSIVE
 from ..model.plan import depends_on, formula_of
 from ..quantities.formatting import amount, symbol_of
 from ..quantities.laws import DEFAULT_LAW, LAWS, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, QUANTITY_SYNONYMS, of_sphere
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, OPTION_WORDS, PROPERTIES, QUANTITY_SYNONYMS, of_sphere
 from ..quantities.units import is_in_table
 from ..quantities.values import QuantityError, value_of
 from ..text import shown
@@ -59,6 +59,7 @@ class Supply(NamedTuple):
 
         `columns`: the inputs that columns give; `options`: the texts that options give, by input.
         """
+        columns = {*columns, *(CONVERTED[name] for name in columns if name in CONVERTED)}
         law = options.get("model", DEFAULT_LAW).casefold()
         needed = depends_on(tuple(names), (law if law in LAWS else DEFAULT_LAW,))
         left = [name for name in INPUTS if name in needed and name not in columns]

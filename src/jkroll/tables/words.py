@@ -35,12 +35,13 @@ class Meaning(NamedTuple):
     has_remedy: bool = True  # it may be one of the inputs as it is
 
 
-_SIZE = Meaning(["radius"], "a radius is half of a diameter or a size", has_remedy=False)
+_SIZE = Meaning(["radius", "diameter"], "it may be a radius or a diameter")
+_DIAMETER = Meaning(["diameter"], "it may be a diameter")
 _FORCE = Meaning(["load"], "it may be a load, or a force that was measured")
 _OF_PAIR = Meaning(["work_of_adhesion", "surface_energy"], "it may be that of a pair")
 _MODULUS = Meaning(["youngs_modulus", "contact_modulus"], "it may be Young's modulus, or E* of the contact")
 _DOUBTFUL_WORDS = {
-    **dict.fromkeys("dia diam diameter diameters durchmesser size".split(), _SIZE),
+    "size": _SIZE,
     **dict.fromkeys("normalforce appliedforce preload setpoint".split(), _FORCE),
     **dict.fromkeys("indentation overlap penetration".split(), Meaning(["approach_at_load"], "it may be the approach")),
     **dict.fromkeys(
@@ -53,7 +54,7 @@ _DOUBTFUL_WORDS = {
     "hysteresis": Meaning(["adhesion_hysteresis"], "it may be another hysteresis"),
 }
 _DOUBTFUL_SYMBOLS = {
-    **dict.fromkeys("d D dp Dp".split(), _SIZE),
+    **dict.fromkeys("d D dp Dp".split(), _DIAMETER),
     **dict.fromkeys("Fn FN".split(), _FORCE),
     "gamma12": Meaning(["work_of_adhesion"], "w = γ1 + γ2 - γ12, if it is of the interface", has_remedy=False),
     **dict.fromkeys("R* Reff".split(), Meaning(["reduced_radius"], "it may be the reduced radius")),
@@ -70,7 +71,9 @@ _DISTANCE = {  # but r1 and r2 are radii
 _OTHER_IN_CASE = ("d0", "delta", "deltaw")
 
 # Symbols of solids, whose index may say which of them: E_s, rho_p, Es; nu only with a gap before it, R of a body alone.
-_WITH_INDEX = re.compile(r"(E|rho|nu|R(?=[\s_](?:tip|probe|sphere|sample|wall)\Z))(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])")
+_WITH_INDEX = re.compile(
+    r"([EG]|rho|nu|R(?=[\s_](?:tip|probe|sphere|sample|wall)\Z))(?:[\s_]+([A-Za-z]\w*)|(?<!nu)[a-z])"
+)
 
 # Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
 SHARED = (
@@ -247,7 +250,7 @@ def sphere_of(tokens: Sequence[str]) -> int:
     numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*[12]", token)]
     numbers += [_ORDINALS[token] for token in tokens if token in _ORDINALS]
     bodies = [sphere for token in tokens for sphere, bodies in BODIES.items() if token in bodies]
-    return next(iter([*numbers, *bodies]), 0)
+    return next(iter([*numbers, *bodies, *(2 for token in tokens[-1:] if token == "j")]), 0)
 
 
 _GAPS = re.compile(r"[\s_.,(){}\[\]-]+|(?<=[a-z0-9])(?=[A-Z])")
@@ -288,7 +291,8 @@ def slips() -> dict[str, str]:
 
     Two words differ by a slip of the pen, a letter or the order of two, if they have such a spelling in common.
     """
-    known = [word for word, meaning in meanings("").items() if meaning.names and not meaning.problem and len(word) > 3]
+    words = (word for word, meaning in meanings("").items() if meaning.names and not meaning.problem and len(word) > 3)
+    known = [word for word in words if not re.fullmatch("diam?[12]?", word)]  # diag is a word
     longest_first = sorted(known, key=len, reverse=True)  # so that gamma is not a slip in gamma2
     return {spelt: word for word in longest_first for spelt in lacking_a_letter(word)}
 
