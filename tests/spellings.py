@@ -5,7 +5,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 from unicodedata import normalize
 
-from jkroll.quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, SYNONYMS
+from jkroll.quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
+from jkroll.quantities.synonyms import SYNONYMS
 from jkroll.quantities.units import dimension_of
 from jkroll.tables.words import INPUTS
 

@@ -17,7 +17,8 @@ from typing import Any
 
 from .. import __version__
 from ..errors import FAILED, BadRequest, JkrollError
-from ..quantities.nomenclature import ALIKE, NOMENCLATURE, QUANTITY_SYNONYMS, as_input, named, nearest
+from ..quantities.nomenclature import ALIKE, NOMENCLATURE, as_input, named, nearest
+from ..quantities.synonyms import QUANTITY_SYNONYMS
 from ..text import closest, first_of, quoted, say, say_wrapped, shown
 from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of, help_of
 

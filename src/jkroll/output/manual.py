@@ -7,7 +7,8 @@ from typing import ClassVar, NamedTuple, TextIO
 
 from ..errors import BadRequest
 from ..materials.library import Material
-from ..quantities.nomenclature import NOMENCLATURE, QUANTITY_SYNONYMS, named, with_symbol
+from ..quantities.nomenclature import NOMENCLATURE, named, with_symbol
+from ..quantities.synonyms import QUANTITY_SYNONYMS
 from ..text import LETTERS, closest, first_of, quoted, say, say_wrapped, terminal_width
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")

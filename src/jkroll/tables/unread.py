@@ -17,7 +17,8 @@ from ..model.frame import DEFAULTS, EXCLUSIVE
 from ..model.plan import depends_on, formula_of
 from ..quantities.formatting import amount, symbol_of
 from ..quantities.laws import DEFAULT_LAW, LAWS, routes_anywhere
-from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, OPTION_WORDS, PROPERTIES, QUANTITY_SYNONYMS, of_sphere
+from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, OPTION_WORDS, PROPERTIES, of_sphere
+from ..quantities.synonyms import QUANTITY_SYNONYMS
 from ..quantities.units import is_in_table
 from ..quantities.values import QuantityError, value_of
 from ..text import shown

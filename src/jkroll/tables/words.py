@@ -6,7 +6,8 @@ from functools import cache
 from itertools import groupby
 from typing import NamedTuple
 
-from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, SYNONYMS
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
+from ..quantities.synonyms import SYNONYMS
 from ..quantities.units import PREFIXES, SUPERSCRIPTS, BadUnit, dimension_of, is_in_table
 from ..quantities.values import unit_meant
 from ..text import ascii_text
