@@ -232,7 +232,8 @@ def _write_curve(call: Call) -> int:
 
     Raises the failure of the first state if each has one.
     """
-    from ..answers.curve import FORCE_CURVE, answers_at_states, curve_columns
+    from ..answers.answer import Answer
+    from ..answers.curve import FORCE_CURVE, WHOLE_CURVE, answer_at_state, curve_columns, frames_of_curve
     from ..model.rows import Columns, Wanted
 
     check_format(call)
@@ -242,14 +243,14 @@ def _write_curve(call: Call) -> int:
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
     keeps = keeps_all(call)
-    samples = [*answers_at_states(sweep.kinds, question, loads, keeps_all=keeps)]
-    failures = (sample.failure for sample in samples)
+    samples = [frame for scene in sweep.kinds for frame in frames_of_curve(scene, loads)]
+    failures = (answer_at_state(question, frame).failure for frame in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
-    states = answers_at_states(sweep.scenes(), question, loads, keeps_all=keeps)
+    frames = (frame for scene in sweep.scenes() for frame in frames_of_curve(scene, loads))
     if call.kind == "json":
-        every = [*states]
-        return _write_answers(call, every, len(every), form)
+        every = [*frames]
+        return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)
     names = question.quantities
     if call.kind == "bare":
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
@@ -259,13 +260,13 @@ def _write_curve(call: Call) -> int:
     size = None if is_table else CURVE_BLOCK
 
     def columns() -> Iterator[Columns]:
-        while block := [*islice(states, size)]:
+        while block := [*islice(frames, size)]:
             columns = Columns(wanted, len(block), few=True)
-            for row, at_state in enumerate(block):
-                columns.put(row, at_state)
+            for row, frame in enumerate(block):
+                columns.put(row, wanted.results(frame))
             yield columns
 
-    curves = [*dict.fromkeys(sample.curve for sample in samples)]
+    curves = [Answer(WHOLE_CURVE, scene) for scene in sweep.kinds]
     notes = OfRows((curve.scene, [*curve.columns]) for curve in curves)
     single = curves[0] if len(sweep) == 1 and not call.quiet else None
     return _write_columns(call, wanted, notes, columns(), form, is_table=is_table, single=single)
