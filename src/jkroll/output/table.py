@@ -145,7 +145,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for name in columns.wanted.names:
         if name not in inputs:
             results += columns_of(name, _values(columns, name), form)
-    told = [codes(bits & columns.told) for bits in as_list(columns.doubts)]
+    told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
     if any(doubts):
         results.append(TextColumn(DOUBT, doubts, is_right=False))
