@@ -19,6 +19,7 @@ from harness import Run
 from jkroll import NOMENCLATURE, __version__, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import COMMANDS
+from jkroll.model.limits import UNCHECKED
 from relative import approx
 
 # --- Messages, whole ------------------------------------------------------------------------------------------------
@@ -685,16 +686,48 @@ def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
         }
 
 
+@pytest.mark.parametrize(
+    "words",
+    ["quartz 100nm", "quartz 100nm --model maugis", "quartz 5nm --model dmt", "iron 100nm --load=1uN:2uN", "gold 1um"],
+)
+def test_rows_and_objects_of_a_curve_have_the_same_doubts(run: Run, words: str) -> None:
+    rows = [*csv.DictReader(run(f"contact {words} --curve --csv").out.splitlines())]
+    answers = json.loads(run(f"contact {words} --curve --json").out)
+    of_rows = [{*row["doubt"].split()} - {UNCHECKED} for row in rows]
+    of_answers = [{limit["code"] for limit in answer["validity"]} - {None} for answer in answers]
+    assert of_rows == of_answers
+    assert any(of_rows)
+
+
+@pytest.mark.parametrize("radius", ["5nm", "100nm", "10um"])
+@pytest.mark.parametrize(
+    ("model", "sets", "result"), [("jkr", "load", "δ"), ("maugis", "load", "δ"), ("dmt", "approach", "P")]
+)
+def test_a_stable_state_is_doubted_as_the_contact_there(
+    run: Run, model: str, sets: str, result: str, radius: str
+) -> None:
+    """At its load; a state of DMT at its approach, which sets it."""
+    words = f"quartz {radius} --model {model} --csv"
+    rows = [*csv.DictReader(run(f"contact {words} --curve").out.splitlines())]
+    name, unit = {"load": ("load [N]", "N"), "approach": ("approach_at_load [m]", "m")}[sets]
+    for row in [row for row in rows if row["state"] == "stable"][1::8]:
+        state = f"--{sets}={row[name]}{unit} --quantities {result},contact_radius_at_load,stiffness"
+        (single,) = csv.DictReader(run(f"contact {words} {state}").out.splitlines())
+        assert row["doubt"] == single["doubt"]
+
+
+@pytest.mark.parametrize(("model", "other"), [("jkr", "maugis"), ("maugis", "jkr")])
+def test_states_beyond_pull_off_have_no_counterpart_under_another_law(run: Run, model: str, other: str) -> None:
+    answers = json.loads(run(f"contact quartz 10um --curve --model {model} --json").out)
+    found = {answer["inputs"]["state"] for answer in answers if answer["laws"][other].get("stiffness", {}).get("value")}
+    assert "stable" in found
+    assert found.isdisjoint(("fixed grips", "unstable"))
+
+
 @pytest.mark.slow
-def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Run) -> None:
-    single = run("pull-off quartz 100nm --csv").out.splitlines()[1].split(",")[-2]
-    rows = list(csv.DictReader(run("contact quartz 100nm --curve --csv").out.splitlines()))
-    answers = json.loads(run("contact quartz 100nm --curve --json").out)
+def test_the_notes_on_a_curve_are_those_on_its_pull_off_force(run: Run) -> None:
     inexact = run("pull-off quartz 100nm").err.splitlines()[1]
     assert "P_c = 14–15 nN by Maugis' or Lennard-Jones' law" in inexact
-    assert single == "law-off-25%"
-    assert {row["doubt"] for row in rows} == {single}
-    assert {verdict["code"] for answer in answers for verdict in answer["validity"]} == {single, None}
     for options in ("--csv", "--bare", "-o curve.csv", "-o curve.svg", "--panel force"):
         assert inexact in run(f"contact quartz 100nm --curve {options}").err.splitlines(), options
     assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err

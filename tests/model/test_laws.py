@@ -18,7 +18,7 @@ from frames import factor_of_law, outcomes
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.answers.answer import Answer, advised
-from jkroll.answers.curve import FORCE_CURVE, answers_at_states
+from jkroll.answers.curve import frames_of_curve
 from jkroll.answers.questions import QUESTIONS, question_about
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
@@ -227,14 +227,13 @@ def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.Monkey
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
 def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(model: str, radius: float) -> None:
     quartz = known_materials()["quartz"]
-    rows = [*answers_at_states([Scene({"radius": radius}, quartz, model=model)], FORCE_CURVE)]
-    held = [row for row in rows if row.state.name != "unstable"]
-    places: list[Any] = [row.inputs.get("approach_at_load", row.values.get("approach_at_load")) for row in held]
-    assert len(held) > 15
+    frames = [*frames_of_curve(Scene({"radius": radius}, quartz, model=model))]
+    places = [frame["approach_at_load"] for frame in frames if frame.state != "unstable"]
+    assert len(places) > 15
     assert all(later > earlier for earlier, later in pairwise(places))
-    (pull_off,) = [row.values.get("load") for row in rows if row.state.name == "pull-off"]
-    assert pull_off == min(row.values.get("load") or 0.0 for row in rows)
-    assert math.isclose(-(pull_off or 0.0), solve("pull_off_force", model=model, material="quartz", radius=radius))
+    (pull_off,) = [frame["load"] for frame in frames if frame.state == "pull-off"]
+    assert pull_off == min(frame["load"] for frame in frames)
+    assert math.isclose(-pull_off, solve("pull_off_force", model=model, material="quartz", radius=radius))
 
 
 def test_an_approach_that_sets_a_state_is_an_input_and_no_result(run: Run) -> None:

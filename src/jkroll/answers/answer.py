@@ -267,7 +267,7 @@ class Answer(Results):
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
         """The values of JKR, to stand beside those of another law."""
-        numbers = self.scene.replace(model=DEFAULT_LAW).numbers(*(self.columns.keys() - self.ended.keys()))
+        numbers = self.scene.under(DEFAULT_LAW).numbers(*(self.columns.keys() - self.ended.keys()))
         return {name: number for name, number in numbers.items() if number < INFINITY}
 
     @cached_property

@@ -1,20 +1,18 @@
 """The force curve of a contact as rows: both branches, and the named states on them."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Iterator, Sequence
 from math import inf, isfinite
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from ..errors import BadRequest, JkrollError, NoResult
-from ..model.column import Column
+from ..errors import BadRequest, NoResult
 from ..model.frame import Scene
-from ..model.limits import Doubt
 from ..model.plan import in_order
 from ..model.reasons import NO_STIFFNESS, MissingInput
 from ..model.rows import Wanted, sides_in
+from ..quantities.nomenclature import STATE_OR_LOAD
 from ..quantities.values import parse_quantity
 from ..text import quoted
-from .answer import Answer, Result
+from .answer import Answer
 from .questions import Question
 
 FORCE_CURVE = Question(
@@ -43,7 +41,10 @@ class State(NamedTuple):
 
     def in_scene(self, scene: Scene) -> Scene:
         """Return a scene at the state."""
-        return scene.replace(**{self.given: self.value})
+        frame = scene.replace(**{self.given: self.value}, state=self.name)
+        if self.name == FOLD:  # where the formula gives rounding errors
+            frame.drop("stiffness", NO_STIFFNESS)
+        return frame
 
 
 class Loads(NamedTuple):
@@ -119,60 +120,21 @@ def _without_contact(scene: Scene, ratio: float, steps: int) -> Iterator[State]:
         yield State("approach_at_load", fold + (touch - fold) * step / steps, "without contact" if step else FOLD)
 
 
-class AtState(Answer):
-    """The answer at a state of a force curve. What is said of the law and of its limits is that of the whole curve."""
-
-    def __init__(self, question: Question, state: State, curve: Answer, *, keeps_all: bool = False) -> None:
-        """`curve`: the answer that stands for the whole curve, its pull-off force."""
-        scene = state.in_scene(curve.scene)
-        if state.name == FOLD:  # where a formula gives rounding errors
-            scene.drop("stiffness", NO_STIFFNESS)
-        question = Question(question.headline, question.quantities, question.quantities)
-        super().__init__(question, scene, keeps_all=keeps_all)
-        self.state, self.curve, self.laws = state, curve, curve.laws
-        self.alternatives = {}  # a state has no place on the curve of another law
-
-    def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:  # noqa: ARG002
-        """Return the limits that end no meaning, of the whole curve."""
-        return [doubt for doubt in self.curve.validity if not doubt.limit.ends_meaning]
-
-    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
-        """Return the inputs as understood, with the one that sets the state, and the name of the state."""
-        given, value, name = self.state
-        return {**super().inputs_of(names), given: value, "state": name}
-
-    @cached_property
-    def results(self) -> tuple[Result, ...]:
-        """The quantities that are shown, but for the one that sets the state, which is an input."""
-        return tuple(self.result(name) for name in self.columns if name != self.state.given)
-
-    @cached_property
-    def failure(self) -> JkrollError | None:
-        """The reason why there is no contact, or no value but that of the input that sets the state."""
-        is_alone = not (self.values.keys() | self.ended.keys()) - {self.state.given}
-        return super().failure or (next(iter(self.reasons.values()), None) if is_alone else None)
-
-    def about(self, doubt: Doubt) -> str:
-        """Return what follows from a limit for the whole curve."""
-        return self.curve.about(doubt)
+def frames_of_curve(scene: Scene, loads: Loads | None = None) -> Iterator[Scene]:
+    """Iterate over the frames at the states of the force curve of a scene, under its law."""
+    return (state.in_scene(scene) for state in states(scene, loads))
 
 
-def answers_at_states(
-    scenes: Iterable[Scene], question: Question, loads: Loads | None = None, *, keeps_all: bool = False
-) -> Iterator[AtState]:
-    """Iterate over the answers at the states of the force curve of each scene, under its own law.
-
-    `keeps_all`: whether numbers without a meaning stay.
-    """
-    for scene in scenes:
-        curve = Answer(WHOLE_CURVE, scene)
-        for state in states(scene, loads):
-            yield AtState(question, state, curve, keeps_all=keeps_all)
+def answer_at_state(question: Question, frame: Scene) -> Answer:
+    """Return the answer at a state. The quantity that sets the state is an input and no result."""
+    sets_state = STATE_OR_LOAD & frame.stated.keys()
+    names = tuple(name for name in question.quantities if name not in sets_state) or question.quantities
+    return Answer(Question(question.headline, names, names), frame)
 
 
-def curve_columns(answers: Sequence[AtState], names: Sequence[str], *, keeps_all: bool = False) -> Wanted:
+def curve_columns(frames: Sequence[Scene], names: Sequence[str], *, keeps_all: bool = False) -> Wanted:
     """Return the columns of quantities at states, behind those of the inputs and of the names of the states."""
-    inputs = {name for answer in answers for name in answer.inputs_of(names)}
-    sides = sides_in((answer.scene, names) for answer in answers)
+    inputs = {name for frame in frames for name in frame.echo(frame.inputs_used(names))}
+    sides = sides_in((frame, names) for frame in frames)
     shown = in_order(inputs.difference(names))
     return Wanted(names, named=names, inputs=shown, sides=sides, keeps_all=keeps_all)

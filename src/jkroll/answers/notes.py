@@ -26,7 +26,7 @@ from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, computed_
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
-    from ..model.rows import Columns, Tally
+    from ..model.rows import Tally
     from ..quantities.values import Uncertain
     from .answer import Answer
 
@@ -219,74 +219,71 @@ def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-def about_rows(tally: "Tally", bits: int, where: str) -> Iterator[Note]:
+Group = tuple[Scene, Sequence[str]]  # rows with the same inputs: a scene for them, and the quantities that they show
+
+
+def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
     """Iterate over notes on rows: in how many of them numbers have no meaning or are in doubt, and on empty cells.
 
-    `bits`: the doubts that are told; `where`: the place at which there is more of them.
+    `reported`: the bits of the doubts to report; `where`: where to read more of them.
     """
     kinds: tuple[tuple[Kind, str, int, int], ...] = (
-        ("warning", "numbers have no meaning", bits & ENDING_MEANING, 2),  # with what these codes mean
-        ("remark", "doubts", bits & ~ENDING_MEANING, _MAX_CODES),
+        ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2),  # with what these codes mean
+        ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES),
     )
-    for kind, lead, told, most in kinds:
-        counts = tally.counted(told)
+    for kind, lead, bits, most in kinds:
+        counts = tally.counted(bits)
         texts = [f"{code} {rows}" + (f" ({MEANINGS[code]})" if code in MEANINGS else "") for code, rows in counts]
         if texts:
-            rows = f"{tally.with_doubts(told)} of {tally.rows} rows"
+            rows = f"{tally.with_doubts(bits)} of {tally.rows} rows"
             yield Note(kind, f"{lead} in {rows} ({where}): {first_of(texts, most)}")
     for number, first, words in tally.gaps.values():
         others = f", likewise {number - 1} more" if number > 1 else ""
         yield Note("caveat", f"{words}: row {first}{others}")
 
 
-class OfRows:
-    """The notes on rows of some kinds, which are counted while columns are written."""
+def assumed_in(groups: Iterable[Group], *, judges: bool = True) -> dict[str, str]:
+    """Return what is assumed in some group, with the option that sets it, by name; `judges` as in `entering`."""
+    texts: dict[str, str] = {}
+    for scene, names in groups:
+        inputs, _ = entering(scene, names, judges=judges)
+        texts |= assumed(scene, inputs, scene.possible(names), has_values=False)
+    return texts
 
-    def __init__(self, kinds: "Iterable[tuple[Scene, Sequence[str]]]", *, judges: bool = True) -> None:
-        """`kinds`: a scene for the rows of each, and the quantities that it shows; `judges`: as `entering` has it."""
-        from ..model.rows import Tally
 
-        self._kinds, self.tally, self._told = [*kinds], Tally(), 0
-        self.assumed: dict[str, str] = {}  # by name, with the option that sets it
-        idle: list[list[str]] = []
-        for scene, names in self._kinds:
-            inputs, of_kind = entering(scene, names, judges=judges)
-            self.assumed |= assumed(scene, inputs, scene.possible(names), has_values=False)
-            idle.append(of_kind)
-        self.idle = [name for name in idle[0] if all(name in of_kind for of_kind in idle)]  # in all rows
+def idle_in(groups: Iterable[Group], *, judges: bool = True) -> list[str]:
+    """Return the inputs that change no result in any group; `judges` as in `entering`."""
+    first, *others = (entering(scene, names, judges=judges)[1] for scene, names in groups)
+    return [name for name in first if all(name in idle for idle in others)]
 
-    def watch(self, blocks: "Iterable[Columns]") -> "Iterator[Columns]":
-        """Iterate over columns, and count what is to be said of them."""
-        for columns in blocks:
-            self.tally, self._told = self.tally.plus(self.tally.of(columns, symbol_of)), columns.told
-            yield columns
 
-    @property
-    def sentences(self) -> list[Note]:
-        """The notes on all rows that were counted, and those that follow from what is given to a kind."""
-        every = [*about_rows(self.tally, self._told, "jkroll guide doubts")]
-        for scene, names in self._kinds:
-            possible = scene.possible(names)
-            with suppress(JkrollError):  # each row says which sources do not go together
-                every += about_left_out(sources_of_results(scene, possible) if scene.uncertainties else None)
-            every += about_given(scene, possible, scene.inputs_of(*possible))
-            if rolling(possible) and assumes_displacement(scene):
-                every.append(Note("caveat", about_displacement(scene, rolled_solid(scene))))
-            every += about_limits(doubts(scene, scene.columns(possible)))
-        return [*dict.fromkeys(every), *about_idle(self.idle), *about_assumed(self.assumed)]
+def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> list[Note]:
+    """Return the notes on counted rows, and those that follow from the inputs of their groups.
+
+    `reported`: the bits of the doubts to report.
+    """
+    every = [*about_rows(tally, reported, "jkroll guide doubts")]
+    for scene, names in groups:
+        possible = scene.possible(names)
+        with suppress(JkrollError):  # each row says which sources do not go together
+            every += about_left_out(sources_of_results(scene, possible) if scene.uncertainties else None)
+        every += about_given(scene, possible, scene.inputs_of(*possible))
+        if rolling(possible) and assumes_displacement(scene):
+            every.append(Note("caveat", about_displacement(scene, rolled_solid(scene))))
+        every += about_limits(doubts(scene, scene.columns(possible)))
+    return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]
 
 
 # --- Lines ------------------------------------------------------------------------------------------------------------
 
 
-def lines_of(said_of: "Answer | OfRows", *, has_head: bool = False, quiet: bool = False) -> list[str]:
+def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = False) -> list[str]:
     """Return the lines below an answer or rows, the last of which says that there is more.
 
     They are what was assumed unless a head has it, warnings, and the first of the other notes; warnings alone if
     `quiet`.
     """
-    sentences = said_of.sentences
-    texts = {kind: [note.text for note in sentences if note.kind == kind] for kind in _KINDS}
+    texts = {kind: [note.text for note in notes if note.kind == kind] for kind in _KINDS}
     lines = [f"warning: {'; '.join(texts['warning'])}"] if texts["warning"] else []
     if quiet:
         return lines

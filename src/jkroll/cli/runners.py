@@ -6,10 +6,11 @@ Each imports by itself what only it hands a call to, so that a call pays for its
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from functools import reduce
 from itertools import islice
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..answers.notes import OfRows, lines_of
+from ..answers.notes import Group, assumed_in, lines_of, notes_on_rows
 from ..answers.questions import EVERYTHING, QUESTIONS, Question, quantities_named, quantity_named, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import UnknownMaterial
@@ -17,7 +18,7 @@ from ..model.frame import Scene
 from ..model.limits import ENDING_MEANING
 from ..model.plan import formula_of
 from ..model.sweep import Sweep
-from ..quantities.formatting import Format
+from ..quantities.formatting import Format, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
@@ -109,18 +110,21 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
             wanted = wanted.with_alternatives(sweep.kinds, question.headline)
     blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single.row)]
     single = None if call.quiet else single
-    return _write_columns(call, wanted, OfRows(sweep.noted(wanted)), blocks, form, is_table=is_shown, single=single)
+    return _write_columns(call, wanted, [*sweep.noted(wanted)], blocks, form, is_table=is_shown, single=single)
 
 
 def _write_columns(
-    call: Call, wanted: "Wanted", notes: OfRows, blocks: "Iterable[Columns]", form: Format, *, is_table: bool,
-    single: "Answer | None",
+    call: Call, wanted: "Wanted", groups: Sequence[Group], blocks: "Iterable[Columns]", form: Format, *,
+    is_table: bool, single: "Answer | None",
 ) -> int:  # fmt: skip
     """Write columns to a file, to stdout as lines, or as a table, and their notes; return the exit code.
 
-    `single`: the answer of which the notes are those of the columns.
+    `groups`: those of the rows; `single`: the answer whose notes are those of the columns.
     """
-    every = notes.watch(blocks)
+    from ..model.rows import Tally, counted
+
+    tallies: list[Tally] = []
+    every = counted(blocks, tallies, symbol_of)
     if call.target is not None:
         from ..tables.run import write_file
 
@@ -129,7 +133,7 @@ def _write_columns(
         from ..output.table import sweep_table
 
         for columns in every:
-            sweep_table(columns, sys.stdout, form, notes.assumed)
+            sweep_table(columns, sys.stdout, form, assumed_in(groups))
     else:
         from ..output.writers import WRITERS, written
 
@@ -137,12 +141,14 @@ def _write_columns(
         for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
             sys.stdout.write(text.decode())
         sys.stdout.flush()
-    about: OfRows | Answer = notes if single is None else single
-    if single is not None and notes.tally.with_doubts(ENDING_MEANING) and not single.ended:  # of states of a curve
-        about = notes
-    for line in lines_of(about, has_head=is_table, quiet=call.quiet):
+    tally = reduce(Tally.plus, tallies, Tally())
+    if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of states of a curve
+        notes = notes_on_rows(groups, tally, wanted.reported_doubts)
+    else:
+        notes = single.sentences
+    for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
         say_wrapped(line, sys.stderr)
-    return _exit_code(call, notes.tally.failed, notes.tally.rows)
+    return _exit_code(call, tally.failed, tally.rows)
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
@@ -210,7 +216,7 @@ def _write_answer(call: Call, answer: "Answer", out: TextIO, form: Format) -> No
         write_plain(answer, out, form, alternatives=call.alternatives)
     out.flush()
     if not (call.quiet and call.kind == "bare"):
-        for line in lines_of(answer, has_head=is_table, quiet=call.quiet):
+        for line in lines_of(answer.sentences, has_head=is_table, quiet=call.quiet):
             say_wrapped(line, sys.stderr)
 
 
@@ -232,7 +238,8 @@ def _write_curve(call: Call) -> int:
 
     Raises the failure of the first state if each has one.
     """
-    from ..answers.curve import FORCE_CURVE, answers_at_states, curve_columns
+    from ..answers.answer import Answer
+    from ..answers.curve import FORCE_CURVE, WHOLE_CURVE, answer_at_state, curve_columns, frames_of_curve
     from ..model.rows import Columns, Wanted
 
     check_format(call)
@@ -242,14 +249,14 @@ def _write_curve(call: Call) -> int:
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
     keeps = keeps_all(call)
-    samples = [*answers_at_states(sweep.kinds, question, loads, keeps_all=keeps)]
-    failures = (sample.failure for sample in samples)
+    samples = [frame for scene in sweep.kinds for frame in frames_of_curve(scene, loads)]
+    failures = (answer_at_state(question, frame).failure for frame in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
-    states = answers_at_states(sweep.scenes(), question, loads, keeps_all=keeps)
+    frames = (frame for scene in sweep.scenes() for frame in frames_of_curve(scene, loads))
     if call.kind == "json":
-        every = [*states]
-        return _write_answers(call, every, len(every), form)
+        every = [*frames]
+        return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)
     names = question.quantities
     if call.kind == "bare":
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
@@ -259,16 +266,16 @@ def _write_curve(call: Call) -> int:
     size = None if is_table else CURVE_BLOCK
 
     def columns() -> Iterator[Columns]:
-        while block := [*islice(states, size)]:
+        while block := [*islice(frames, size)]:
             columns = Columns(wanted, len(block), few=True)
-            for row, at_state in enumerate(block):
-                columns.put(row, at_state)
+            for row, frame in enumerate(block):
+                columns.put(row, wanted.results(frame))
             yield columns
 
-    curves = [*dict.fromkeys(sample.curve for sample in samples)]
-    notes = OfRows((curve.scene, [*curve.columns]) for curve in curves)
+    curves = [Answer(WHOLE_CURVE, scene) for scene in sweep.kinds]
+    groups = [(curve.scene, [*curve.columns]) for curve in curves]
     single = curves[0] if len(sweep) == 1 and not call.quiet else None
-    return _write_columns(call, wanted, notes, columns(), form, is_table=is_table, single=single)
+    return _write_columns(call, wanted, groups, columns(), form, is_table=is_table, single=single)
 
 
 # --- Other commands ---------------------------------------------------------------------------------------------------

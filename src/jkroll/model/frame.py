@@ -123,6 +123,9 @@ FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "load": (0.0, {"load_margin": 1.0}),
 }
 
+HELD_BY_LOAD = frozenset({"stable", "pull-off", "jump-in", "equilibrium"})  # states of a force curve without grips
+_OF_ONE_LAW = STATE - {"approach_at_load"}  # inputs that only one law has
+
 # Inputs of which one follows from the other.
 EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
@@ -168,16 +171,18 @@ class Scene:
         *,
         model: str | None = None,
         moved: Mapping[str, Any] = MappingProxyType({}),
+        state: str = "",
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
         value that has an uncertainty; `model.uncertainty` computes with the rest. `moved`: values in place of those of
-        the materials, which are not their data; None stands for none. Raises QuantityError, or BadRequest for arrays
-        that do not broadcast.
+        the materials, which are not their data; None stands for none. `state`: the name of a state of a force curve.
+        Raises QuantityError, or BadRequest for arrays that do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
+        self.state = state
         check_exclusive(given)
         self.material, self.material2, self.moved = material, material2, moved
         # The materials of the spheres that have one of their own, each with the number of the sphere.
@@ -217,30 +222,40 @@ class Scene:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle what was described; the rest is computed anew."""
-        return _described, (self.described, self.material, self.material2, self.stated_model, self.moved)
+        return _described, (self.described, self.material, self.material2, self.stated_model, self.moved, self.state)
 
     def replace(self, **values: Any) -> "Scene":
-        """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
+        """Return the scene with other values of inputs, of which None takes one away.
 
-        A value that a material gave is moved, the others are stated. A radius takes the place of a diameter that was
-        described, and E that of G. What follows from the same values is not computed again, which saves a tenth of a
-        table with doubts.
+        `model` is its law of attraction, `state` the name of its state. A value that a material gave is moved, the
+        others are stated. A radius takes the place of a diameter that was described, and E that of G. What follows from
+        the same values is not computed again, which saves a tenth of a table with doubts.
         """
-        model = values.pop("model", self.stated_model)
+        model, state = values.pop("model", self.stated_model), values.pop("state", self.state)
         of_materials = self.of_materials.keys() & values.keys() - self.stated.keys()
         moved = {**self.moved, **{name: values.pop(name) for name in of_materials}}
         every = {**self.described, **values}
         given = {
             name: value for name, value in every.items() if value is not None and CONVERTED.get(name) not in values
         }
-        scene = Scene(given, self.material, self.material2, model=model, moved=moved)
+        scene = Scene(given, self.material, self.material2, model=model, moved=moved, state=state)
         scene._shared = {**self._shared}
         return scene
+
+    def under(self, law: str) -> "Scene":
+        """Return the scene under another law.
+
+        A state of a force curve whose input this law lacks is at its load there, or nowhere if grips hold it.
+        """
+        of_one_law = _OF_ONE_LAW & self.stated.keys()
+        if self.state in HELD_BY_LOAD and of_one_law:
+            return self.replace(model=law, load=self["load"], **dict.fromkeys(of_one_law))
+        return self.replace(model=law)
 
     @cached_property
     def by_law(self) -> "Scene":
         """The scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
-        return self.replace(model=other_law(self.law.name))
+        return self.under(other_law(self.law.name))
 
     @cached_property
     def by_law_at_spacing(self) -> "Scene":
@@ -369,7 +384,7 @@ class Scene:
         return self.inputs_of(*possible) if possible else depends_on(tuple(names)) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
-        """Return the inputs that are used or were stated, as understood: the materials, the law and SI values by name.
+        """Return the inputs that are used or were stated, as understood: the materials, the law, SI values, the state.
 
         What was stated may decide on doubts and on values by other laws, and tells the rows of a list apart.
         """
@@ -384,6 +399,8 @@ class Scene:
                 echoed[name] = self.values.get(name, self.values["radius"])
             elif name == "energy" and "energy_ratio" in used:
                 echoed |= self.numbers("energy")
+        if self.state:
+            echoed["state"] = self.state
         return echoed
 
     def missing_input(self, name: str) -> MissingInput:
@@ -550,9 +567,10 @@ def _described(
     material2: Material | None,
     model: str | None,
     moved: Mapping[str, Any],
+    state: str,
 ) -> Scene:
     """Return a scene that was pickled."""
-    return Scene(given, material, material2, model=model, moved=moved)
+    return Scene(given, material, material2, model=model, moved=moved, state=state)
 
 
 def check_exclusive(given: Collection[str], word_of: Callable[[str], str] = str) -> None:

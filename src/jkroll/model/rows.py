@@ -103,6 +103,11 @@ class Wanted:
         """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
         return (DOUBT, STATUS) if doubt and self.doubts else (STATUS,)
 
+    @property
+    def reported_doubts(self) -> int:
+        """The bits of the doubts to report. Those of the law are left out where columns have the other law."""
+        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.alternatives else 0)
+
     # --- Results ------------------------------------------------------------------------------------------------------
 
     def results(self, scene: Any) -> Results:
@@ -176,11 +181,6 @@ class Columns:
     def __len__(self) -> int:
         """Return the number of rows."""
         return len(self.doubts)
-
-    @property
-    def told(self) -> int:
-        """The doubts that are told of rows: not those of a law where columns of the other one say how far it is off."""
-        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.wanted.alternatives else 0)
 
     def column(self, key: str) -> Any:
         """Return the numbers of a column."""
@@ -563,3 +563,10 @@ class Tally(NamedTuple):
         """Return the codes that bits stand for with their numbers of rows, the most frequent first."""
         counts = {code: self.with_doubts(bit) for code, bit in BITS.items() if bit & bits}
         return [(code, rows) for code, rows in sorted(counts.items(), key=lambda item: -item[1]) if rows]
+
+
+def counted(blocks: Iterable[Columns], tallies: list[Tally], word_of: Callable[[str], str] = str) -> Iterator[Columns]:
+    """Iterate over blocks, and append the counts of each to `tallies`; `word_of` as in `worded`."""
+    for columns in blocks:
+        tallies.append(Tally.of(columns, word_of))
+        yield columns

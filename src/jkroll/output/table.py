@@ -145,9 +145,9 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for name in columns.wanted.names:
         if name not in inputs:
             results += columns_of(name, _values(columns, name), form)
-    told = [codes(bits & columns.told) for bits in as_list(columns.doubts)]
+    told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
-    if len({*doubts}) > 1 if "state" in inputs else any(doubts):  # notes have those of all states of a pair
+    if any(doubts):
         results.append(TextColumn(DOUBT, doubts, is_right=False))
     across = text_columns([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if fit_terminal(across) and not fit_terminal([*leading, *results]):

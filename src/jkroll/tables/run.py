@@ -113,10 +113,10 @@ def _about(table: Table) -> Iterator[str]:
     They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
     enters no error bar.
     """
-    from ..answers.notes import OfRows, about_idle, about_left_out
+    from ..answers.notes import about_idle, about_left_out, assumed_in, idle_in
 
-    of_rows = OfRows(table.kinds, judges=table.wanted.doubts)
-    if assumed := [text for name, text in of_rows.assumed.items() if name not in table.given]:
+    texts = assumed_in(table.groups, judges=table.wanted.doubts)
+    if assumed := [text for name, text in texts.items() if name not in table.given]:
         yield f"assumed: {', '.join(assumed)}"
     notes = [*dict.fromkeys(remark for lookup in table.lookups.values() for remark in lookup.remarks)]
     if table.given.isdisjoint(("radius", "diameter")) and not table.asked.explicit:
@@ -125,7 +125,8 @@ def _about(table: Table) -> Iterator[str]:
     filled = sorted(NOMENCLATURE[name].option or f"--{name}" for name in table.fixed if computed_as(name) in read)
     notes += [f"{option} fills empty cells: the others keep their values" for option in filled]
     # What is infinite may make a body rigid in some rows.
-    idle = [name for name in of_rows.idle if table.fixed.get(name, INFINITY) != INFINITY]
+    every_idle = idle_in(table.groups, judges=table.wanted.doubts)
+    idle = [name for name in every_idle if table.fixed.get(name, INFINITY) != INFINITY]
     notes += [note.text for note in (*about_idle(idle), *about_left_out(*table.sources))]
     yield from (f"note: {text}" for text in notes)
 

@@ -92,8 +92,8 @@ class Table:
         self.wanted = wanted.with_alternatives(scenes, self.names) if asked.alternatives else wanted
         if any(solid and solid.displacement for lookup in self.lookups.values() for solid in lookup.known):
             self.given |= {XI}  # it is not assumed
-        # A scene of each kind of rows, with the quantities that it shows, or that were measured.
-        self.kinds = [(scene.filled, [asked.measured]) if asked.infer else (scene, self.names) for scene in scenes]
+        # Of each group of rows a scene, with the quantities that it shows, or that were measured.
+        self.groups = [(scene.filled, [asked.measured]) if asked.infer else (scene, self.names) for scene in scenes]
         for text in columns.texts:
             if text.strip() in self.added:
                 raise BadTable(f"header: the table already has a column {quoted(text)}; rename it")
