@@ -603,7 +603,7 @@ def test_an_open_file_is_not_replaced(name: str) -> None:
 
 
 def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
-    from jkroll.tables.files import SAMPLE
+    from jkroll.tables.ndjson import SAMPLE
 
     rows = [b"%d," % place + b"x" * 1000 + b"\n" for place in range(500)]
     first = next(files.blocks(iter([b"a,b\n", *rows]), lambda text: text.rfind(b"\n") + 1))

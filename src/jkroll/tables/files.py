@@ -12,13 +12,11 @@ from __future__ import annotations
 import csv
 import gzip
 import io
-import json
 import os
 import re
 import stat
 import sys
 import zlib
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
@@ -26,16 +24,14 @@ from itertools import chain, compress, islice, takewhile
 from operator import not_
 from typing import Any, BinaryIO, NamedTuple
 
-import orjson
-
 from ..errors import BadRequest, BadTable, missing_extra
 from ..model.rows import BLOCK
-from ..output.writers import Lines, Objects, in_quotes
+from ..output.writers import Lines, in_quotes
 from ..text import ending, quoted, say
-from .cells import cell_of, cells_of
-from .header import is_input, meaning_of
+from .decimals import decimal_mark, have_decimal_commas, with_decimal_points, without_unclear
+from .header import is_input
+from .ndjson import SAMPLE, Ndjson
 from .table import Records, Table
-from .words import is_of_text
 
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
@@ -45,7 +41,6 @@ CHUNK = 1 << 21  # bytes read at a time: twice as much memory stays with a proce
 FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
 BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
-SAMPLE = 200  # rows that decide how a table is read
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
 _BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
 _BLANKS = " \t\r\n"  # of these; `str.strip` takes bytes of Å and à as well
@@ -316,7 +311,7 @@ class Delimited:
         are_read = [*map(is_read, self.names)]
         columns = [*zip(*self.sample, strict=True)]
         passed = compress(columns, map(not_, are_read))
-        is_doubtful = self.separator == ";" or (self.separator != "," and any(map(_have_decimal_commas, passed)))
+        is_doubtful = self.separator == ";" or (self.separator != "," and any(map(have_decimal_commas, passed)))
         mark = decimal_mark(compress(columns, are_read), self.separator, points_may_group=is_doubtful)
         self.has_decimal_commas, self.is_open = mark == ",", not mark and is_doubtful
         if self.has_decimal_commas:
@@ -367,8 +362,8 @@ class Delimited:
         """Return whole records, taken apart."""
         records = self._cut(text, table.places) or self._read(text, table.places)
         if self.has_decimal_commas:
-            return _with_decimal_points(records)
-        return _without_unclear(records) if self.is_open and b"." in text else records
+            return with_decimal_points(records)
+        return without_unclear(records) if self.is_open and b"." in text else records
 
     def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
         """Cut lines without quotes that have the right width at their separators; None if there are others."""
@@ -442,157 +437,3 @@ def tabbed(block: bytes) -> bytes:
         raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
     lines = _MARK.sub(rb"\1", block).split(b"\n")
     return b"\n".join(b"\t".join(line.split()) for line in lines)
-
-
-# --- Decimal commas ---------------------------------------------------------------------------------------------------
-
-_NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
-_MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
-_UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
-_POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
-_OF_THOUSANDS = re.compile(rb"(?<![\d.,])[1-9]\d{0,2}\.\d{3}(?![\d.,eE])")
-_WITH_COMMA = re.compile(r"[-+]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+")
-_WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
-
-
-def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
-    """Return the decimal mark of the numbers of columns; "" if none of them decides.
-
-    A mark that stands in a number more than once is of thousands or of a list, and decides nothing. `points_may_group`:
-    whether a point may be of thousands where nothing decides. Raises BadTable for a number that has such a mark.
-
-    >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
-    ','
-    """
-    marks, unclear = Counter[str](), list[str]()
-    for cells in columns:
-        for whole, mark, fraction in _MARKED.findall(";".join(filter(_NUMERIC.match, cells))):
-            if _UNCLEAR.fullmatch(whole + mark + fraction):
-                unclear.append(whole + mark + fraction)
-            elif mark not in whole:
-                marks[mark] += 1
-    if marks[","] != marks["."]:
-        return max(marks, key=marks.__getitem__)
-    for number in unclear:
-        if points_may_group or ("," in number and separator != ","):
-            raise BadTable(_two_readings(number))
-    return ""
-
-
-def _have_decimal_commas(cells: Iterable[str]) -> bool:
-    """Return whether any cell is a number with a decimal comma, and none is one with a decimal point."""
-    numbers = [cell.strip() for cell in cells]
-    return any(map(_WITH_COMMA.fullmatch, numbers)) and not any(map(_WITH_POINT.fullmatch, numbers))
-
-
-def _two_readings(number: str) -> str:
-    """Return what is wrong with a number whose mark may be of thousands."""
-    digits = number.replace(",", "").replace(".", "")
-    return f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
-
-
-def _without_unclear(records: Records) -> Records:
-    """Return records of a table whose decimal mark is open. A point that may be of thousands spoils its row."""
-    odd = dict(records.odd)
-    for column in [column for name, column in records.cells.items() if not is_of_text(name)]:
-        for row, cell in enumerate(column) if b"." in b"".join(column) else ():
-            if number := _OF_THOUSANDS.search(cell):
-                odd.setdefault(row, _two_readings(number[0].decode()))
-    return records._replace(odd=odd)
-
-
-def _with_decimal_points(records: Records) -> Records:
-    """Return records with decimal points in place of commas. A number with a point spoils its row."""
-    cells = {name: column for name, column in records.cells.items() if not is_of_text(name)}
-    odd = dict(records.odd)
-    for column in cells.values():
-        for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:
-            text = quoted(column[row].decode("utf-8", "replace"))
-            odd.setdefault(row, f"{text} has a point: this table has decimal commas, and no marks of thousands")
-    points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
-    return records._replace(cells={**records.cells, **points}, odd=odd)
-
-
-# --- NDJSON -----------------------------------------------------------------------------------------------------------
-
-Object = dict[str, Any]
-
-
-class Ndjson:
-    """A table whose lines are JSON objects; the names in the first of them are the columns."""
-
-    preamble = lines = 0  # there is no header
-    header = b""
-    writer = Objects()
-
-    def cut(self, text: bytes) -> int:
-        """Return the number of bytes of whole lines."""
-        return text.rfind(b"\n") + 1
-
-    def begin(self, block: bytes, is_read: Callable[[str], bool] = bool) -> int:  # noqa: ARG002
-        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable."""
-        lines = [line for line in block.split(b"\n")[:SAMPLE] if line.strip()]
-        if not lines:
-            raise BadTable("the table is empty")
-        first = _object(lines[0])
-        if not first:
-            raise BadTable("the first line is not a JSON object with members")
-        if name := _twice(lines[0], first):
-            raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
-        self.names = tuple(first)
-        objects = [*filter(None, map(_object, lines))]
-        self.sample = [[cell_of(row.get(name)) for name in first] for row in objects]
-        return 0
-
-    def read(self, text: bytes, table: Table) -> Records:
-        """Return whole lines, taken apart."""
-        every = text.split(b"\n")
-        starts = [place for place, line in enumerate(every) if line.strip()]
-        lines = [every[place] for place in starts]
-        objects = [*map(_object, lines)]
-        problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
-        odd = {row: problem for row, problem in enumerate(problems) if problem}
-        rows = [members or {} for members in objects]
-        cells = {name: cells_of([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
-        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
-
-    def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
-        """Return why a line is no row; an empty text if it is one.
-
-        It is none without an object, with a member twice, or with an input or result that the first line lacks.
-        """
-        if members is None:
-            return "is not a JSON object"
-        if name := _twice(line, members):
-            return f"has {quoted(name)} twice"
-        asked = table.asked
-        for name in members.keys() - self.names:
-            cells = [cell_of(members[name])]
-            if name in table.added or meaning_of(name, cells, asked.stated, asked.measured).name:
-                return f"has {quoted(name)}, which the first line does not have"
-        return ""
-
-
-def _beginning(line: bytes, members: Object | None) -> bytes:
-    """Return the object of a line without its end; one that holds the line as a text where it is no object."""
-    if members is None:
-        return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
-    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
-
-
-def _object(line: bytes) -> Object | None:
-    """Return the object that a line holds by itself, or None."""
-    with suppress(orjson.JSONDecodeError):
-        value = orjson.loads(line)
-        return value if isinstance(value, dict) else None
-    return None
-
-
-def _twice(line: bytes, members: Object) -> str:
-    """Return the name of a member that stands twice in the object of a line; orjson keeps the last one."""
-    if line.count(b":") == len(members):  # each has a colon
-        return ""
-    with suppress(RecursionError):
-        counts = Counter(name for name, _ in json.loads(line, object_pairs_hook=list))
-        return next((name for name, count in counts.items() if count > 1), "")
-    return ""

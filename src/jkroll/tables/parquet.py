@@ -13,7 +13,8 @@ from ..output.writers import divided, length
 from ..quantities.nomenclature import NOMENCLATURE
 from ..text import quoted, shown
 from .cells import cell_of, cells_of
-from .files import SAMPLE, Input
+from .files import Input
+from .ndjson import SAMPLE
 from .table import Records, Table
 
 BUFFER = 1 << 18  # bytes read at a time of each column

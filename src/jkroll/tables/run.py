@@ -24,8 +24,9 @@ from ..output.writers import WRITERS, remove_begun, result_columns, whole_file, 
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..text import quoted, say, say_wrapped, shown
-from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, output_format, table_of_lines
+from .files import Delimited, Input, compressed, format_of_name, input_format, output_format, table_of_lines
 from .header import check_inputs, understood
+from .ndjson import Ndjson
 from .table import Asked, Table, TableBlock
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
