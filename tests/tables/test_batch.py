@@ -159,8 +159,14 @@ STATUS = {
         "beyond pull-off",
         "load: -20 nN breaks this contact: the hardest pull that it holds is -11.78097 nN",
     ),
-    "x,quartz,100": ("row is short: 3 cells for 4", "row is short: 3 cells for 4"),
-    "x,quartz,100,0,": ("row is long: 5 cells for 4", "row is long: 5 cells for 4"),
+    "x,quartz,100": (
+        "row is short: 3 cells for 4",
+        "'x,quartz,100' has 3 cells, and the header 4: write a comma for each empty cell",
+    ),
+    "x,quartz,100,0,": (
+        "row is long: 5 cells for 4",
+        "'x,quartz,100,0,' has 5 cells, and the header 4: write text with a comma in quotes",
+    ),
     'x,"quartz,100,0': ("a quote is not closed", "a quote is not closed"),
     "x,quartz\ry,100,0": ("a carriage return stands outside quotes: lines end in line feeds",) * 2,
     "x,quartz,1e400,0": ("bad radius", "radius: '1e400' is too large for a double; expected a length such as 100nm"),

@@ -4,7 +4,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 
-from ..errors import BadTable
+from ..errors import BadRequest, BadTable
 from ..text import quoted
 from .table import Records
 from .words import is_of_text
@@ -60,7 +60,7 @@ def without_unclear(records: Records) -> Records:
     for column in [column for name, column in records.cells.items() if not is_of_text(name)]:
         for row, cell in enumerate(column) if b"." in b"".join(column) else ():
             if number := _OF_THOUSANDS.search(cell):
-                odd.setdefault(row, _two_readings(number[0].decode()))
+                odd.setdefault(row, BadRequest(_two_readings(number[0].decode())))
     return records._replace(odd=odd)
 
 
@@ -71,6 +71,7 @@ def with_decimal_points(records: Records) -> Records:
     for column in cells.values():
         for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:
             text = quoted(column[row].decode("utf-8", "replace"))
-            odd.setdefault(row, f"{text} has a point: this table has decimal commas, and no marks of thousands")
+            problem = f"{text} has a point: this table has decimal commas, and no marks of thousands"
+            odd.setdefault(row, BadRequest(problem))
     points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
     return records._replace(cells={**records.cells, **points}, odd=odd)

@@ -24,12 +24,13 @@ from itertools import chain, compress, islice, takewhile
 from operator import not_
 from typing import Any, BinaryIO, NamedTuple
 
-from ..errors import BadRequest, BadTable, missing_extra
+from ..errors import BadRequest, BadTable, JkrollError, missing_extra
 from ..model.rows import BLOCK
 from ..output.writers import Lines, in_quotes
 from ..text import ending, quoted, say
 from .decimals import decimal_mark, have_decimal_commas, with_decimal_points, without_unclear
 from .header import is_input
+from .layouts import in_cells, remedy_of_size
 from .ndjson import SAMPLE, Ndjson
 from .table import Records, Table
 
@@ -196,8 +197,7 @@ def table_of_lines(
     `is_read`, `excel_safe`: as Delimited has them.
     """
     is_of_blanks = form.separator == " "
-    separator = "\t" if is_of_blanks else form.separator
-    lines = Ndjson() if form.kind == "ndjson" else Delimited(separator, excel_safe=excel_safe)
+    lines = Ndjson() if form.kind == "ndjson" else Delimited(form.separator, excel_safe=excel_safe)
     every = blocks(given.pieces(form.compression), lines.cut)
     first = next(every, b"")
     mark = BOM if first.startswith(BOM) else b""
@@ -252,9 +252,13 @@ class Delimited:
     """A table of cells with a separator between them."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False) -> None:
-        """`excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula."""
-        self.separator, self.excel_safe = separator, excel_safe
-        self.blanks = _BLANKS.replace(separator, "")  # a line of these is no record
+        """`separator`: a blank is written as a tab, and has become one in what is read.
+
+        `excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula.
+        """
+        self.word = next(word for word, mark in DELIMITERS.items() if mark == separator)
+        self.separator, self.excel_safe = separator.replace(" ", "\t"), excel_safe
+        self.blanks = _BLANKS.replace(self.separator, "")  # a line of these is no record
 
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
@@ -388,7 +392,7 @@ class Delimited:
         width = len(self.names)
         before: list[bytes] = []
         rows: list[list[str]] = []
-        odd: dict[int, str] = {}
+        odd: dict[int, JkrollError] = {}
         starts: list[int] = []
         lines = as_lines(text)
         for start, stop, row, problem in self.records(lines):
@@ -396,8 +400,7 @@ class Delimited:
             if not line.strip(self.blanks):
                 continue
             if len(row) != width:
-                size, noun = "short" if len(row) < width else "long", "cell" if len(row) == 1 else "cells"
-                odd[len(rows)] = problem or f"row is {size}: {len(row)} {noun} for {width}"
+                odd[len(rows)] = BadRequest(problem) if problem else self._of_size(len(row), line)
                 padded = (row or [line]) + [""] * (width - max(len(row), 1))
                 rest = self.separator.join(padded[width - 1 :])  # with what is too much
                 cells = [*padded[: width - 1], rest]
@@ -407,6 +410,14 @@ class Delimited:
             rows.append(cells)
         columns = {name: [row[place].encode(_BYTES) for row in rows] for name, place in places.items()}
         return Records(before, columns, odd, starts, len(lines))
+
+    def _of_size(self, size: int, line: str) -> BadRequest:
+        """Return the error of a line that has more or fewer cells than the header."""
+        width = len(self.names)
+        text = quoted(_text(line).replace("\t", " ").strip())
+        remedy = remedy_of_size(size, width, self.word)
+        phrase = f"row is {'short' if size < width else 'long'}: {in_cells(size)} for {width}"
+        return BadRequest(f"{text} has {in_cells(size)}, and the header {width}: {remedy}", phrase)
 
 
 def as_lines(text: bytes) -> list[str]:

@@ -8,7 +8,7 @@ from typing import Any
 
 import orjson
 
-from ..errors import BadTable
+from ..errors import BadRequest, BadTable
 from ..output.writers import Objects
 from ..text import quoted
 from .cells import cell_of, cells_of
@@ -53,7 +53,7 @@ class Ndjson:
         lines = [every[place] for place in starts]
         objects = [*map(_object, lines)]
         problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
-        odd = {row: problem for row, problem in enumerate(problems) if problem}
+        odd = {row: BadRequest(problem) for row, problem in enumerate(problems) if problem}
         rows = [members or {} for members in objects]
         cells = {name: cells_of([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
         return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
