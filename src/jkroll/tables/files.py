@@ -22,6 +22,7 @@ from contextlib import suppress
 from functools import partial
 from itertools import chain, compress, islice, takewhile
 from operator import not_
+from types import MappingProxyType
 from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import BadRequest, BadTable, JkrollError, missing_extra
@@ -29,10 +30,27 @@ from ..model.rows import BLOCK
 from ..output.writers import Lines, in_quotes
 from ..text import ending, quoted, say
 from .decimals import decimal_mark, have_decimal_commas, with_decimal_points, without_unclear
-from .header import is_input
-from .layouts import in_cells, remedy_of_size
-from .ndjson import SAMPLE, Ndjson
-from .table import Records, Table
+from .header import is_input, typed
+from .layouts import (
+    BYTES,
+    FIRST,
+    SAMPLE,
+    Row,
+    as_table,
+    bare,
+    between_tabs,
+    header_place,
+    in_cells,
+    is_comment,
+    is_dump,
+    is_remark,
+    remedy_of_size,
+    text_of,
+    unnamed_column,
+    with_units,
+)
+from .ndjson import Ndjson
+from .table import Asked, Records, Table
 
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
@@ -43,15 +61,13 @@ FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at mos
 BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
-_BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
 _BLANKS = " \t\r\n"  # of these; `str.strip` takes bytes of Å and à as well
-_COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
-_MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
+ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # in the column of the status
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text stands behind it"
 _CARRIAGE_RETURN = "a carriage return stands outside quotes: lines end in line feeds"
 # The beginnings of formulas, in full width too, and what a spreadsheet drops before them.
-_BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(_BYTES) for letter in "＝＋－＠"))
+_BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(BYTES) for letter in "＝＋－＠"))
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 # --- Formats ----------------------------------------------------------------------------------------------------------
@@ -95,8 +111,17 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
         return named
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
+    if os.path.isfile(path) and _begins_as_dump(path):
+        return FileFormat("tsv", COMPRESSIONS.get(ending(path), ""), " ")
     remedy = "save it as CSV, or give --format csv, tsv, ndjson or parquet, or --delimiter blank"
     raise BadTable(f"{quoted(path)}: its name says no format that is read; {remedy}")
+
+
+def _begins_as_dump(path: str) -> bool:
+    """Return whether a file begins as a dump of LAMMPS does."""
+    with suppress(BadTable), (file := Input(path)).file:
+        return is_dump(next(file.pieces(COMPRESSIONS.get(ending(path), "")), b""))
+    return False
 
 
 def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
@@ -190,11 +215,11 @@ class Input:
 
 
 def table_of_lines(
-    given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool
+    given: Input, form: FileFormat, asked: Asked, *, excel_safe: bool
 ) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
     """Return a table whose records are lines, with its header read, and its blocks of rows. Raises BadTable.
 
-    `is_read`, `excel_safe`: as Delimited has them.
+    `excel_safe`: see Delimited.
     """
     is_of_blanks = form.separator == " "
     lines = Ndjson() if form.kind == "ndjson" else Delimited(form.separator, excel_safe=excel_safe)
@@ -202,10 +227,14 @@ def table_of_lines(
     first = next(every, b"")
     mark = BOM if first.startswith(BOM) else b""
     every = chain([first.removeprefix(mark)], every)
+    if is_dump(first):
+        if not is_of_blanks:
+            raise BadTable("this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank")
+        every = as_table(every, given.path, form.compression)
     if is_of_blanks:
-        every = map(tabbed, every)
+        every = between_tabs(every)
     first = next(every)
-    rows = first[lines.begin(first, is_read) :]
+    rows = first[lines.begin(first, asked.stated, asked.measured) :]
     lines.header = mark + lines.header
     return lines, filter(None, chain([rows], every))
 
@@ -263,7 +292,7 @@ class Delimited:
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
         end = text.rfind(b"\n") + 1
-        if b'"' not in text:
+        if b'"' not in text or self.word == "blank":  # between blanks, a quote ends in its line
             return end
         lines = as_lines(text[:end])
         last = next((start for start, *_, problem in self.records(lines) if problem == _OPEN), len(lines))
@@ -295,24 +324,76 @@ class Delimited:
 
     # --- The header ---------------------------------------------------------------------------------------------------
 
-    def begin(self, block: bytes, is_read: Callable[[str], bool] = is_input) -> int:
-        """Read the beginning of a table; return the number of bytes up to the end of the header. Raises BadTable.
+    def begin(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:
+        """Read the beginning of a table; return the number of bytes above its rows. Raises BadTable.
 
-        `block`: the first one; `is_read`: tells of a header whether its column is one of those that are read.
+        `block`: the first one; `stated`, `measured`: see `meaning_of`.
         """
+
+        def is_read(text: str) -> bool:
+            return is_input(stated.get(typed(text), text), measured)
+
         lines = as_lines(block)
-        self.preamble = self._preamble(lines, is_read)
-        below = lines[self.preamble :] or [""]
-        below[0] = _COMMENT.sub("", below[0])
-        records = self.records(below)
-        _, stop, cells, problem = next(records)
+        above = header_place(lines, self.separator, is_read)
+        below = lines[above:] or [""]
+        is_marked, below[0] = is_comment(below[0]), bare(below[0])
+        _, stop, cells, problem = next(self.records(below))
         line = "".join(below[:stop])
-        self.names = self._names(cells, line, problem)
-        self.header = self._safe(cells, line).rstrip("\r\n").encode(_BYTES)
-        self.lines = self.preamble + stop
-        whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
-        self.sample = [[*map(_text, row)] for row in whole]
-        are_read = [*map(is_read, self.names)]
+        self.names, self.lines = self._names(cells, line, problem), above + stop
+        self.remarks = [f"lines passed over before the header: {above}"] if above else []
+        rows = self._rows(below[stop:])
+        first = [*islice(rows, SAMPLE)]
+        if not any(len(row.cells) == len(self.names) for row in first):
+            column = unnamed_column(self.names, first, self.word, is_read)
+            cells, line = self._with_unnamed(column, cells, line)
+        self.header = self._safe(cells, line).rstrip("\r\n").encode(BYTES)
+        marked = [row.without_mark() for row in first[:1] if is_marked]  # of units, as the header is
+        count = self._take_units([*marked, *first[len(marked) :]], stated, measured)
+        whole = (row.cells for row in chain(first[count:], rows) if len(row.cells) == len(self.names))
+        self.sample = [[*map(text_of, row)] for row in islice(whole, SAMPLE)]
+        self._take_decimal_mark([*map(is_read, self.names)])
+        end = "\r\n" if line.endswith("\r\n") else "\n"
+        self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
+        return sum(map(len, lines[: self.lines]))
+
+    def _rows(self, lines: Sequence[str]) -> Iterator[Row]:
+        """Iterate over the rows below the header that can be read."""
+        above = self.lines
+        for start, stop, cells, problem in self.records(lines):
+            line = "".join(lines[start:stop])
+            if not problem and line.strip(self.blanks):
+                yield Row(cells, line, above + start + 1)
+
+    def _with_unnamed(self, column: str, cells: list[str], line: str) -> tuple[list[str], str]:
+        """Return the cells and the line of the header with a column that it has no name for, if there is one."""
+        if column:
+            text = line.rstrip("\r\n")
+            end = line[len(text) :]
+            cells = ["", *cells] if column == FIRST else [*cells, ""]
+            line = f'""{self.separator}{line}' if column == FIRST else f"{text}{self.separator}{end}"
+            self.names = tuple(map(text_of, cells))
+            self.remarks.append(column)
+        return cells, line
+
+    def _take_units(self, rows: Sequence[Row], stated: Mapping[str, str], measured: str) -> int:
+        """Take a row of units, and rows of comments beside it, as part of the header; return the number of these."""
+        first = next((place for place, row in enumerate(rows) if not is_remark(row, self.names)), 0)
+        headers = with_units(self.names, rows[first], stated, measured) if rows else None
+        self.stated = headers.stated if headers else stated
+        self.above: list[tuple[bytes, str]] = []  # lines between the header and the rows, with their status
+        if headers is None:
+            return 0
+        self.names = headers.names
+        end = first + 1 + len([*takewhile(partial(is_remark, names=self.names), rows[first + 1 :])])
+        for row in rows[:end]:
+            line = self._safe(row.cells, row.line).rstrip("\r\n").encode(BYTES)
+            self.above.append((line, ROW_OF_UNITS if row is rows[first] else ROW_OF_COMMENTS))
+        self.remarks.append(f"units: line {rows[first].number}")
+        self.lines = rows[end - 1].last
+        return end
+
+    def _take_decimal_mark(self, are_read: Sequence[bool]) -> None:
+        """Find the decimal mark of the sample, which has points then. Raises BadTable."""
         columns = [*zip(*self.sample, strict=True)]
         passed = compress(columns, map(not_, are_read))
         is_doubtful = self.separator == ";" or (self.separator != "," and any(map(have_decimal_commas, passed)))
@@ -322,27 +403,19 @@ class Delimited:
             if self.separator == ",":
                 raise BadTable("decimal commas between commas: write decimal points, or semicolons between columns")
             self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
-        end = "\r\n" if line.endswith("\r\n") else "\n"
-        self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
-        return sum(map(len, lines[: self.lines]))
 
-    def _preamble(self, lines: Sequence[str], is_read: Callable[[str], bool]) -> int:
-        """Return the number of lines above the header: comments, and the separator as a spreadsheet has it in sep=;.
-
-        The last of them that names columns that are read is the header, unless the line below all of them names some.
-        """
-        count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
-        for place in (count, *reversed(range(count))):
-            text = _text(_COMMENT.sub("", "".join(lines[place : place + 1]))).strip()
-            if any(is_read(cell.strip('"')) for cell in text.split(self.separator)):
-                return place
-        return count
+    def head(self, added: Sequence[str]) -> bytes:
+        """Return the lines above the rows: the header with those of columns that are added, and a row of units."""
+        lines = [self.writer.header(added, [self.header])]
+        for line, status in self.above:
+            lines.append(self.writer.rows(added, [*[None] * (len(added) - 1), status], [line]))
+        return b"".join(lines)
 
     def _names(self, cells: Sequence[str], line: str, problem: str) -> tuple[str, ...]:
         """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
-        text, *names = map(_text, (line.strip(_BLANKS), *(cells or [line])))
+        text, *names = map(text_of, (line.strip(_BLANKS), *(cells or [line])))
         if "\0" in text or "\ufffd" in text:  # which stands for what is not UTF-8
             remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
             raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
@@ -406,15 +479,15 @@ class Delimited:
                 cells = [*padded[: width - 1], rest]
                 line = self._line(cells)
             starts.append(start)
-            before.append(self._safe(cells, line).encode(_BYTES))
+            before.append(self._safe(cells, line).encode(BYTES))
             rows.append(cells)
-        columns = {name: [row[place].encode(_BYTES) for row in rows] for name, place in places.items()}
+        columns = {name: [row[place].encode(BYTES) for row in rows] for name, place in places.items()}
         return Records(before, columns, odd, starts, len(lines))
 
     def _of_size(self, size: int, line: str) -> BadRequest:
         """Return the error of a line that has more or fewer cells than the header."""
         width = len(self.names)
-        text = quoted(_text(line).replace("\t", " ").strip())
+        text = quoted(text_of(line).replace("\t", " ").strip())
         remedy = remedy_of_size(size, width, self.word)
         phrase = f"row is {'short' if size < width else 'long'}: {in_cells(size)} for {width}"
         return BadRequest(f"{text} has {in_cells(size)}, and the header {width}: {remedy}", phrase)
@@ -422,12 +495,7 @@ class Delimited:
 
 def as_lines(text: bytes) -> list[str]:
     """Return the lines of a text with their ends, a character for each byte."""
-    return io.StringIO(text.decode(_BYTES), newline="\n").readlines()
-
-
-def _text(cell: str) -> str:
-    """Return a cell with a character for each byte as text."""
-    return cell.encode(_BYTES).decode("utf-8", "replace")
+    return io.StringIO(text.decode(BYTES), newline="\n").readlines()
 
 
 def _problem(error: str) -> str:
@@ -440,11 +508,3 @@ def _problem(error: str) -> str:
 def _is_formula(cell: str) -> bool:
     """Return whether a spreadsheet may take a cell of text for a formula."""
     return cell.lstrip(" ").startswith(_BEGIN_FORMULAS) and not _NUMBER.fullmatch(cell.strip(" "))
-
-
-def tabbed(block: bytes) -> bytes:
-    """Return a block with tabs in place of blanks. Raises BadTable for quotes, as blanks would divide a cell."""
-    if b'"' in block:
-        raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
-    lines = _MARK.sub(rb"\1", block).split(b"\n")
-    return b"\n".join(b"\t".join(line.split()) for line in lines)

@@ -2,8 +2,9 @@
 
 import json
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from types import MappingProxyType
 from typing import Any
 
 import orjson
@@ -13,9 +14,8 @@ from ..output.writers import Objects
 from ..text import quoted
 from .cells import cell_of, cells_of
 from .header import meaning_of
+from .layouts import SAMPLE
 from .table import Records, Table
-
-SAMPLE = 200  # rows that decide how a table is read
 
 Object = dict[str, Any]
 
@@ -23,16 +23,20 @@ Object = dict[str, Any]
 class Ndjson:
     """A table whose lines are JSON objects; the names in the first of them are the columns."""
 
-    preamble = lines = 0  # there is no header
-    header = b""
+    lines = 0  # there is no header
+    header, remarks = b"", ()
     writer = Objects()
 
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1
 
-    def begin(self, block: bytes, is_read: Callable[[str], bool] = bool) -> int:  # noqa: ARG002
-        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable."""
+    def begin(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:  # noqa: ARG002
+        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable.
+
+        `stated`: see `meaning_of`.
+        """
+        self.stated = stated
         lines = [line for line in block.split(b"\n")[:SAMPLE] if line.strip()]
         if not lines:
             raise BadTable("the table is empty")
@@ -45,6 +49,10 @@ class Ndjson:
         objects = [*filter(None, map(_object, lines))]
         self.sample = [[cell_of(row.get(name)) for name in first] for row in objects]
         return 0
+
+    def head(self, added: Sequence[str]) -> bytes:
+        """Return what stands above the rows: nothing."""
+        return self.writer.header(added, [self.header])
 
     def read(self, text: bytes, table: Table) -> Records:
         """Return whole lines, taken apart."""

@@ -183,12 +183,12 @@ def convert_one(path: str, job: Job) -> Tally:
         if given.kind == "parquet":
             with missing_extra("parquet"):
                 from .parquet import batches_of
-            form, blocks = batches_of(file, job.target, asked.is_read)
+            form, blocks = batches_of(file, job.target, asked)
         else:
-            form, blocks = table_of_lines(file, given, asked.is_read, excel_safe=job.excel_safe)
-        header = understood(form.names, form.sample, asked.stated, asked.inputs, asked.measured)
+            form, blocks = table_of_lines(file, given, asked, excel_safe=job.excel_safe)
+        header = understood(form.names, form.sample, form.stated, asked.inputs, asked.measured)
         check_inputs(header, asked.measured)
-        reading = header.reading(form.preamble)
+        reading = header.reading(*form.remarks)
         job.say([reading])  # at once: an input is missing where a column is not understood
         table = Table(header, form.sample, asked)
         about = [*_about(table)]
@@ -201,7 +201,7 @@ def convert_one(path: str, job: Job) -> Tally:
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:
     """Write a table; return the counts of all of it."""
     form, tally = convert.form, Tally()
-    header = compressed(form.writer.header(convert.table.added, [form.header]), convert.compression)
+    header = compressed(form.head(convert.table.added), convert.compression)
     line = form.lines
     converted = _converted(blocks, convert, job.processes)
     if sys.stderr.isatty() and not job.quiet:
