@@ -159,8 +159,14 @@ STATUS = {
         "beyond pull-off",
         "load: -20 nN breaks this contact: the hardest pull that it holds is -11.78097 nN",
     ),
-    "x,quartz,100": ("row is short: 3 cells for 4", "row is short: 3 cells for 4"),
-    "x,quartz,100,0,": ("row is long: 5 cells for 4", "row is long: 5 cells for 4"),
+    "x,quartz,100": (
+        "row is short: 3 cells for 4",
+        "'x,quartz,100' has 3 cells, and the header 4: write a comma for each empty cell",
+    ),
+    "x,quartz,100,0,": (
+        "row is long: 5 cells for 4",
+        "'x,quartz,100,0,' has 5 cells, and the header 4: write text with a comma in quotes",
+    ),
     'x,"quartz,100,0': ("a quote is not closed", "a quote is not closed"),
     "x,quartz\ry,100,0": ("a carriage return stands outside quotes: lines end in line feeds",) * 2,
     "x,quartz,1e400,0": ("bad radius", "radius: '1e400' is too large for a double; expected a length such as 100nm"),
@@ -269,7 +275,7 @@ def test_a_row_with_other_cells_keeps_what_it_has(run: Run, cells: str, kept: st
 def mistaken(text: str, name: str, unit: str = " [UNIT]") -> str:
     columns = " or ".join(f"--column '{text}={name}{sphere}{unit}'" for sphere in ("", "2"))
     remedy = f"Write {columns}, or --column '{text}=' to pass it through"
-    return f"header: '{text}': what stands behind {name} is not its unit. {remedy}"
+    return f"header: '{text}' (first cell '100'): what stands behind {name} is not its unit. {remedy}"
 
 
 HEADERS = {
@@ -309,11 +315,12 @@ def test_a_long_name_of_a_column_is_no_mistaken_input() -> None:
 
 @pytest.mark.parametrize("text", HEADERS)
 def test_a_header_is_checked_before_the_first_row(run: Run, text: str) -> None:
-    ran = run("batch", table(f"{text}\n100,1\n"), "-o", "out.csv", "--jobs", "1")
+    row = "100,1" if "," in text else "100"
+    ran = run("batch", table(f"{text}\n{row}\n"), "-o", "out.csv", "--jobs", "1")
     assert ran.code == 2
     reading, message = ran.err.splitlines(keepends=True) if ran.err.startswith("read: ") else ("", ran.err)
     assert (message, not reading or " passed through: " in reading) == (f"jkroll: {HEADERS[text]}\n", True)
-    assert run("batch", table(f"{text}\n100,1\n"), "-o", "out.csv", "--quiet").err == f"jkroll: {HEADERS[text]}\n"
+    assert run("batch", table(f"{text}\n{row}\n"), "-o", "out.csv", "--quiet").err == f"jkroll: {HEADERS[text]}\n"
     assert not [path.name for path in Path().iterdir() if path.name.startswith("out.csv")]
 
 
@@ -603,7 +610,7 @@ def test_an_open_file_is_not_replaced(name: str) -> None:
 
 
 def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
-    from jkroll.tables.files import SAMPLE
+    from jkroll.tables.layouts import SAMPLE
 
     rows = [b"%d," % place + b"x" * 1000 + b"\n" for place in range(500)]
     first = next(files.blocks(iter([b"a,b\n", *rows]), lambda text: text.rfind(b"\n") + 1))

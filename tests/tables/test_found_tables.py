@@ -5,7 +5,6 @@ Each is read as it says, or it says what is to be done.
 found_tables.toml has them, and says how.
 """
 
-import csv
 import re
 import shlex
 import tomllib
@@ -23,8 +22,9 @@ from jkroll.errors import BadTable
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import QuantityError, Uncertain
 from jkroll.tables.cells import Column
-from jkroll.tables.files import DELIMITERS, Delimited, tabbed
+from jkroll.tables.files import DELIMITERS, Delimited
 from jkroll.tables.header import check_inputs, stated_meanings, understood
+from jkroll.tables.layouts import tabbed
 from jkroll.tables.table import Asked
 from relative import approx
 
@@ -109,10 +109,11 @@ def values(found: Found) -> dict[str, list[Any]]:
     chosen = found.written or found.named
     options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
     mark = DELIMITERS[options.get("delimiter", "comma")]
-    lines = Delimited("\t" if mark == " " else mark)
-    lines.begin(tabbed(found.text) if mark == " " else found.text)
+    lines = Delimited(mark)
+    stated = stated_meanings(choice for choice in chosen if not choice.startswith("--"))
+    lines.begin(tabbed(found.text) if mark == " " else found.text, stated)
     rows = lines.sample
-    header = understood(lines.names, rows, stated_meanings(choice for choice in chosen if not choice.startswith("--")))
+    header = understood(lines.names, rows, lines.stated)
     materials = {column.name: [row[column.place] for row in rows] for column in header.materials}
     return materials | {column.name: [value(column, row) for row in rows] for column in header.inputs}
 
@@ -150,10 +151,10 @@ HEADERS = tomllib.loads(Path(__file__).with_name("found_headers.toml").read_text
 def refusal(table: str, columns: Sequence[str]) -> str:
     """Return why a table is refused when `--column` says these columns; an empty text if it is not."""
     mark = "\t" if "\t" in table else ";" if ";" in table.splitlines()[0] else ","
-    head, *rows = csv.reader([line for line in table.splitlines() if not line.startswith("#")], delimiter=mark)
-    rows = [row for row in rows if len(row) == len(head)]
+    lines = Delimited(mark)
     try:
-        understood(head, rows, stated_meanings(columns))
+        lines.begin(table.encode(), stated_meanings(columns))
+        understood(lines.names, lines.sample, lines.stated)
     except BadTable as error:
         return str(error)
     return ""

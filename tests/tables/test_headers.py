@@ -280,11 +280,11 @@ UNITS_TO_WRITE = "--column 'Radius=radius [nm]' --column 'Surface energy=surface
         # as a spreadsheet writes it
         ("sep=;\nradius [nm];load [nN]\n100;1\n", "x.csv", "write --delimiter semicolon"),
         ("PK", "x.xlsx", "'x.xlsx': its name says no format that is read; save it as CSV"),
-        ('name radius_nm\n"a b" 1\n', "x.txt --delimiter blank", "has no quotes"),
+        ('name radius_nm\n"a b 1\n', "x.txt --delimiter blank", """line 2: a quote is not closed in '"a b 1'"""),
         # all mistakes together
         (MISTAKEN, "x.csv", "--column 'Surface energy mJ=surface_energy [UNIT]'"),
         (MISTAKEN, "x.csv", "--column 'Young modulus GP=youngs_modulus [UNIT]'"),
-        ("Radius,Surface energy,Poisson\nnm,mJ/m2,-\n100,25,0.17\n", "x.csv", f"Delete it, and write {UNITS_TO_WRITE}"),
+        ("Radius,Surface energy,n\nnm,mJ/m2,1\n100,25,2\n", "x.csv", f"Delete it, and write {UNITS_TO_WRITE}"),
         ("material,radius_nm,law\nquartz,100,Maugis\n", "x.csv",
          "the law is an option: --model maugis. Write --column 'law=' to pass it through"),
     ],
@@ -860,7 +860,7 @@ def test_an_option_for_one_sphere_stands_beside_a_column_for_the_other(run: Run)
     [
         ("radius R1 (nm),gamma (mJ/m2)\n100,25\n", 'read: radius [nm] from "radius R1 (nm)", surface'),
         ("radius [nm],gamma_sv (mJ/m2)\n100,25\n", "may be surface_energy"),
-        ("Radius,Surface energy\n(nm),(mJ/m2)\n100,25\n", "the first row has units"),
+        ("Radius,Surface energy,n\n(nm),(mJ/m2),1\n100,25,2\n", "the first row has units"),
         ("R1 (nm),gamma (mJ/m2),gamma_sem (mJ/m2)\n100,25,2\n", '± "gamma_sem (mJ/m2)"'),
         ("R1 (nm),SEM,gamma (mJ/m2)\n100,image1.tif,25\n", "passed through: SEM"),
         ("R1 (nm),SEM,gamma (mJ/m2)\n100,5,25\n", "± SEM"),

@@ -12,30 +12,45 @@ from __future__ import annotations
 import csv
 import gzip
 import io
-import json
 import os
 import re
 import stat
 import sys
 import zlib
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import chain, compress, islice, takewhile
 from operator import not_
+from types import MappingProxyType
 from typing import Any, BinaryIO, NamedTuple
 
-import orjson
-
-from ..errors import BadRequest, BadTable, missing_extra
+from ..errors import BadRequest, BadTable, JkrollError, missing_extra
 from ..model.rows import BLOCK
-from ..output.writers import Lines, Objects, in_quotes
+from ..output.writers import Lines, in_quotes
 from ..text import ending, quoted, say
-from .cells import cell_of, cells_of
-from .header import is_input, meaning_of
-from .table import Records, Table
-from .words import is_of_text
+from .decimals import decimal_mark, have_decimal_commas, with_decimal_points, without_unclear
+from .header import is_input, typed
+from .layouts import (
+    BYTES,
+    FIRST,
+    SAMPLE,
+    Row,
+    as_table,
+    bare,
+    between_tabs,
+    header_place,
+    in_cells,
+    is_comment,
+    is_dump,
+    is_remark,
+    remedy_of_size,
+    text_of,
+    unnamed_column,
+    with_units,
+)
+from .ndjson import Ndjson
+from .table import Asked, Records, Table
 
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
@@ -45,17 +60,14 @@ CHUNK = 1 << 21  # bytes read at a time: twice as much memory stays with a proce
 FEED = 1 << 9  # bytes decompressed at a time: gzip makes 512 KiB of them at most, zstd 16 MiB
 BOM = b"\xef\xbb\xbf"
 MAX_RECORD = 1 << 24  # bytes
-SAMPLE = 200  # rows that decide how a table is read
 DELIMITERS = {"comma": ",", "semicolon": ";", "bar": "|", "tab": "\t", "blank": " "}  # by the words of --delimiter
-_BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
 _BLANKS = " \t\r\n"  # of these; `str.strip` takes bytes of Å and à as well
-_COMMENT = re.compile(r"\A(?:[ \t]*#+ *|sep=)", re.IGNORECASE)  # the mark of a line above the header
-_MARK = re.compile(rb"^[ \t]*(#+)[ \t]+", re.MULTILINE)  # of a comment
+ROW_OF_UNITS, ROW_OF_COMMENTS = "row of units", "row of comments"  # in the column of the status
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text stands behind it"
 _CARRIAGE_RETURN = "a carriage return stands outside quotes: lines end in line feeds"
 # The beginnings of formulas, in full width too, and what a spreadsheet drops before them.
-_BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(_BYTES) for letter in "＝＋－＠"))
+_BEGIN_FORMULAS = (*"=+-@\t\r\n\0", *(letter.encode().decode(BYTES) for letter in "＝＋－＠"))
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 
 # --- Formats ----------------------------------------------------------------------------------------------------------
@@ -99,8 +111,17 @@ def input_format(path: str, target: str, stated: str = "", delimiter: str = "") 
         return named
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
+    if os.path.isfile(path) and _begins_as_dump(path):
+        return FileFormat("tsv", COMPRESSIONS.get(ending(path), ""), " ")
     remedy = "save it as CSV, or give --format csv, tsv, ndjson or parquet, or --delimiter blank"
     raise BadTable(f"{quoted(path)}: its name says no format that is read; {remedy}")
+
+
+def _begins_as_dump(path: str) -> bool:
+    """Return whether a file begins as a dump of LAMMPS does."""
+    with suppress(BadTable), (file := Input(path)).file:
+        return is_dump(next(file.pieces(COMPRESSIONS.get(ending(path), "")), b""))
+    return False
 
 
 def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
@@ -194,23 +215,26 @@ class Input:
 
 
 def table_of_lines(
-    given: Input, form: FileFormat, is_read: Callable[[str], bool], *, excel_safe: bool
+    given: Input, form: FileFormat, asked: Asked, *, excel_safe: bool
 ) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
     """Return a table whose records are lines, with its header read, and its blocks of rows. Raises BadTable.
 
-    `is_read`, `excel_safe`: as Delimited has them.
+    `excel_safe`: see Delimited.
     """
     is_of_blanks = form.separator == " "
-    separator = "\t" if is_of_blanks else form.separator
-    lines = Ndjson() if form.kind == "ndjson" else Delimited(separator, excel_safe=excel_safe)
+    lines = Ndjson() if form.kind == "ndjson" else Delimited(form.separator, excel_safe=excel_safe)
     every = blocks(given.pieces(form.compression), lines.cut)
     first = next(every, b"")
     mark = BOM if first.startswith(BOM) else b""
     every = chain([first.removeprefix(mark)], every)
+    if is_dump(first):
+        if not is_of_blanks:
+            raise BadTable("this is a dump of LAMMPS, with blanks between its columns; write --delimiter blank")
+        every = as_table(every, given.path, form.compression)
     if is_of_blanks:
-        every = map(tabbed, every)
+        every = between_tabs(every)
     first = next(every)
-    rows = first[lines.begin(first, is_read) :]
+    rows = first[lines.begin(first, asked.stated, asked.measured) :]
     lines.header = mark + lines.header
     return lines, filter(None, chain([rows], every))
 
@@ -257,14 +281,18 @@ class Delimited:
     """A table of cells with a separator between them."""
 
     def __init__(self, separator: str, *, excel_safe: bool = False) -> None:
-        """`excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula."""
-        self.separator, self.excel_safe = separator, excel_safe
-        self.blanks = _BLANKS.replace(separator, "")  # a line of these is no record
+        """`separator`: a blank is written as a tab, and has become one in what is read.
+
+        `excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula.
+        """
+        self.word = next(word for word, mark in DELIMITERS.items() if mark == separator)
+        self.separator, self.excel_safe = separator.replace(" ", "\t"), excel_safe
+        self.blanks = _BLANKS.replace(self.separator, "")  # a line of these is no record
 
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
         end = text.rfind(b"\n") + 1
-        if b'"' not in text:
+        if b'"' not in text or self.word == "blank":  # between blanks, a quote ends in its line
             return end
         lines = as_lines(text[:end])
         last = next((start for start, *_, problem in self.records(lines) if problem == _OPEN), len(lines))
@@ -296,54 +324,98 @@ class Delimited:
 
     # --- The header ---------------------------------------------------------------------------------------------------
 
-    def begin(self, block: bytes, is_read: Callable[[str], bool] = is_input) -> int:
-        """Read the beginning of a table; return the number of bytes up to the end of the header. Raises BadTable.
+    def begin(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:
+        """Read the beginning of a table; return the number of bytes above its rows. Raises BadTable.
 
-        `block`: the first one; `is_read`: tells of a header whether its column is one of those that are read.
+        `block`: the first one; `stated`, `measured`: see `meaning_of`.
         """
+
+        def is_read(text: str) -> bool:
+            return is_input(stated.get(typed(text), text), measured)
+
         lines = as_lines(block)
-        self.preamble = self._preamble(lines, is_read)
-        below = lines[self.preamble :] or [""]
-        below[0] = _COMMENT.sub("", below[0])
-        records = self.records(below)
-        _, stop, cells, problem = next(records)
+        above = header_place(lines, self.separator, is_read)
+        below = lines[above:] or [""]
+        is_marked, below[0] = is_comment(below[0]), bare(below[0])
+        _, stop, cells, problem = next(self.records(below))
         line = "".join(below[:stop])
-        self.names = self._names(cells, line, problem)
-        self.header = self._safe(cells, line).rstrip("\r\n").encode(_BYTES)
-        self.lines = self.preamble + stop
-        whole = islice((row for *_, row, _ in records if len(row) == len(self.names)), SAMPLE)
-        self.sample = [[*map(_text, row)] for row in whole]
-        are_read = [*map(is_read, self.names)]
+        self.names, self.lines = self._names(cells, line, problem), above + stop
+        self.remarks = [f"lines passed over before the header: {above}"] if above else []
+        rows = self._rows(below[stop:])
+        first = [*islice(rows, SAMPLE)]
+        if not any(len(row.cells) == len(self.names) for row in first):
+            column = unnamed_column(self.names, first, self.word, is_read)
+            cells, line = self._with_unnamed(column, cells, line)
+        self.header = self._safe(cells, line).rstrip("\r\n").encode(BYTES)
+        marked = [row.without_mark() for row in first[:1] if is_marked]  # of units, as the header is
+        count = self._take_units([*marked, *first[len(marked) :]], stated, measured)
+        whole = (row.cells for row in chain(first[count:], rows) if len(row.cells) == len(self.names))
+        self.sample = [[*map(text_of, row)] for row in islice(whole, SAMPLE)]
+        self._take_decimal_mark([*map(is_read, self.names)])
+        end = "\r\n" if line.endswith("\r\n") else "\n"
+        self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
+        return sum(map(len, lines[: self.lines]))
+
+    def _rows(self, lines: Sequence[str]) -> Iterator[Row]:
+        """Iterate over the rows below the header that can be read."""
+        above = self.lines
+        for start, stop, cells, problem in self.records(lines):
+            line = "".join(lines[start:stop])
+            if not problem and line.strip(self.blanks):
+                yield Row(cells, line, above + start + 1)
+
+    def _with_unnamed(self, column: str, cells: list[str], line: str) -> tuple[list[str], str]:
+        """Return the cells and the line of the header with a column that it has no name for, if there is one."""
+        if column:
+            text = line.rstrip("\r\n")
+            end = line[len(text) :]
+            cells = ["", *cells] if column == FIRST else [*cells, ""]
+            line = f'""{self.separator}{line}' if column == FIRST else f"{text}{self.separator}{end}"
+            self.names = tuple(map(text_of, cells))
+            self.remarks.append(column)
+        return cells, line
+
+    def _take_units(self, rows: Sequence[Row], stated: Mapping[str, str], measured: str) -> int:
+        """Take a row of units, and rows of comments beside it, as part of the header; return the number of these."""
+        first = next((place for place, row in enumerate(rows) if not is_remark(row, self.names)), 0)
+        headers = with_units(self.names, rows[first], stated, measured) if rows else None
+        self.stated = headers.stated if headers else stated
+        self.above: list[tuple[bytes, str]] = []  # lines between the header and the rows, with their status
+        if headers is None:
+            return 0
+        self.names = headers.names
+        end = first + 1 + len([*takewhile(partial(is_remark, names=self.names), rows[first + 1 :])])
+        for row in rows[:end]:
+            line = self._safe(row.cells, row.line).rstrip("\r\n").encode(BYTES)
+            self.above.append((line, ROW_OF_UNITS if row is rows[first] else ROW_OF_COMMENTS))
+        self.remarks.append(f"units: line {rows[first].number}")
+        self.lines = rows[end - 1].last
+        return end
+
+    def _take_decimal_mark(self, are_read: Sequence[bool]) -> None:
+        """Find the decimal mark of the sample, which has points then. Raises BadTable."""
         columns = [*zip(*self.sample, strict=True)]
         passed = compress(columns, map(not_, are_read))
-        is_doubtful = self.separator == ";" or (self.separator != "," and any(map(_have_decimal_commas, passed)))
+        is_doubtful = self.separator == ";" or (self.separator != "," and any(map(have_decimal_commas, passed)))
         mark = decimal_mark(compress(columns, are_read), self.separator, points_may_group=is_doubtful)
         self.has_decimal_commas, self.is_open = mark == ",", not mark and is_doubtful
         if self.has_decimal_commas:
             if self.separator == ",":
                 raise BadTable("decimal commas between commas: write decimal points, or semicolons between columns")
             self.sample = [[cell.replace(",", ".") for cell in row] for row in self.sample]
-        end = "\r\n" if line.endswith("\r\n") else "\n"
-        self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
-        return sum(map(len, lines[: self.lines]))
 
-    def _preamble(self, lines: Sequence[str], is_read: Callable[[str], bool]) -> int:
-        """Return the number of lines above the header: comments, and the separator as a spreadsheet has it in sep=;.
-
-        The last of them that names columns that are read is the header, unless the line below all of them names some.
-        """
-        count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
-        for place in (count, *reversed(range(count))):
-            text = _text(_COMMENT.sub("", "".join(lines[place : place + 1]))).strip()
-            if any(is_read(cell.strip('"')) for cell in text.split(self.separator)):
-                return place
-        return count
+    def head(self, added: Sequence[str]) -> bytes:
+        """Return the lines above the rows: the header with those of columns that are added, and a row of units."""
+        lines = [self.writer.header(added, [self.header])]
+        for line, status in self.above:
+            lines.append(self.writer.rows(added, [*[None] * (len(added) - 1), status], [line]))
+        return b"".join(lines)
 
     def _names(self, cells: Sequence[str], line: str, problem: str) -> tuple[str, ...]:
         """Return the names of columns. `cells`, `line`, `problem`: of the first record. Raises BadTable."""
         if not line.strip(self.blanks):
             raise BadTable("the table has no header; begin with a line of the columns' names")
-        text, *names = map(_text, (line.strip(_BLANKS), *(cells or [line])))
+        text, *names = map(text_of, (line.strip(_BLANKS), *(cells or [line])))
         if "\0" in text or "\ufffd" in text:  # which stands for what is not UTF-8
             remedy = "a compressed one has a name such as x.csv.gz, or --format csv.gz"
             raise BadTable(f"the table is not UTF-8; save it as UTF-8; {remedy}")
@@ -367,8 +439,8 @@ class Delimited:
         """Return whole records, taken apart."""
         records = self._cut(text, table.places) or self._read(text, table.places)
         if self.has_decimal_commas:
-            return _with_decimal_points(records)
-        return _without_unclear(records) if self.is_open and b"." in text else records
+            return with_decimal_points(records)
+        return without_unclear(records) if self.is_open and b"." in text else records
 
     def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
         """Cut lines without quotes that have the right width at their separators; None if there are others."""
@@ -393,7 +465,7 @@ class Delimited:
         width = len(self.names)
         before: list[bytes] = []
         rows: list[list[str]] = []
-        odd: dict[int, str] = {}
+        odd: dict[int, JkrollError] = {}
         starts: list[int] = []
         lines = as_lines(text)
         for start, stop, row, problem in self.records(lines):
@@ -401,27 +473,29 @@ class Delimited:
             if not line.strip(self.blanks):
                 continue
             if len(row) != width:
-                size, noun = "short" if len(row) < width else "long", "cell" if len(row) == 1 else "cells"
-                odd[len(rows)] = problem or f"row is {size}: {len(row)} {noun} for {width}"
+                odd[len(rows)] = BadRequest(problem) if problem else self._of_size(len(row), line)
                 padded = (row or [line]) + [""] * (width - max(len(row), 1))
                 rest = self.separator.join(padded[width - 1 :])  # with what is too much
                 cells = [*padded[: width - 1], rest]
                 line = self._line(cells)
             starts.append(start)
-            before.append(self._safe(cells, line).encode(_BYTES))
+            before.append(self._safe(cells, line).encode(BYTES))
             rows.append(cells)
-        columns = {name: [row[place].encode(_BYTES) for row in rows] for name, place in places.items()}
+        columns = {name: [row[place].encode(BYTES) for row in rows] for name, place in places.items()}
         return Records(before, columns, odd, starts, len(lines))
+
+    def _of_size(self, size: int, line: str) -> BadRequest:
+        """Return the error of a line that has more or fewer cells than the header."""
+        width = len(self.names)
+        text = quoted(text_of(line).replace("\t", " ").strip())
+        remedy = remedy_of_size(size, width, self.word)
+        phrase = f"row is {'short' if size < width else 'long'}: {in_cells(size)} for {width}"
+        return BadRequest(f"{text} has {in_cells(size)}, and the header {width}: {remedy}", phrase)
 
 
 def as_lines(text: bytes) -> list[str]:
     """Return the lines of a text with their ends, a character for each byte."""
-    return io.StringIO(text.decode(_BYTES), newline="\n").readlines()
-
-
-def _text(cell: str) -> str:
-    """Return a cell with a character for each byte as text."""
-    return cell.encode(_BYTES).decode("utf-8", "replace")
+    return io.StringIO(text.decode(BYTES), newline="\n").readlines()
 
 
 def _problem(error: str) -> str:
@@ -434,165 +508,3 @@ def _problem(error: str) -> str:
 def _is_formula(cell: str) -> bool:
     """Return whether a spreadsheet may take a cell of text for a formula."""
     return cell.lstrip(" ").startswith(_BEGIN_FORMULAS) and not _NUMBER.fullmatch(cell.strip(" "))
-
-
-def tabbed(block: bytes) -> bytes:
-    """Return a block with tabs in place of blanks. Raises BadTable for quotes, as blanks would divide a cell."""
-    if b'"' in block:
-        raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
-    lines = _MARK.sub(rb"\1", block).split(b"\n")
-    return b"\n".join(b"\t".join(line.split()) for line in lines)
-
-
-# --- Decimal commas ---------------------------------------------------------------------------------------------------
-
-_NUMERIC = re.compile(r"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
-_MARKED = re.compile(r"([\d.,]*)([.,])(\d+(?:[eE][-+]?\d+)?)")  # a number with a point or a comma
-_UNCLEAR = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # a number whose mark may be of thousands
-_POINT = re.compile(rb"\.[\d.,]*\d")  # of a number
-_OF_THOUSANDS = re.compile(rb"(?<![\d.,])[1-9]\d{0,2}\.\d{3}(?![\d.,eE])")
-_WITH_COMMA = re.compile(r"[-+]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+")
-_WITH_POINT = re.compile(r"[-+]?\d*\.\d+")
-
-
-def decimal_mark(columns: Iterable[Iterable[str]], separator: str, *, points_may_group: bool = False) -> str:
-    """Return the decimal mark of the numbers of columns; "" if none of them decides.
-
-    A mark that stands in a number more than once is of thousands or of a list, and decides nothing. `points_may_group`:
-    whether a point may be of thousands where nothing decides. Raises BadTable for a number that has such a mark.
-
-    >>> decimal_mark([["0,125", "1.234,5", "1,234,567", "1,200", "1,2,3"]], ";")
-    ','
-    """
-    marks, unclear = Counter[str](), list[str]()
-    for cells in columns:
-        for whole, mark, fraction in _MARKED.findall(";".join(filter(_NUMERIC.match, cells))):
-            if _UNCLEAR.fullmatch(whole + mark + fraction):
-                unclear.append(whole + mark + fraction)
-            elif mark not in whole:
-                marks[mark] += 1
-    if marks[","] != marks["."]:
-        return max(marks, key=marks.__getitem__)
-    for number in unclear:
-        if points_may_group or ("," in number and separator != ","):
-            raise BadTable(_two_readings(number))
-    return ""
-
-
-def _have_decimal_commas(cells: Iterable[str]) -> bool:
-    """Return whether any cell is a number with a decimal comma, and none is one with a decimal point."""
-    numbers = [cell.strip() for cell in cells]
-    return any(map(_WITH_COMMA.fullmatch, numbers)) and not any(map(_WITH_POINT.fullmatch, numbers))
-
-
-def _two_readings(number: str) -> str:
-    """Return what is wrong with a number whose mark may be of thousands."""
-    digits = number.replace(",", "").replace(".", "")
-    return f"{quoted(number)} may be {number.replace(',', '.')} or {digits}: write {number}0 or {digits}"
-
-
-def _without_unclear(records: Records) -> Records:
-    """Return records of a table whose decimal mark is open. A point that may be of thousands spoils its row."""
-    odd = dict(records.odd)
-    for column in [column for name, column in records.cells.items() if not is_of_text(name)]:
-        for row, cell in enumerate(column) if b"." in b"".join(column) else ():
-            if number := _OF_THOUSANDS.search(cell):
-                odd.setdefault(row, _two_readings(number[0].decode()))
-    return records._replace(odd=odd)
-
-
-def _with_decimal_points(records: Records) -> Records:
-    """Return records with decimal points in place of commas. A number with a point spoils its row."""
-    cells = {name: column for name, column in records.cells.items() if not is_of_text(name)}
-    odd = dict(records.odd)
-    for column in cells.values():
-        for row in [row for row, cell in enumerate(column) if _POINT.search(cell)]:
-            text = quoted(column[row].decode("utf-8", "replace"))
-            odd.setdefault(row, f"{text} has a point: this table has decimal commas, and no marks of thousands")
-    points = {name: [cell.replace(b",", b".") for cell in column] for name, column in cells.items()}
-    return records._replace(cells={**records.cells, **points}, odd=odd)
-
-
-# --- NDJSON -----------------------------------------------------------------------------------------------------------
-
-Object = dict[str, Any]
-
-
-class Ndjson:
-    """A table whose lines are JSON objects; the names in the first of them are the columns."""
-
-    preamble = lines = 0  # there is no header
-    header = b""
-    writer = Objects()
-
-    def cut(self, text: bytes) -> int:
-        """Return the number of bytes of whole lines."""
-        return text.rfind(b"\n") + 1
-
-    def begin(self, block: bytes, is_read: Callable[[str], bool] = bool) -> int:  # noqa: ARG002
-        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable."""
-        lines = [line for line in block.split(b"\n")[:SAMPLE] if line.strip()]
-        if not lines:
-            raise BadTable("the table is empty")
-        first = _object(lines[0])
-        if not first:
-            raise BadTable("the first line is not a JSON object with members")
-        if name := _twice(lines[0], first):
-            raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
-        self.names = tuple(first)
-        objects = [*filter(None, map(_object, lines))]
-        self.sample = [[cell_of(row.get(name)) for name in first] for row in objects]
-        return 0
-
-    def read(self, text: bytes, table: Table) -> Records:
-        """Return whole lines, taken apart."""
-        every = text.split(b"\n")
-        starts = [place for place, line in enumerate(every) if line.strip()]
-        lines = [every[place] for place in starts]
-        objects = [*map(_object, lines)]
-        problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
-        odd = {row: problem for row, problem in enumerate(problems) if problem}
-        rows = [members or {} for members in objects]
-        cells = {name: cells_of([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
-        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
-
-    def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
-        """Return why a line is no row; an empty text if it is one.
-
-        It is none without an object, with a member twice, or with an input or result that the first line lacks.
-        """
-        if members is None:
-            return "is not a JSON object"
-        if name := _twice(line, members):
-            return f"has {quoted(name)} twice"
-        asked = table.asked
-        for name in members.keys() - self.names:
-            cells = [cell_of(members[name])]
-            if name in table.added or meaning_of(name, cells, asked.stated, asked.measured).name:
-                return f"has {quoted(name)}, which the first line does not have"
-        return ""
-
-
-def _beginning(line: bytes, members: Object | None) -> bytes:
-    """Return the object of a line without its end; one that holds the line as a text where it is no object."""
-    if members is None:
-        return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
-    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
-
-
-def _object(line: bytes) -> Object | None:
-    """Return the object that a line holds by itself, or None."""
-    with suppress(orjson.JSONDecodeError):
-        value = orjson.loads(line)
-        return value if isinstance(value, dict) else None
-    return None
-
-
-def _twice(line: bytes, members: Object) -> str:
-    """Return the name of a member that stands twice in the object of a line; orjson keeps the last one."""
-    if line.count(b":") == len(members):  # each has a colon
-        return ""
-    with suppress(RecursionError):
-        counts = Counter(name for name, _ in json.loads(line, object_pairs_hook=list))
-        return next((name for name, count in counts.items() if count > 1), "")
-    return ""

@@ -64,11 +64,10 @@ class Header(NamedTuple):
         """The places of the columns that are read."""
         return {name: place for column in (*self.inputs, *self.materials) for name, place in column.places.items()}
 
-    def reading(self, preamble: int = 0) -> str:
-        """Return the sentence that says how the table is read. `preamble`: lines above it that are passed over."""
+    def reading(self, *remarks: str) -> str:
+        """Return the sentence that says how the table is read. `remarks`: on what stands around the columns."""
         sentence = f"read: {', '.join(map(self._from, (*self.materials, *self.inputs))) or 'no input'}"
-        if preamble:
-            sentence += f"; lines passed over before the header: {preamble}"
+        sentence = "; ".join([sentence, *remarks])
         used = {*self.places.values()}
         others = {place: text for place, text in enumerate(self.texts) if place not in used and text.strip()}
         passed = [_easy(text) + self._clause(place) for place, text in others.items()]

@@ -13,8 +13,9 @@ from ..output.writers import divided, length
 from ..quantities.nomenclature import NOMENCLATURE
 from ..text import quoted, shown
 from .cells import cell_of, cells_of
-from .files import SAMPLE, Input
-from .table import Records, Table
+from .files import Input
+from .layouts import SAMPLE
+from .table import Asked, Records, Table
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, about
@@ -74,13 +75,13 @@ class Batches:
 # --- A file as blocks -------------------------------------------------------------------------------------------------
 
 
-def batches_of(given: Input, target: str, is_read: Callable[[str], bool]) -> tuple["Arrow", Iterator[Any]]:
-    """Return the table in a Parquet file, and its batches. `is_read`: tells of a header whether its column is read."""
+def batches_of(given: Input, target: str, asked: Asked) -> tuple["Arrow", Iterator[Any]]:
+    """Return the table in a Parquet file, and its batches."""
     if "-" in (given.path, target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
     with _readable(given.path):
         file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-        table = Arrow(file, is_read)
+        table = Arrow(file, asked)
     given.rows = file.metadata.num_rows
 
     def batches() -> Iterator[Any]:
@@ -103,15 +104,21 @@ def _readable(path: str) -> Iterator[None]:
 class Arrow:
     """A table of columns that have types."""
 
-    preamble = lines = 0  # its names stand in no line
+    lines, remarks = 0, ()  # its names stand in no line
 
-    def __init__(self, file: Any, is_read: Callable[[str], bool]) -> None:
+    def __init__(self, file: Any, asked: Asked) -> None:
         """Read the header, and the cells of the first rows that may be read."""
         self.header, self.writer = file.schema_arrow, Batches()
         self.names = tuple(self.header.names)
-        first = next(file.iter_batches(SAMPLE, columns=[*filter(is_read, self.names)], use_threads=False), None)
+        self.stated = asked.stated
+        columns = [*filter(asked.is_read, self.names)]
+        first = next(file.iter_batches(SAMPLE, columns=columns, use_threads=False), None)
         rows = first.to_pylist() if first is not None else []
         self.sample = [[cell_of(row.get(name)) for name in self.names] for row in rows]
+
+    def head(self, added: Sequence[str]) -> Any:
+        """Return the batch without rows, of these columns and those that are added."""
+        return self.writer.header(added, [self.header])
 
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""

@@ -24,8 +24,9 @@ from ..output.writers import WRITERS, remove_begun, result_columns, whole_file, 
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, computed_as
 from ..text import quoted, say, say_wrapped, shown
-from .files import Delimited, Input, Ndjson, compressed, format_of_name, input_format, output_format, table_of_lines
+from .files import Delimited, Input, compressed, format_of_name, input_format, output_format, table_of_lines
 from .header import check_inputs, understood
+from .ndjson import Ndjson
 from .table import Asked, Table, TableBlock
 
 MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
@@ -184,14 +185,14 @@ def convert_one(path: str, job: Job) -> Tally:
         if given.kind == "parquet":
             with missing_extra("parquet"):
                 from .parquet import batches_of
-            form, blocks = batches_of(file, job.target, asked.is_read)
+            form, blocks = batches_of(file, job.target, asked)
         else:
-            form, blocks = table_of_lines(file, given, asked.is_read, excel_safe=job.excel_safe)
+            form, blocks = table_of_lines(file, given, asked, excel_safe=job.excel_safe)
         header = understood(
-            form.names, form.sample, asked.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
+            form.names, form.sample, form.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
         )
         check_inputs(header, asked.measured)
-        reading = header.reading(form.preamble)
+        reading = header.reading(*form.remarks)
         job.say([reading])  # at once: an input is missing where a column is not understood
         table = Table(header, form.sample, asked)
         about = [*_about(table)]
@@ -204,7 +205,7 @@ def convert_one(path: str, job: Job) -> Tally:
 def _convert(file: Input, blocks: Iterator[Any], convert: Converter, output: BinaryIO, job: Job) -> Tally:
     """Write a table; return the counts of all of it."""
     form, tally = convert.form, Tally()
-    header = compressed(form.writer.header(convert.table.added, [form.header]), convert.compression)
+    header = compressed(form.head(convert.table.added), convert.compression)
     line = form.lines
     converted = _converted(blocks, convert, job.processes)
     if sys.stderr.isatty() and not job.quiet:

@@ -223,7 +223,7 @@ class Records(NamedTuple):
 
     before: Any  # what stands before the results of each row
     cells: Mapping[str, Sequence[bytes]]  # by the name of the column
-    odd: Mapping[int, str] = MappingProxyType({})  # records that are no rows, and why
+    odd: Mapping[int, JkrollError] = MappingProxyType({})  # records that are no rows, and why
     starts: Sequence[int] = ()  # the line in the block at which each begins
     size: int = 0  # lines in the block
 
@@ -267,7 +267,7 @@ class TableBlock:
     def scene_of(self, row: int) -> Any:
         """Return the scene of a row by itself. Raises BadRequest, the error of a cell, or one of the scene."""
         if row in self.odd:
-            raise BadRequest(self.odd[row])
+            raise self.odd[row]
         if row in self.statistics:
             label = self.statistics[row]
             text = quoted(self.cells[label][row].decode(errors="replace").strip())

@@ -1,0 +1,108 @@
+"""NDJSON: lines that are JSON objects, as records of a table."""
+
+import json
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from types import MappingProxyType
+from typing import Any
+
+import orjson
+
+from ..errors import BadRequest, BadTable
+from ..output.writers import Objects
+from ..text import quoted
+from .cells import cell_of, cells_of
+from .header import meaning_of
+from .layouts import SAMPLE
+from .table import Records, Table
+
+Object = dict[str, Any]
+
+
+class Ndjson:
+    """A table whose lines are JSON objects; the names in the first of them are the columns."""
+
+    lines = 0  # there is no header
+    header, remarks = b"", ()
+    writer = Objects()
+
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole lines."""
+        return text.rfind(b"\n") + 1
+
+    def begin(self, block: bytes, stated: Mapping[str, str] = MappingProxyType({}), measured: str = "") -> int:  # noqa: ARG002
+        """Read the names in the first object, and the values of the first objects; return 0. Raises BadTable.
+
+        `stated`: see `meaning_of`.
+        """
+        self.stated = stated
+        lines = [line for line in block.split(b"\n")[:SAMPLE] if line.strip()]
+        if not lines:
+            raise BadTable("the table is empty")
+        first = _object(lines[0])
+        if not first:
+            raise BadTable("the first line is not a JSON object with members")
+        if name := _twice(lines[0], first):
+            raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
+        self.names = tuple(first)
+        objects = [*filter(None, map(_object, lines))]
+        self.sample = [[cell_of(row.get(name)) for name in first] for row in objects]
+        return 0
+
+    def head(self, added: Sequence[str]) -> bytes:
+        """Return what stands above the rows: nothing."""
+        return self.writer.header(added, [self.header])
+
+    def read(self, text: bytes, table: Table) -> Records:
+        """Return whole lines, taken apart."""
+        every = text.split(b"\n")
+        starts = [place for place, line in enumerate(every) if line.strip()]
+        lines = [every[place] for place in starts]
+        objects = [*map(_object, lines)]
+        problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
+        odd = {row: BadRequest(problem) for row, problem in enumerate(problems) if problem}
+        rows = [members or {} for members in objects]
+        cells = {name: cells_of([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
+        return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
+
+    def _problem(self, line: bytes, members: Object | None, table: Table) -> str:
+        """Return why a line is no row; an empty text if it is one.
+
+        It is none without an object, with a member twice, or with an input or result that the first line lacks.
+        """
+        if members is None:
+            return "is not a JSON object"
+        if name := _twice(line, members):
+            return f"has {quoted(name)} twice"
+        asked = table.asked
+        for name in members.keys() - self.names:
+            cells = [cell_of(members[name])]
+            if name in table.added or meaning_of(name, cells, asked.stated, asked.measured).name:
+                return f"has {quoted(name)}, which the first line does not have"
+        return ""
+
+
+def _beginning(line: bytes, members: Object | None) -> bytes:
+    """Return the object of a line without its end; one that holds the line as a text where it is no object."""
+    if members is None:
+        return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
+    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(members)
+
+
+def _object(line: bytes) -> Object | None:
+    """Return the object that a line holds by itself, or None."""
+    with suppress(orjson.JSONDecodeError):
+        value = orjson.loads(line)
+        return value if isinstance(value, dict) else None
+    return None
+
+
+def _twice(line: bytes, members: Object) -> str:
+    """Return the name of a member that stands twice in the object of a line; orjson keeps the last one."""
+    if line.count(b":") == len(members):  # each has a colon
+        return ""
+    with suppress(RecursionError):
+        counts = Counter(name for name, _ in json.loads(line, object_pairs_hook=list))
+        return next((name for name, count in counts.items() if count > 1), "")
+    return ""
