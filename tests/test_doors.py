@@ -526,6 +526,8 @@ def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequen
             reason = reason_of(key, error) if isinstance(error, MissingInput | NoResult) else None
             if reason != entry.get("reason"):
                 yield f"{key}: {reason} and {entry.get('reason')}"
+            if (error and error.code) != entry.get("reason_code"):
+                yield f"{key}: the code of {reason} and {entry.get('reason_code')}"
     in_words = {verdict["code"] for verdict in found["validity"] if not verdict["holds"] and verdict["code"]}
     if in_words != {*codes(floats.doubts[row] & ~NOT_JUDGED).split()}:
         yield f"doubts {codes(floats.doubts[row])} and {in_words}"

@@ -14,6 +14,11 @@ class JkrollError(Exception):
     exit_code = 2
     phrase = ""  # of a row's status, the same for all errors of a kind; the message where it is empty
 
+    @property
+    def code(self) -> str:
+        """The phrase as a code for programs."""
+        return code_of(self.phrase)
+
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the attributes: `args` may be others than those of `__init__`, by which exceptions are pickled."""
         return _unpickled, (type(self), self.args, vars(self))
@@ -24,6 +29,15 @@ def _unpickled(kind: type[JkrollError], arguments: tuple[Any, ...], attributes: 
     error = kind.__new__(kind, *arguments)
     vars(error).update(attributes)
     return error
+
+
+def code_of(phrase: str) -> str:
+    """Return a phrase as a code.
+
+    >>> code_of("beyond pull-off")
+    'beyond-pull-off'
+    """
+    return phrase.casefold().replace(" ", "-").replace("_", "-")
 
 
 class MissingExtra(JkrollError):

@@ -2,12 +2,17 @@
 
 import json
 import math
+import re
 from typing import Any
 
 import pytest
 
 import jkroll
 from harness import Run
+from jkroll.errors import code_of
+from jkroll.model import reasons, unsolved
+from jkroll.model.limits import ENDS
+from jkroll.output.manual import page
 
 SCENES: list[tuple[str, str | list[str], dict[str, Any]]] = [
     ("pull-off quartz 100nm", "pull-off", {"material": "quartz", "radius": 1e-7}),
@@ -77,3 +82,50 @@ def test_what_has_no_answer_is_an_error() -> None:
         jkroll.answer("pull-off", material="quartz", radius=[1e-7, 2e-7])
     with pytest.raises(jkroll.JkrollError, match="pull-of"):
         jkroll.answer("pull-of", material="quartz", radius=1e-7)
+
+
+# --- The codes of reasons ---------------------------------------------------------------------------------------------
+
+
+KINDS = [kind for kind in (*vars(reasons).values(), *ENDS.values()) if isinstance(kind, reasons.Kind)]
+UNSOLVED = unsolved.Unsolved.__subclasses__()
+
+
+def test_kinds_of_reasons_have_codes_of_their_own() -> None:
+    """Two kinds of one phrase say the same, one of them with more words."""
+    phrases = {(kind.phrase or kind.words): kind.code for kind in KINDS} | {
+        kind.phrase: code_of(kind.phrase) for kind in UNSOLVED
+    }
+    assert len({*phrases.values()}) == len(phrases)
+    assert all(re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", code) for code in phrases.values())
+    manual = page("tables")
+    assert {code for code in phrases.values() if f"`{code}`" not in manual} == {*ENDS, reasons.HIDDEN.code}
+
+
+@pytest.mark.parametrize(
+    ("words", "name", "code"),
+    [
+        ("contact quartz 100nm --load -50nN", "contact_radius_at_load", "beyond-pull-off"),
+        ("contact gold 100nm", "contact_radius", "missing-input"),
+        ("contact quartz 100nm --model dmt", "well_energy", "not-in-law"),
+        ("contact quartz 100nm --model maugis", "sticking_energy", "needs-atomic-spacing"),
+        ("contact 10um --gamma 50mJ/m2 --young 10kPa --poisson 0.49", "stiffness", "contact-exceeds-sphere"),
+        ("report quartz 100nm --radius2 plane --quantities mass2,P_c", "mass2", "infinite"),
+        ("infer gamma quartz 100nm --measured load=1nN", "surface_energy", "no-dependence"),
+        ("infer gamma 100nm --measured contact_radius=1nm", "surface_energy", "missing-input"),
+        ("infer xi quartz 100nm --measured n_roll=-1", "yield_displacement", "no-value-gives-it"),
+    ],
+)
+def test_a_result_without_a_value_has_the_code_of_its_reason(run: Run, words: str, name: str, code: str) -> None:
+    several = words.replace("100nm", "100nm,200nm").replace("10um", "10um,20um")  # whose rows fail one by one
+    for answer in json.loads(run(f"{several} --json").out):
+        (result,) = [result for result in answer["results"] if result["name"] == name]
+        assert (result["value"], result["reason_code"]) == (None, code)
+        assert result["reason"]
+
+
+def test_a_code_is_there_in_python_and_with_a_reason_alone() -> None:
+    found = jkroll.answer("contact", material="quartz", radius=1e-7, model="dmt")
+    assert (found["well_energy"].code, found["contact_radius"].code) == ("not-in-law", "")
+    for result in found.as_dict()["results"]:
+        assert ("reason" in result) == ("reason_code" in result) == (result["value"] is None)

@@ -81,8 +81,8 @@ _ALIKE = 0.2  # relative difference of radii that needs no scaling
 class Result:
     """A quantity in SI units, or the reason why it has no value; a text of it is rounded, as on a terminal.
 
-    `error` is the relative error of a model of the moment, `growth` the largest factor by which relative errors of
-    measured values enter an inferred one.
+    `code` is that of the reason, `error` the relative error of a model of the moment, `growth` the largest factor by
+    which relative errors of measured values enter an inferred one.
     """
 
     def __init__(
@@ -90,6 +90,7 @@ class Result:
         name: str,
         value: float | None,
         reason: str = "",
+        code: str = "",  # of the reason
         error: float | None = None,
         growth: float | None = None,
         by_law: Mapping[str, float] = MappingProxyType({}),  # of an inferred value: what it is under the other laws
@@ -97,8 +98,8 @@ class Result:
         law: str = "",  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
         of_law: str = "",  # the equation of the paper by which it does, or its source
     ) -> None:
-        self.name, self.value, self.reason, self.error, self.growth = name, value, reason, error, growth
-        self.by_law, self.bar, self.law = by_law, bar, law
+        self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
+        self.growth, self.by_law, self.bar, self.law = growth, by_law, bar, law
         self.equation = of_law if law else NOMENCLATURE[name].equation
 
     def __repr__(self) -> str:
@@ -126,6 +127,11 @@ class Result:
     def measure(self) -> float | Uncertain | None:
         """The value, with its error bar if it has one."""
         return self.value if self.uncertain is None else self.uncertain
+
+
+def without_value(name: str, error: JkrollError, law: str = "") -> Result:
+    """Return a result without a value, for the reason that an error gives."""
+    return Result(name, None, reason_of(name, error), error.code, law=law)
 
 
 def equation_of(scene: Scene, name: str) -> str:
@@ -225,7 +231,7 @@ class Answer(Results):
         """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
         law = "" if self.scene.law.is_default else self.scene.law.name
         if name in self.reasons:
-            return Result(name, None, reason_of(name, self.reasons[name]), law=law)
+            return without_value(name, self.reasons[name], law)
         of_law = equation_of(self.scene, name) if law and has_other_formulas(self.scene, name) else ""
         error, bar = model_error(name, self.scene), self.bar(name)
         return Result(name, self.values[name], error=error, bar=bar, law=law if of_law else "", of_law=of_law)

@@ -10,7 +10,7 @@ from typing import Any
 from ..model.infer import Found
 from ..model.inverse import Problem
 from ..model.limits import LAW, Doubt
-from ..model.reasons import MissingInput, reason_of
+from ..model.reasons import MissingInput
 from ..model.results import Results
 from ..model.uncertainty import error_bars
 from ..model.unsolved import SIZES, equal, sizes_in_words
@@ -19,7 +19,7 @@ from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import middle
 from ..text import listed
-from .answer import Answer, Result
+from .answer import Answer, Result, without_value
 from .notes import Note
 from .questions import Question
 
@@ -55,9 +55,9 @@ class Inferred(Answer):
     def results(self) -> tuple[Result, ...]:
         """The values of the unknowns, with their uncertainties."""
         if self.failure is not None:
-            return tuple(Result(name, None, reason_of(name, self.failure)) for name in self.problem.unknowns)
+            return tuple(without_value(name, self.failure) for name in self.problem.unknowns)
         if errors := self.unknowns.errors():  # without a meaning
-            return tuple(Result(name, None, reason_of(name, error)) for name, error in errors.items())
+            return tuple(without_value(name, error) for name, error in errors.items())
         solution, results = self.problem.solution, []
         for name, value in solution.values.items():
             by_law = {law: middle(values[name]) for law, values in self.alternatives.items()}

@@ -300,7 +300,7 @@ NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())
 # The explanations of codes that end the meaning of results, which are the reasons of these, and of what is not judged.
 MEANINGS = {code: limit.consequence.partition(";")[0] for limit in ENDING for code in limit.codes.values()}
-ENDS = {code: register(EndOfMeaning(words, words)) for code, words in MEANINGS.items()}
+ENDS = {code: register(EndOfMeaning(words, words, code=code)) for code, words in MEANINGS.items()}
 MEANINGS[UNCHECKED] = "a limit needs an input that is not given"
 # What no limit ends: the numbers by which limits are judged, unless a limit is that of a result, and w, of the solids.
 NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.difference(

@@ -11,7 +11,7 @@ from functools import cache
 from operator import ge, gt, le
 from typing import Any
 
-from ..errors import JkrollError, NoResult
+from ..errors import JkrollError, NoResult, code_of
 from ..physics import FORMULAS
 from ..physics.contact import pull_off_force_dmt
 from ..physics.elementary import where
@@ -34,6 +34,11 @@ class MissingInput(JkrollError):
         super().__init__(wanted, tuple(missing), lacking)
         self.wanted, self.missing, self.lacking = wanted, tuple(missing), lacking
         self.phrase = needs_in_words(self.missing)
+
+    @property
+    def code(self) -> str:
+        """The code of the reason, whatever is missing."""
+        return MISSING.code
 
     def __str__(self) -> str:
         lacks_itself = self.wanted in self.missing
@@ -63,6 +68,11 @@ class NotInLaw(MissingInput):
         super().__init__(wanted, ())
         self.args = wanted, tuple(absent), law
         self.absent, self.law, self.phrase = tuple(absent), law, f"not in {law}"
+
+    @property
+    def code(self) -> str:
+        """The code of the reason, whatever the law is."""
+        return NOT_IN_LAW.code
 
     def __str__(self) -> str:
         return f"{self.wanted}: {self.reason()}"
@@ -94,8 +104,10 @@ class Kind:
         name: str = "",  # the quantity whose value rules a result out
         # Whether this is beyond a limit: for a load and an approach also at it, where rounding may have put it.
         is_beyond: Callable[[Any, Any], Any] = le,
+        code: str = "",  # in JSON; by default the phrase with hyphens
     ) -> None:
         self.phrase, self.words, self.name, self.is_beyond = phrase, words, name, is_beyond
+        self.code = code or code_of(phrase)
         self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the scene is to be trusted
 
     def __eq__(self, other: object) -> bool:
@@ -109,9 +121,9 @@ class EndOfMeaning(Kind):
     """The kind of a reason why a number has no meaning; bare output and `jkroll.solve` give it."""
 
 
-MISSING = Kind("", "an input is missing, which the plan names")
-NOT_IN_LAW = Kind("", "the law does not have the quantity, as its plan says")
-HIDDEN = Kind("", "a quantity of identical spheres, not asked for by name")
+MISSING = Kind("", "an input is missing, which the plan names", code="missing-input")
+NOT_IN_LAW = Kind("", "the law does not have the quantity, as its plan says", code="not-in-law")
+HIDDEN = Kind("", "a quantity of identical spheres, not asked for by name", code="hidden")
 BEYOND_PULL_OFF = Kind("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
 HELD_BY_MAUGIS = Kind(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load")
 BEYOND_FOLD = Kind(
@@ -147,10 +159,11 @@ STICKS_ALWAYS = Kind(
 NO_POISSON_RATIO = Kind(
     "Poisson's ratio not positive",
     "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign",
+    code="poisson-ratio-not-positive",
 )
 NO_DOUBLE = Kind("no finite value", "no value that a double can hold")
 INFINITE = Kind("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
-NO_STIFFNESS = Kind("", "infinite where fixed grips let go")
+NO_STIFFNESS = Kind("", "infinite where fixed grips let go", code="infinite-at-fold")
 
 
 # In the numbers of reasons, of which 0 is none.
@@ -187,6 +200,11 @@ class Failure(NoResult):
         """`name`: the quantity that has no value, unless its kind has one; `numbers`: a value and its limits."""
         super().__init__(kind, name, tuple(numbers))
         self.kind, self.name, self.numbers, self.phrase = kind, kind.name or name, tuple(numbers), kind.phrase
+
+    @property
+    def code(self) -> str:
+        """The code of its kind."""
+        return self.kind.code
 
     def reason(self) -> str:
         """Return the words of its kind, with its numbers: with more digits where a value and its limit look the same.

@@ -113,6 +113,7 @@ def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, An
         "condition" if answer.condition is None else "growth": result.growth,
         "by_law": {law: form.number(result.name, value) for law, value in result.by_law.items()},
         "reason": result.reason,
+        "reason_code": result.code,
         "relative_error": result.error,
     }
     return entry | {key: value for key, value in further.items() if value not in (None, "", {})}
