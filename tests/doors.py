@@ -23,9 +23,10 @@ from jkroll.cli.process import read
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
 from jkroll.model.alternatives import at_least_measured, at_most_measured
-from jkroll.model.frame import LEAST, Scene
+from jkroll.model.frame import Scene
 from jkroll.model.infer import Problems
 from jkroll.model.limits import LIMITS, NOT_JUDGED, Limit
+from jkroll.model.ranges import LEAST
 from jkroll.model.reasons import Failure, NoErrorBar
 from jkroll.model.rows import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
 from jkroll.model.sweep import Sweep

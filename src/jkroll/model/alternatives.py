@@ -13,8 +13,9 @@ from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, ends_of
 from .column import Column, first_of
-from .frame import DEFAULTS, IN_ITS_PLACE, LEAST, Scene, takes
+from .frame import DEFAULTS, IN_ITS_PLACE, Scene
 from .plan import depends_on, plan_for
+from .ranges import LEAST, takes
 from .reasons import HIDDEN, reason
 from .uncertainty import ErrorBar, error_bars, sources_of_results
 

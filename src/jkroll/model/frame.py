@@ -9,7 +9,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from functools import cached_property, reduce
 from itertools import product
-from math import isfinite, nan
+from math import nan
 from operator import and_
 from types import MappingProxyType
 from typing import Any
@@ -25,16 +25,15 @@ from ..quantities.nomenclature import (
     NOMENCLATURE,
     PROPERTIES,
     STATE,
-    UP_TO_INFINITE,
     XI,
-    UnknownQuantity,
     of_sphere,
 )
-from ..quantities.values import Interval, QuantityError, Uncertain, is_uncertain, middle
+from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
 from .column import Column, at_row, first_of
 from .conversions import converted, lacked
-from .plan import OF_A_SOLID, Plan, depends_on, formula_of, in_order, plan_for
+from .plan import OF_A_SOLID, Plan, depends_on, in_order, plan_for
+from .ranges import OF_A_PLANE, SMALLEST, check_range, is_answer
 from .reasons import (
     HIDDEN,
     INFINITE,
@@ -52,57 +51,6 @@ from .reasons import (
     reason_for,
 )
 
-# --- Numbers that a scene takes ---------------------------------------------------------------------------------------
-
-LEAST, MOST = 1e-30, 1e30  # of the size of an input in SI units; one that may be 0 may be smaller
-
-
-def check_range(name: str, value: Any) -> None:
-    """Raise QuantityError for a number, or an array with an element, that a quantity cannot have."""
-    if name not in NOMENCLATURE:
-        raise UnknownQuantity(name)
-    place: tuple[int, ...] = ()
-    if not isinstance(value, NUMBER):
-        if value.size and all(abs(end) <= MOST and takes(name, end) for end in (value.min(), value.max())):
-            return  # as nearly always: a range takes all between two of its values
-        are_refused = ~takes(name, value)
-        if not are_refused.any():
-            return
-        place = tuple(places[0].item() for places in are_refused.nonzero())
-        value = value[place].item()
-    if not takes(name, value):
-        limits = NOMENCLATURE[name].range
-        words = "must lie between 1e-30 and 1e30 in SI units" if limits.admits(value) else limits.words
-        raise QuantityError(name, value, words if isfinite(value) else "must be finite", place=place)
-
-
-def takes(name: str, value: Any) -> Any:
-    """Return whether a scene takes a number, or each element of an array, as the value of a quantity."""
-    limits, size = NOMENCLATURE[name].range, abs(value)
-    if isinstance(value, NUMBER) and LEAST <= size <= MOST:  # as nearly always
-        return limits.admits(value)
-    is_large_enough = (size >= LEAST) | limits.admits(0.0)
-    is_small_enough = (size <= MOST) | (value == INFINITY)
-    return limits.admits(value) & is_large_enough & is_small_enough
-
-
-# --- Numbers that a scene gives ---------------------------------------------------------------------------------------
-
-SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
-# The quantities of sphere 2 that are infinite for a plane, such as its mass.
-_OF_A_PLANE = [
-    name for name, quantity in NOMENCLATURE.items()
-    if quantity.range is UP_TO_INFINITE and quantity.sphere == 2 and formula_of(name) is not None
-]  # fmt: skip
-
-
-def is_answer(name: str, value: Any) -> Any:
-    """Return whether doubles are results with all digits, or a zero or an infinity that the physics has."""
-    size = abs(value)
-    is_zero = (value == 0) & NOMENCLATURE[name].may_be_zero
-    return (size >= SMALLEST) & ((size < INFINITY) | (name in _OF_A_PLANE)) | is_zero
-
-
 # --- Scenes -----------------------------------------------------------------------------------------------------------
 
 IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # what says where rolling begins
@@ -117,7 +65,7 @@ DEFAULTS = {
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
     "diameter2": (INFINITY, {}),  # converted to a radius
-    "radius2": (INFINITY, {"radius_ratio": 0.0, "rayleigh_frequency2": 0.0, **dict.fromkeys(_OF_A_PLANE, INFINITY)}),
+    "radius2": (INFINITY, {"radius_ratio": 0.0, "rayleigh_frequency2": 0.0, **dict.fromkeys(OF_A_PLANE, INFINITY)}),
     "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, it does not matter
     "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
     "load": (0.0, {"load_margin": 1.0}),
@@ -456,7 +404,7 @@ class Scene:
         concern = {name: name in named or self.shows(name) for name in names}
         shown = {}
         for name, column in self.columns(name for name, is_shown in concern.items() if is_shown is not False).items():
-            is_infinite = name in _OF_A_PLANE and abs(column.values) == INFINITY
+            is_infinite = name in OF_A_PLANE and abs(column.values) == INFINITY
             shown[name] = column.without(is_infinite, reason(INFINITE, name)).hidden(concern[name])
         return shown
 

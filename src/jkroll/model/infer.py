@@ -13,10 +13,11 @@ from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
 from .column import Column
 from .containers import Reader
-from .frame import Scene, check_range
+from .frame import Scene
 from .inverse import Problem
 from .limits import Doubt
 from .plan import in_order
+from .ranges import check_range
 from .reasons import MissingInput
 from .results import Results
 from .rows import Wanted, sides_in

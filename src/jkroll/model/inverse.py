@@ -18,8 +18,9 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.values import Uncertain, is_uncertain, middle
 from ..text import listed
 from .column import Column, at_row
-from .frame import LEAST, MOST, Scene, broadcast, check_exclusive
+from .frame import Scene, broadcast, check_exclusive
 from .plan import formula_of
+from .ranges import LEAST, MOST
 from .reasons import Failure, MissingInput, kind_and_step
 from .uncertainty import Source, Sources, sources_of
 from .unsolved import (

@@ -19,8 +19,9 @@ from ..quantities.values import Measured, Uncertain, is_uncertain
 from ..text import first_of, listed
 from .alternatives import DATA, Alternative, alternatives_of, names_with_alternatives
 from .column import Column, at_row
-from .frame import FOLLOWS, Scene, takes
+from .frame import FOLLOWS, Scene
 from .limits import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
+from .ranges import takes
 from .reasons import HIDDEN, Failure, MissingInput, grouped, needs_in_words, reason
 from .results import ROW, Results, has_code, is_end_of_meaning
 from .uncertainty import ErrorBar, number_of_places, sources_of_results

@@ -15,8 +15,9 @@ from ..answers.notes import every_line
 from ..errors import BadRequest
 from ..materials.library import data_of
 from ..model.alternatives import has_other_formulas
-from ..model.frame import Scene, takes
+from ..model.frame import Scene
 from ..model.plan import Plan
+from ..model.ranges import takes
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount, symbol_of
 from ..quantities.laws import BETWEEN, LAWS, other_law
