@@ -23,7 +23,7 @@ from jkroll.cli.process import read
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
 from jkroll.model.alternatives import at_least_measured, at_most_measured
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.infer import Problems
 from jkroll.model.limits import LIMITS, NOT_JUDGED, Limit
 from jkroll.model.ranges import LEAST
@@ -42,7 +42,7 @@ STEP = 2.0**-45  # relative, of an input: so small that κ is found next to pull
 AT_END = 2.0**-43  # relative, of a state: so close to the end of a contact that rounding decides whether it holds
 FILES = ("csv", "tsv", "ndjson", "parquet")
 
-Scenes = Sequence[Scene | None]  # of rows; None for a row that is no scene
+Scenes = Sequence[Frame | None]  # of rows; None for a row that is no scene
 
 
 class Refused(Exception):
@@ -114,9 +114,9 @@ def call_of(words: Sequence[str]) -> Call:
     return call
 
 
-def scenes_of(ask: Ask) -> list[Scene]:
+def scenes_of(ask: Ask) -> list[Frame]:
     """Return the scenes of a list."""
-    return [*call_of(ask.words()).sweep.scenes()]
+    return [*call_of(ask.words()).sweep.frames()]
 
 
 def of_list(ask: Ask, *, by_arrays: bool, alternatives: bool = False) -> Rows:
@@ -130,7 +130,7 @@ def of_list(ask: Ask, *, by_arrays: bool, alternatives: bool = False) -> Rows:
         rows = rows_of([*sweep.columns(wanted)])
     if by_arrays:
         return rows
-    each = rows_of([of_single_row(wanted, wanted.results(scene)) for scene in sweep.scenes()])
+    each = rows_of([of_single_row(wanted, wanted.results(scene)) for scene in sweep.frames()])
     return rows._replace(reasons=each.reasons)
 
 
@@ -185,7 +185,7 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
     Path("in.csv").write_text(sheet.text(), encoding="utf-8")
     arrays: list[Columns] = []
     floats: list[Columns] = []
-    scenes: list[Scene | None] = []
+    scenes: list[Frame | None] = []
 
     def observed(wanted: Wanted, block: Block) -> Columns:
         arrays.append(evaluated(wanted, block))
@@ -209,15 +209,15 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
         return Converted(rows_of(arrays), [*csv.DictReader(file)], rows_of(floats), scenes)
 
 
-def _at(block: Block, place: int, _: int) -> Scene:
-    scene: Scene = block.scene_of(place)
+def _at(block: Block, place: int, _: int) -> Frame:
+    scene: Frame = block.frame_of(place)
     return scene
 
 
-def _scene_of(block: Block, place: int) -> Scene | None:
+def _scene_of(block: Block, place: int) -> Frame | None:
     """Return a row of a block as a scene; None for one that is no scene."""
     try:
-        scene: Scene = block.scene_of(place)
+        scene: Frame = block.frame_of(place)
         return scene
     except JkrollError:
         return None
@@ -226,7 +226,7 @@ def _scene_of(block: Block, place: int) -> Scene | None:
 # --- What may differ --------------------------------------------------------------------------------------------------
 
 
-def agree(scene: Scene, name: str, one: float, other: float) -> bool:
+def agree(scene: Frame, name: str, one: float, other: float) -> bool:
     """Return whether two values of a quantity agree within its accuracy."""
     if abs(one - other) <= _rounding(scene, name):
         return True
@@ -234,19 +234,19 @@ def agree(scene: Scene, name: str, one: float, other: float) -> bool:
     return off <= SURE or off <= STATED * (1 + _condition(scene, name, one))
 
 
-def _rounding(scene: Scene, name: str) -> float:
+def _rounding(scene: Frame, name: str) -> float:
     """Return how much of a load or an approach is left where its terms cancel."""
     whole = {"N": "pull_off_force", "m": "approach"}.get(NOMENCLATURE[name].unit, "")
     return STATED * ULP * float(scene.numbers(whole).get(whole, 0.0)) if whole else 0.0
 
 
-def _condition(scene: Scene, name: str, value: float) -> float:
+def _condition(scene: Frame, name: str, value: float) -> float:
     """Return κ: how often the relative errors of all inputs appear in a quantity; next to where it ends, infinite."""
     inputs = {source: scene.given[source] for source in scene.inputs_of(name) if source in scene.given}
     return sum(_growth(scene, name, value, *one) for one in inputs.items() if one[1] and math.isfinite(one[1]))
 
 
-def _growth(scene: Scene, name: str, value: float, source: str, given: float) -> float:
+def _growth(scene: Frame, name: str, value: float, source: str, given: float) -> float:
     changes = []
     for factor in (1 + STEP, 1 - STEP):
         try:
@@ -256,7 +256,7 @@ def _growth(scene: Scene, name: str, value: float, source: str, given: float) ->
     return max(changes, default=math.inf)
 
 
-def sides_agree(scene: Scene, name: str, one: float | None, other: float | None) -> bool:
+def sides_agree(scene: Frame, name: str, one: float | None, other: float | None) -> bool:
     """Return whether two numbers of an uncertainty agree.
 
     None, for no influence, is as good as one that is only rounding.
@@ -269,12 +269,12 @@ def sides_agree(scene: Scene, name: str, one: float | None, other: float | None)
     return abs(numbers[0]) <= error or (isinstance(value, float) and abs(numbers[0] - value) <= error)
 
 
-def _error(scene: Scene, name: str) -> float:
+def _error(scene: Frame, name: str) -> float:
     value = outcomes(scene, (name,))[name]
     return abs(value) * STATED * ULP * (1 + _condition(scene, name, value)) if isinstance(value, float) else 0.0
 
 
-def _ends(scene: Scene, name: str) -> Iterator[Scene]:
+def _ends(scene: Frame, name: str) -> Iterator[Frame]:
     """Iterate over the scene and those at the ends of the sources of uncertainty, one by one and all together."""
     yield scene
     sources = sources_of(scene, scene.inputs_of(name)).entering
@@ -285,7 +285,7 @@ def _ends(scene: Scene, name: str) -> Iterator[Scene]:
         yield scene.replace(**{each: end for source, end in ends for each in source.names})
 
 
-def bits_agree(scene: Scene, names: Sequence[str], one: int, other: int) -> bool:
+def bits_agree(scene: Frame, names: Sequence[str], one: int, other: int) -> bool:
     """Return whether doubts are the same, but for limits whose number is at a threshold within its accuracy."""
     unlike = one ^ other
     return not unlike & NOT_JUDGED and all(
@@ -293,7 +293,7 @@ def bits_agree(scene: Scene, names: Sequence[str], one: int, other: int) -> bool
     )
 
 
-def _is_at_threshold(limit: Limit, scene: Scene, names: Sequence[str]) -> bool:
+def _is_at_threshold(limit: Limit, scene: Frame, names: Sequence[str]) -> bool:
     """Return whether what a limit judges, a number or the factor between two laws, is at a threshold."""
     if limit.factor is not None:
         factor = limit.factor(scene, scene.columns(names))
@@ -306,7 +306,7 @@ def _is_at_threshold(limit: Limit, scene: Scene, names: Sequence[str]) -> bool:
     return any(agree(scene, limit.name, value, threshold) for threshold in limit.codes)
 
 
-def is_at_its_end(scene: Scene) -> bool:
+def is_at_its_end(scene: Frame) -> bool:
     """Return whether the contact lets go within the accuracy of its state: then either answer is right."""
     states = {name: scene.stated[name] for name in ("load", "approach_at_load") if name in scene.stated}
     for name, value in states.items():
@@ -333,7 +333,7 @@ def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterato
             yield from (f"row {row}: {text}" for text in found)
 
 
-def _in_rows(one: Rows, other: Rows, row: int, keys: Sequence[str], scene: Scene | None) -> Iterator[str]:
+def _in_rows(one: Rows, other: Rows, row: int, keys: Sequence[str], scene: Frame | None) -> Iterator[str]:
     values, others = one.values[row], other.values[row]
     for key in keys:
         if not _same(scene, key, values.get(key), others.get(key)):
@@ -347,7 +347,7 @@ def _in_rows(one: Rows, other: Rows, row: int, keys: Sequence[str], scene: Scene
         yield f"{one.status[row]!r} and {other.status[row]!r}"
 
 
-def _same(scene: Scene | None, key: str, one: float | None, other: float | None) -> bool:
+def _same(scene: Frame | None, key: str, one: float | None, other: float | None) -> bool:
     if one == other or scene is None:
         return one == other
     name = (side_of(key) or key).partition("_by_")[0]
@@ -357,7 +357,7 @@ def _same(scene: Scene | None, key: str, one: float | None, other: float | None)
     return one is not None and other is not None and any(agree(each, name, one, other) for each in scenes)
 
 
-def _made_of(scene: Scene, kind: str) -> list[Scene]:
+def _made_of(scene: Frame, kind: str) -> list[Frame]:
     """Return the scenes whose answers stand in a column: of a kind of what may stand in place, or without a kind."""
     if kind == "data":
         return [at_least_measured(scene), at_most_measured(scene)]

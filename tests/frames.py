@@ -6,10 +6,10 @@ from operator import or_
 from typing import Any
 
 from jkroll.model import alternatives, limits
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 
 
-def outcomes(scene: Scene, names: Iterable[str]) -> dict[str, Any]:
+def outcomes(scene: Frame, names: Iterable[str]) -> dict[str, Any]:
     """Return the value of each quantity, or the error that says why no row has one."""
     columns = scene.columns(names)
     return {
@@ -18,16 +18,16 @@ def outcomes(scene: Scene, names: Iterable[str]) -> dict[str, Any]:
     }
 
 
-def doubts(scene: Scene, names: Iterable[str], judged: Iterable[limits.Limit] = limits.LIMITS) -> list[limits.Doubt]:
+def doubts(scene: Frame, names: Iterable[str], judged: Iterable[limits.Limit] = limits.LIMITS) -> list[limits.Doubt]:
     """Return the limits of quantities, judged."""
     return limits.doubts(scene, scene.columns(names), judged)
 
 
-def factor_of_law(scene: Scene, names: Iterable[str]) -> Any:
+def factor_of_law(scene: Frame, names: Iterable[str]) -> Any:
     """Return how far quantities are from those under the law that holds."""
     return alternatives.factor_of_law(scene, scene.columns(names))
 
 
-def bits(scene: Scene, names: Sequence[str]) -> Any:
+def bits(scene: Frame, names: Sequence[str]) -> Any:
     """Return the codes of the limits of quantities as bits, of every row."""
     return reduce(or_, (doubt.bits for doubt in doubts(scene, names)), 0)

@@ -7,12 +7,12 @@ from typing import Any
 
 from jkroll import solve
 
-Scene = dict[str, Any]  # SI numbers by name
+Frame = dict[str, Any]  # SI numbers by name
 
-QUARTZ: Scene = {
+QUARTZ: Frame = {
     "radius": 1e-7, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17, "density": 2600.0
 }  # fmt: skip
-OTHER: Scene = {
+OTHER: Frame = {
     "radius2": 3.7e-6, "surface_energy2": 3.0, "youngs_modulus2": 210e9, "poisson_ratio2": 0.27, "density2": 7700.0
 }  # fmt: skip
 
@@ -22,7 +22,7 @@ def log_uniform(random: Random, low: float, high: float) -> float:
     return math.exp(random.uniform(math.log(low), math.log(high)))
 
 
-def any_sphere(random: Random) -> Scene:
+def any_sphere(random: Random) -> Frame:
     """Return a sphere of any size and material."""
     return {
         "radius": log_uniform(random, 1e-12, 1e3),
@@ -33,7 +33,7 @@ def any_sphere(random: Random) -> Scene:
     }
 
 
-def any_scene(random: Random) -> Scene:
+def any_scene(random: Random) -> Frame:
     """Return two spheres or a sphere on a plane, one perhaps rigid, in any state, with any energy."""
     scene = any_sphere(random)
     kind = random.choice(["identical", "unequal", "unequal", "similar", "plane", "rigid", "rigid plane"])
@@ -70,7 +70,7 @@ def _any_ratio(random: Random) -> float:
     return random.choice([random.uniform(-0.8, 1), log_uniform(random, 1e-18, 1e6), -log_uniform(random, 1e-18, 0.8)])
 
 
-def random_scenes(count: int, seed: int) -> Iterator[Scene]:
+def random_scenes(count: int, seed: int) -> Iterator[Frame]:
     """Iterate over scenes of any kind."""
     random = Random(seed)
     return (any_scene(random) for _ in range(count))
@@ -107,7 +107,7 @@ ENDS: dict[str, tuple[float, ...]] = {
 }  # fmt: skip
 
 
-def hard_scenes(fold: float) -> Iterator[Scene]:
+def hard_scenes(fold: float) -> Iterator[Frame]:
     """Iterate over scenes in hard states, and over scenes with an input at the end of its range."""
     for scene in (QUARTZ, QUARTZ | OTHER):
         force, approach = solve(["pull_off_force", "approach"], **scene).values()
@@ -118,13 +118,13 @@ def hard_scenes(fold: float) -> Iterator[Scene]:
         yield {**QUARTZ, **OTHER, "radius": radius, "radius2": radius2}
 
 
-def strip_contacts(count: int) -> list[Scene]:
+def strip_contacts(count: int) -> list[Frame]:
     """Return strips in contact of any size, shift and load, the same every time."""
     random = Random(1995)
     return [_strip_contact(random) for _ in range(count)]
 
 
-def _strip_contact(random: Random) -> Scene:
+def _strip_contact(random: Random) -> Frame:
     radius = log_uniform(random, 1e-9, 1e3)
     half_width = radius * log_uniform(random, 1e-6, 0.3)
     place = random.choice([-1, 1]) * half_width * random.choice([random.random(), 1 - log_uniform(random, 1e-14, 1)])

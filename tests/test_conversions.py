@@ -17,7 +17,7 @@ from harness import Run
 from jkroll import Interval, Measured, answer, infer, known_materials, solve
 from jkroll.errors import BadRequest, JkrollError
 from jkroll.model.conversions import converted
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.reasons import MissingInput
 from jkroll.quantities.values import QuantityError
 from relative import approx
@@ -72,7 +72,7 @@ def test_poissons_ratio_of_sphere_2() -> None:
 
 
 def test_sphere_2_has_the_shear_modulus_of_sphere_1_and_its_own_poissons_ratio() -> None:
-    scene = Scene({**SHEAR, "poisson_ratio2": 0.3})
+    scene = Frame({**SHEAR, "poisson_ratio2": 0.3})
     assert scene["contact_radius"] == approx(circle(1 / ((1 - RATIO) / 60e9 + (1 - 0.3) / 60e9)), rel=1e-14)
     assert scene["youngs_modulus2"] == approx(78e9)
     assert scene.replace(poisson_ratio2=RATIO).is_identical
@@ -90,9 +90,9 @@ def test_arrays_of_diameters_and_moduli() -> None:
 
 
 def test_a_scene_with_other_values_is_converted_anew() -> None:
-    scene = Scene(SHEAR)
+    scene = Frame(SHEAR)
     assert scene.replace(poisson_ratio=0.3)["contact_modulus"] == approx(30e9 / 0.7)
-    quartz = Scene({"shear_modulus": 30e9, "diameter": 2e-7}, known_materials()["quartz"])
+    quartz = Frame({"shear_modulus": 30e9, "diameter": 2e-7}, known_materials()["quartz"])
     assert quartz.replace(poisson_ratio=0.3)["contact_modulus"] == approx(30e9 / 0.7)
     assert quartz.replace(youngs_modulus=70e9).stated == {"radius": 1e-7, "youngs_modulus": 70e9}
     assert quartz.replace(radius=1e-6).stated["radius"] == 1e-6
@@ -133,7 +133,7 @@ def test_that_a_material_has_a_modulus_is_no_excuse() -> None:
     """Without Poisson's ratio, its E must not stand in for the shear modulus that was given."""
     quartz = known_materials()["quartz"]
     bare = quartz._replace(properties={"surface_energy": GAMMA, "youngs_modulus": 54e9})
-    scene = Scene({"radius": 1e-7, "shear_modulus": 30e9}, bare)
+    scene = Frame({"radius": 1e-7, "shear_modulus": 30e9}, bare)
     assert "youngs_modulus" not in scene.known
     assert scene.replace(poisson_ratio=RATIO)["contact_radius"] == approx(CIRCLE)
     made = quartz._replace(properties={**quartz.properties, "shear_modulus": 1e9})
@@ -185,7 +185,7 @@ def test_correlated_error_bars_are_refused_with_what_to_type() -> None:
         ({"radius": 1e-7, "shear_modulus": Interval(30e9, 28e9, 32e9)}, glass),
     ):
         with pytest.raises(BadRequest, match=re.escape(remedy)) as caught:
-            Scene(given, material)
+            Frame(given, material)
         assert caught.value.phrase == "correlated error bars"
     with pytest.raises(BadRequest, match="give --young2 with its error bar, or --poisson2 without one"):
         converted({"shear_modulus2": 1e9, "poisson_ratio2": Measured(0.2, 0.01)}, {}, own_material2=False)

@@ -39,7 +39,7 @@ from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError, NoResult
 from jkroll.model.alternatives import at_least_measured, at_most_measured
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.limits import NOT_JUDGED, codes
 from jkroll.model.reasons import (
     BEYOND_PULL_OFF,
@@ -365,7 +365,7 @@ def _of_python(found: Answered) -> dict[str, float | None]:
     return numbers
 
 
-def _in_scene(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
+def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
     """Iterate over the values beside results that are not those of the other law, or of the displacements measured."""
     for key in (key for key in values if kind_of(key) and not side_of(key)):
         name, _, kind = key.partition("_by_")
@@ -373,7 +373,7 @@ def _in_scene(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
             ends = [end(scene)["yield_displacement"] for end in (at_least_measured, at_most_measured)]
             value = sum(scene.replace(yield_displacement=end)[name] for end in ends) / 2
         else:
-            other = Scene(scene.stated, scene.material, scene.material2, model=kind)
+            other = Frame(scene.stated, scene.material, scene.material2, model=kind)
             spacing = {"atomic_spacing": other["atomic_spacing"]} if kind == "maugis" else {}
             value = outcomes(other.replace(**spacing), (name,))[name]
         if value != values[key]:
@@ -395,7 +395,7 @@ def _in_lines(run: Run, ask: Ask, values: Mapping[str, float]) -> Iterator[str]:
 @pytest.mark.parametrize("quantity", ["pull_off_force", "yield_force", "n_roll"])
 def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
     given = {name: value_of(text, name) for name, (text,) in ask_of(f"report {PLAIN}").inputs.items()}
-    scene, x, y = Scene(given), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
+    scene, x, y = Frame(given), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
     request = PlotRequest(quantity, x, y, (("", scene),), (), known_materials())
     (panel,) = picture_of(request)[0].panels
     assert panel.field is not None
@@ -417,7 +417,7 @@ def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
 # --- What is written --------------------------------------------------------------------------------------------------
 
 
-def _reason(error: JkrollError, scene: Scene) -> str:
+def _reason(error: JkrollError, scene: Frame) -> str:
     """Return an error without what it begins with: a prompt has the command, or the option, in place of a name."""
     if isinstance(error, Failure) and error.kind == BEYOND_PULL_OFF:
         error = with_force_by_maugis(error, scene)
@@ -559,7 +559,7 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
             yield f"only one of the doors has {key}"
 
 
-def _of_any_values(scene: Scene) -> Scene:
+def _of_any_values(scene: Frame) -> Frame:
     """Return a scene with these inputs, none with a value from which more follows: a plane, a rigid body, no load."""
     return scene.replace(**dict.fromkeys(scene.stated, 0.25))
 
@@ -610,7 +610,7 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                     yield f"row {row}: {name}: {error} and {other}"
 
 
-def _is_element(scene: Scene, name: str, found: Any, element: float, *, is_special: bool) -> bool:
+def _is_element(scene: Frame, name: str, found: Any, element: float, *, is_special: bool) -> bool:
     """Return whether an element of an array is right for the value of a row, or for the error of one that has none.
 
     `is_special`: whether the arrays have numbers from which more follows, and which need no contact then.

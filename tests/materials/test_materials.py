@@ -22,7 +22,7 @@ import jkroll
 from harness import Run
 from jkroll.errors import JkrollError
 from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFileError
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.reasons import MissingInput
 from material_files import read
 from relative import approx
@@ -457,13 +457,13 @@ def test_every_door_has_a_material_s_displacement(run: Run, own: str, tmp_path: 
 
 def test_another_value_of_a_property_is_the_solid_s_and_none_of_its_data(own: str) -> None:
     material = Materials(own.split()[1])["single"]
-    scene = Scene({"radius": 1e-6}, material, material)
+    scene = Frame({"radius": 1e-6}, material, material)
     other = scene.replace(surface_energy=0.1, surface_energy2=0.1)
     assert other["yield_displacement"] == scene["yield_displacement"]
     assert other["work_of_adhesion"] == 0.2
     assert scene.data.keys() - other.data.keys() == {"surface_energy", "surface_energy2"}
     with pytest.raises(MissingInput):
-        Scene({"radius": 1e-6, "surface_energy2": 0.1}, material, material)["yield_displacement"]
+        Frame({"radius": 1e-6, "surface_energy2": 0.1}, material, material)["yield_displacement"]
 
 
 def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -> None:

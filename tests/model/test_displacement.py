@@ -14,7 +14,7 @@ from jkroll.answers.notes import about_displacement
 from jkroll.answers.questions import question_about
 from jkroll.materials.library import known_materials
 from jkroll.model.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, is_like_rolled, rolled_solid
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.limits import ASSUMED_DISPLACEMENT
 from jkroll.quantities.values import ends_of, value_of
 from relative import approx
@@ -23,8 +23,8 @@ from tools.measurements import MEASUREMENTS
 SIZES = (1e-7, 3e-6)
 
 
-def of(material: str, radius: Any, **given: Any) -> Scene:
-    return Scene({"radius": radius, **given}, known_materials()[material])
+def of(material: str, radius: Any, **given: Any) -> Frame:
+    return Frame({"radius": radius, **given}, known_materials()[material])
 
 
 def test_the_forces_are_those_that_are_compared() -> None:
@@ -35,7 +35,7 @@ def test_the_forces_are_those_that_are_compared() -> None:
     assert approx((min(middles), max(middles))) == FORCES
 
 
-def ends(scene: Scene, name: str) -> tuple[float, float]:
+def ends(scene: Frame, name: str) -> tuple[float, float]:
     """Return the ends of a range by measured forces."""
     return ends_of(Answer(question_about(name), scene).others["data"][name])
 
@@ -111,7 +111,7 @@ def test_where_nothing_of_the_solid_was_measured(material: str, radius: float, g
     assert not is_like_rolled(of(material, radius, **given))
 
 
-def words(scene: Scene, *names: str) -> str:
+def words(scene: Frame, *names: str) -> str:
     found = [doubt for doubt in doubts(scene, names, [ASSUMED_DISPLACEMENT]) if doubt.is_exceeded]
     return Answer(question_about(",".join(names)), scene).about(found[0]) if found else about_displacement(scene, "")
 
@@ -128,7 +128,7 @@ def test_words() -> None:
         assert words(of("quartz", radius), "r_min") == (
             "ξ is assumed (--xi): no ξ of quartz was measured at this size and γ"
         )
-    assert words(Scene({"radius": 1e-7}), "r_min").startswith(
+    assert words(Frame({"radius": 1e-7}), "r_min").startswith(
         "ξ is assumed (--xi): forces on SiO2 of 1 µm mean 1.8–2.6 nm"
     )
     assert doubts(of("quartz", 1e-6), ["pull_off_force"], [ASSUMED_DISPLACEMENT]) == []

@@ -14,7 +14,7 @@ import jkroll
 from harness import Run
 from jkroll import Interval, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest, NoResult
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.inverse import Problem, Solution
 from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Undetermined
 from jkroll.quantities.values import parse_quantity
@@ -33,7 +33,7 @@ PAIRS = {
 PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf}
 
 
-def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
+def solution(name: str, quantity: str, measured: float, scene: Frame) -> Solution:
     """Return the solution for one unknown."""
     return Problem((name,), {quantity: measured}, scene).solution
 
@@ -53,15 +53,15 @@ def test_a_value_comes_back(name: str, quantity: str) -> None:
                 scene[name] = scene.get(name, 2e-10) * log_uniform(random, 0.1, 10)
             value = scene.pop(name)
             measured = solve(quantity, **scene, **{name: value})
-            found = solution(name, quantity, measured, Scene(scene))
+            found = solution(name, quantity, measured, Frame(scene))
             assert found.values == approx({name: value}, rel=1e-15 * (2 + 4 * found.condition))
-            forward = Scene({**scene, **found.values})[quantity]
+            forward = Frame({**scene, **found.values})[quantity]
             assert forward == approx(measured, rel=1e-15 * (2 + 4 / found.condition))
 
 
 def test_the_condition_of_a_power_law_is_its_inverse_exponent() -> None:
-    assert solution("surface_energy", "pull_off_force", 3e-7, Scene(PLANE)).condition == 1
-    scene = Scene(PLANE, known_materials()["quartz"])
+    assert solution("surface_energy", "pull_off_force", 3e-7, Frame(PLANE)).condition == 1
+    scene = Frame(PLANE, known_materials()["quartz"])
     assert solution("youngs_modulus", "contact_radius", 3e-8, scene).condition == approx(3, rel=1e-5)
 
 
@@ -90,7 +90,7 @@ def test_what_was_measured_is_not_given_besides(quantity: str, given: float, val
 
 
 def test_all_solutions_are_named() -> None:
-    scene = Scene({"load": 5e-8}, known_materials()["quartz"])
+    scene = Frame({"load": 5e-8}, known_materials()["quartz"])
     with pytest.raises(SeveralSolutions) as caught:
         solution("radius", "approach_at_load", 3e-10, scene)
     for radius in (one["radius"] for one in caught.value.values):
@@ -102,7 +102,7 @@ def test_all_solutions_are_named() -> None:
 @pytest.mark.parametrize("quantity", ["rolling_frequency", "n_grav", "sliding_frequency"])
 def test_two_solutions_between_pull_off_and_the_scan_are_found(quantity: str, model: str) -> None:
     """Of a small sphere in tension: the quantity rises from pull-off to a maximum before the scan's next value."""
-    scene = Scene({"load": -5e-9}, known_materials()["quartz"], model=model)
+    scene = Frame({"load": -5e-9}, known_materials()["quartz"], model=model)
     least = 4e-8 if model == "jkr" else 3e-8
     radii = numpy.geomspace(least, 1.3 * least, 4000)
     values = scene.replace(radius=radii)[quantity]
@@ -116,7 +116,7 @@ def test_two_solutions_between_pull_off_and_the_scan_are_found(quantity: str, mo
 
 
 def test_a_load_of_fixed_direction_has_two_solutions_near_pull_off() -> None:
-    scene = Scene({**QUARTZ, "radius": 1e-6, "radius2": 1e-7})
+    scene = Frame({**QUARTZ, "radius": 1e-6, "radius2": 1e-7})
     with pytest.raises(SeveralSolutions) as caught:
         solution("load", "yield_force_fixed_load", 51.6e-12, scene)
     assert [one["load"] for one in caught.value.values] == approx([-21.4058e-9, -20.7695e-9], rel=1e-5)
@@ -124,7 +124,7 @@ def test_a_load_of_fixed_direction_has_two_solutions_near_pull_off() -> None:
 
 def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
     """Between two doubles of the quantity, where the scan is as fine as rounding."""
-    scene = Scene({**QUARTZ, **PLANE})
+    scene = Frame({**QUARTZ, **PLANE})
     radius = scene.replace(load=2e-15)["contact_radius_at_load"]
     for steps in range(-20, 21):
         found = solution("load", "contact_radius_at_load", radius + steps * math.ulp(radius), scene)
@@ -135,8 +135,8 @@ def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
     """δ is least at a radius that grows with the load: here 3 % above 1 µm, which is scanned."""
     quartz = known_materials()["quartz"]
     radii = numpy.geomspace(4e-7, 7e-7, 10001)
-    least = radii[Scene({"load": 5e-8, "radius": radii}, quartz)["approach_at_load"].argmin()]
-    scene = Scene({"load": 5e-8 * 1.03e-6 / least}, quartz)
+    least = radii[Frame({"load": 5e-8, "radius": radii}, quartz)["approach_at_load"].argmin()]
+    scene = Frame({"load": 5e-8 * 1.03e-6 / least}, quartz)
     with pytest.raises(SeveralSolutions) as caught:
         solution("radius", "approach_at_load", scene.replace(radius=1e-6)["approach_at_load"], scene)
     low, high = (one["radius"] for one in caught.value.values)
@@ -159,7 +159,7 @@ def test_a_search_in_rounding_alone_comes_to_an_end(quantity: str) -> None:
     given = {**QUARTZ, "radius": 1e-4, "youngs_modulus": 8e7, "load": 1e-12}
     del given["surface_energy"]
     with pytest.raises(NoResult) as caught:
-        solution("surface_energy", quantity, 1e-12 * (1 + 1e-13), Scene(given))
+        solution("surface_energy", quantity, 1e-12 * (1 + 1e-13), Frame(given))
     assert len(getattr(caught.value, "values", ())) < 200
 
 
@@ -189,7 +189,7 @@ def test_a_stretch_without_dependence_is_told(ulp: int) -> None:
 )
 def test_refusals(name: str, quantity: str, given: dict[str, float], error: type[Exception], words: str) -> None:
     with pytest.raises(error, match=words):
-        solution(name, quantity, 1e-9, Scene({"radius": 1e-6, **given}, known_materials()["quartz"]))
+        solution(name, quantity, 1e-9, Frame({"radius": 1e-6, **given}, known_materials()["quartz"]))
 
 
 @pytest.mark.parametrize(
@@ -202,7 +202,7 @@ def test_refusals(name: str, quantity: str, given: dict[str, float], error: type
 )
 def test_a_reason_goes_to_another_process(name: str, quantity: str, measured: float, given: dict[str, float]) -> None:
     with pytest.raises(NoResult) as caught:
-        solution(name, quantity, measured, Scene(given, known_materials()["quartz"]))
+        solution(name, quantity, measured, Frame(given, known_materials()["quartz"]))
     assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
 
 
@@ -280,7 +280,7 @@ def test_each_source_enters_an_inferred_value_once() -> None:
     given = {
         name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {"radius": 1e-6, "density": 2e3}.items()
     }
-    problem = Problem(("surface_energy",), {"pull_off_force": Interval(1e-7, 9e-8, 1.1e-7)}, Scene(given))
+    problem = Problem(("surface_energy",), {"pull_off_force": Interval(1e-7, 9e-8, 1.1e-7)}, Frame(given))
     assert [source.names for source in problem.sources().entering] == [("pull_off_force",), ("radius", "radius2")]
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from jkroll import infer, known_materials
 from jkroll.errors import NoResult
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.inverse import Problem, Solution
 from jkroll.model.reasons import MissingInput, NotInLaw
 from jkroll.model.unsolved import SIZES, NoSolution, SeveralSolutions
@@ -44,12 +44,12 @@ LACKING = [
 COUNT = 6
 
 
-def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
+def solution(name: str, quantity: str, measured: float, scene: Frame) -> Solution:
     """Return the solution for one unknown."""
     return Problem((name,), {quantity: measured}, scene).solution
 
 
-def by_itself(name: str, quantity: str, measured: float, scene: Scene) -> Solution | NoResult:
+def by_itself(name: str, quantity: str, measured: float, scene: Frame) -> Solution | NoResult:
     """Return the solution for one measured value, or the reason why there is none."""
     try:
         return solution(name, quantity, measured, scene)
@@ -58,7 +58,7 @@ def by_itself(name: str, quantity: str, measured: float, scene: Scene) -> Soluti
 
 
 def assert_as_each_by_itself(
-    name: str, quantity: str, measured: Sequence[float], arrays: dict[str, Any], scene: Scene
+    name: str, quantity: str, measured: Sequence[float], arrays: dict[str, Any], scene: Frame
 ) -> list[Solution | NoResult]:
     """Compare values, to rounding errors times their condition, and reasons; return what each has by itself."""
     ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as is promised
@@ -83,7 +83,7 @@ def test_every_input_is_here() -> None:
 
 
 def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
-    scene = Scene({**QUARTZ, "radius": 1e-7}, model="dmt")
+    scene = Frame({**QUARTZ, "radius": 1e-7}, model="dmt")
     with pytest.raises(NotInLaw, match="which DMT does not have"):
         Problem(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene).solution  # noqa: B018
 
@@ -105,7 +105,7 @@ def test_arrays_give_what_floats_give(name: str, model: str) -> None:
     energies = {"surface_energy", "surface_energy2"} if name in ("work_of_adhesion", "hamaker") else set()
     given = {each: one for each, one in {**QUARTZ, **OTHER, "load": -1e-9}.items() if each not in {name, *energies}}
     spread = {each: one * numpy.array([random.uniform(0.5, 2) for _ in range(COUNT)]) for each, one in given.items()}
-    scene = Scene(given, model=model)
+    scene = Frame(given, model=model)
     found: list[Solution | NoResult] = []
     for quantity in MEASURED[name]:
         for varied in ([], ["density", "radius2"], [*given]):
@@ -120,7 +120,7 @@ def test_arrays_give_what_floats_give(name: str, model: str) -> None:
 
 def test_all_solutions_of_arrays_are_named() -> None:
     """Also where both lie between two points of the scan, beside a turning point."""
-    scene = Scene({"load": 5e-8}, known_materials()["quartz"])
+    scene = Frame({"load": 5e-8}, known_materials()["quartz"])
     least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))
     measured = [3e-10, 1.00001 * least, 0.9 * least, 1e-9]
     expected = assert_as_each_by_itself("radius", "approach_at_load", measured, {}, scene)
@@ -131,7 +131,7 @@ def test_all_solutions_of_arrays_are_named() -> None:
 
 def test_loads_are_found_up_to_pull_off() -> None:
     radii = numpy.array([1e-6, 2e-6, 3e-6])
-    scene = Scene({"radius2": math.inf}, known_materials()["quartz"])
+    scene = Frame({"radius2": math.inf}, known_materials()["quartz"])
     force = scene.replace(radius=radii)["pull_off_force"]
     least = scene.replace(radius=radii, load=-force)["contact_radius_at_load"] * (1 + 1e-13)
     found = assert_as_each_by_itself("load", "contact_radius_at_load", [*least], {"radius": radii}, scene)
@@ -140,7 +140,7 @@ def test_loads_are_found_up_to_pull_off() -> None:
 
 def test_a_quantity_without_any_value_has_a_reason_in_each_element() -> None:
     loads = {"load": numpy.array([-1.0, 1e-9])}
-    scene = Scene({"radius": 1e-7}, known_materials()["quartz"])
+    scene = Frame({"radius": 1e-7}, known_materials()["quartz"])
     beyond, found = assert_as_each_by_itself("youngs_modulus", "contact_radius_at_load", [4e-9, 4e-9], loads, scene)
     assert "breaks this contact" in str(beyond)
     assert isinstance(found, Solution)

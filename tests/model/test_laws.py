@@ -22,7 +22,7 @@ from jkroll.answers.curve import frames_of_curve
 from jkroll.answers.questions import QUESTIONS, question_about
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.plan import plan_for
 from jkroll.model.reasons import Failure, NotInLaw
 from jkroll.output.manual import page
@@ -63,7 +63,7 @@ def test_the_moment_is_hertz_load_less_the_load(load: float, radius: float, mode
 def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: float, error: float) -> None:
     material = known_materials()["quartz"]
     given = {"radius": radius, "atomic_spacing": spacing, "speed": 1.0, "monomers": 100.0}
-    solved = [Scene(given, material, model=law) for law in (model, "maugis")]
+    solved = [Frame(given, material, model=law) for law in (model, "maugis")]
     names = [
         name
         for name, quantity in NOMENCLATURE.items()
@@ -122,7 +122,7 @@ def test_an_error_names_the_pull_off_force_of_the_law(model: str) -> None:
 
 
 def test_a_load_that_only_maugis_holds_is_said() -> None:
-    found = Answer(QUESTIONS["moment"], Scene({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
+    found = Answer(QUESTIONS["moment"], Frame({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
     assert "--model maugis" in str(found.failure)
     assert solve("contact_radius_at_load", model="maugis", **QUARTZ, load=-1.3e-8) > 0
 
@@ -135,7 +135,7 @@ def test_spheres_can_be_bound_without_touching() -> None:
         solve("load", model="maugis", **QUARTZ, approach_at_load=-1e-9)
     shown = Answer(
         QUESTIONS["contact"],
-        Scene({"radius": 1e-7, "approach_at_load": -3e-10}, known_materials()["quartz"], model="maugis"),
+        Frame({"radius": 1e-7, "approach_at_load": -3e-10}, known_materials()["quartz"], model="maugis"),
     )
     assert any("bound without touching" in note.text for note in shown.notes)
 
@@ -227,7 +227,7 @@ def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.Monkey
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
 def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(model: str, radius: float) -> None:
     quartz = known_materials()["quartz"]
-    frames = [*frames_of_curve(Scene({"radius": radius}, quartz, model=model))]
+    frames = [*frames_of_curve(Frame({"radius": radius}, quartz, model=model))]
     places = [frame["approach_at_load"] for frame in frames if frame.state != "unstable"]
     assert len(places) > 15
     assert all(later > earlier for earlier, later in pairwise(places))
@@ -265,7 +265,7 @@ def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -
 
 
 def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
-    found = Answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"]))
+    found = Answer(QUESTIONS["yield-force"], Frame({"radius": 1e-7}, known_materials()["quartz"]))
     (doubt,) = [each for each in found.validity if each.limit.name == "tabor_parameter"]
     assert (
         found.about(doubt)
@@ -289,7 +289,7 @@ def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
     ],
 )
 def test_rolling_has_two_readings(material: str, radius: float, at_displacement: float, at_hysteresis: float) -> None:
-    scene = Scene({"radius": radius}, known_materials()[material])
+    scene = Frame({"radius": radius}, known_materials()[material])
     force, displaced = (readings(scene, name) for name in ("yield_moment", "n_roll_energy_balance"))
     assert force == approx((at_displacement, at_hysteresis), abs=0.005)
     assert displaced == approx([1 / ratio for ratio in force])
@@ -301,12 +301,12 @@ def test_rolling_has_two_readings(material: str, radius: float, at_displacement:
         assert again["over_jkr"] == approx(at_hysteresis, abs=0.005)
 
 
-def over_jkr(scene: Scene, name: str) -> Mapping[str, Any]:
+def over_jkr(scene: Frame, name: str) -> Mapping[str, Any]:
     """Return a quantity by Maugis' law over that of JKR."""
     return Answer(question_about(name), scene).laws[name]
 
 
-def readings(scene: Scene, name: str) -> tuple[float, float]:
+def readings(scene: Frame, name: str) -> tuple[float, float]:
     """Return a quantity by Maugis' law over that of JKR, at equal displacement and at equal hysteresis."""
     found = over_jkr(scene, name)
     both = (found["over_jkr_at_equal_displacement"], found["over_jkr_at_equal_hysteresis"])
@@ -331,7 +331,7 @@ def test_for_energies_below_a_jump_no_correction_is_named(run: Run) -> None:
 
 
 def test_a_result_of_another_law_says_so() -> None:
-    found = Answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"], model="maugis"))
+    found = Answer(QUESTIONS["yield-force"], Frame({"radius": 1e-7}, known_materials()["quartz"], model="maugis"))
     results = {result.name: result for result in found.results}
     assert (results["yield_force"].law, results["yield_force"].equation) == ("maugis", "Maugis 1992")
     assert results["yield_angle"].law == ""
@@ -341,13 +341,13 @@ def test_a_result_of_another_law_says_so() -> None:
 
 def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_either() -> None:
     quartz = known_materials()["quartz"]
-    found = Answer(QUESTIONS["energies"], Scene({"radius": 1e-7}, quartz, model="maugis"))
+    found = Answer(QUESTIONS["energies"], Frame({"radius": 1e-7}, quartz, model="maugis"))
     results = {result.name: result for result in found.results}
     for name in ("sticking_energy", "sticking_speed"):
         assert (results[name].value, results[name].reason) == (None, "rests on z0; give --z0 4angstrom")
-    alone = Answer(question_about("v_stick"), Scene({"radius": 1e-7}, quartz, model="maugis"))
+    alone = Answer(question_about("v_stick"), Frame({"radius": 1e-7}, quartz, model="maugis"))
     assert str(alone.failure) == "sticking_speed: rests on z0; give --z0 4angstrom"
-    said = Answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
+    said = Answer(QUESTIONS["contact"], Frame({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.values["sticking_energy"] == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
 
 
@@ -355,7 +355,7 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_e
 def test_what_the_spacing_decides_is_judged_with_the_spacing_that_is_assumed(radius: Any) -> None:
     """It has no value of its own then. Of the law it makes no doubt that a stated spacing would not make."""
     quartz = known_materials()["quartz"]
-    assumed, stated = (Scene({"radius": radius, **more}, quartz) for more in ({}, {"atomic_spacing": 4e-10}))
+    assumed, stated = (Frame({"radius": radius, **more}, quartz) for more in ({}, {"atomic_spacing": 4e-10}))
     factors = [factor_of_law(scene, ["sticking_speed"]) for scene in (assumed, stated)]
     assert numpy.array_equal(*factors)
     assert numpy.all(numpy.isfinite(factors))
@@ -451,7 +451,7 @@ def test_where_a_law_is_within_5_per_cent_depends_on_the_quantity(model: str, na
 @pytest.mark.parametrize("model", LAWS)
 def test_a_formula_of_another_law_has_no_contact_of_this_one(model: str, given: dict[str, float]) -> None:
     """What only one law has by a formula is the same under another law, or refused: approach_dmt took JKR's radius."""
-    scene = Scene({"radius": 1e-7, **given}, known_materials()["quartz"], model=model)
+    scene = Frame({"radius": 1e-7, **given}, known_materials()["quartz"], model=model)
     foreign = [name for name in NOMENCLATURE if NOMENCLATURE[name].variant_of and law_of(name) not in (None, model)]
     found = {name: value for name, value in outcomes(scene, foreign).items() if not isinstance(value, JkrollError)}
     for name, value in found.items():

@@ -12,7 +12,7 @@ from harness import Run
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.limits import BITS, LIMITS, Doubt, Limit, codes
 from jkroll.model.plan import depends_on
 from jkroll.model.reasons import TWO_RIGID_BODIES, Failure
@@ -22,7 +22,7 @@ from scenes import OTHER, QUARTZ
 
 def verdicts(*names: str, **given: Any) -> dict[str, str]:
     """Return the code of each limit that is judged for these names."""
-    return {one.limit.name: one.code for one in doubts(Scene({**QUARTZ, **given}), names)}
+    return {one.limit.name: one.code for one in doubts(Frame({**QUARTZ, **given}), names)}
 
 
 THRESHOLDS = [(limit, threshold) for limit in LIMITS for threshold in limit.codes]
@@ -45,10 +45,10 @@ def test_either_side_of_a_threshold(limit: Limit, threshold: float) -> None:
 
 
 def test_an_excess_is_the_logarithm_of_a_factor() -> None:
-    (few,) = [one for one in doubts(Scene({**QUARTZ, "radius": 1e-9}), ["pull_off_force"]) if one.code == "few-atoms"]
+    (few,) = [one for one in doubts(Frame({**QUARTZ, "radius": 1e-9}), ["pull_off_force"]) if one.code == "few-atoms"]
     assert few.excess == approx(np.log(3 / few.value))
     assert few.factor == approx(3 / few.value)
-    (law,) = [one for one in doubts(Scene(QUARTZ), ["pull_off_force"]) if one.code.startswith("law")]
+    (law,) = [one for one in doubts(Frame(QUARTZ), ["pull_off_force"]) if one.code.startswith("law")]
     of_laws = [solve("pull_off_force", model=model, atomic_spacing=4e-10, **QUARTZ) for model in ("jkr", "maugis")]
     fit = solve("pull_off_force_lennard_jones", **QUARTZ)
     assert law.factor == approx(max(of_laws[1], fit) / of_laws[0] / 1.05)
@@ -56,7 +56,7 @@ def test_an_excess_is_the_logarithm_of_a_factor() -> None:
 
 def test_a_limit_that_holds_has_its_number() -> None:
     (few,) = [
-        one for one in doubts(Scene(QUARTZ), ["pull_off_force"]) if one.limit.name == "contact_radius_in_spacings"
+        one for one in doubts(Frame(QUARTZ), ["pull_off_force"]) if one.limit.name == "contact_radius_in_spacings"
     ]
     assert (few.text, few.factor) == ("within the limit", approx(3 / few.value))
     assert few.value == approx(9.98, rel=1e-3)
@@ -100,7 +100,7 @@ def test_every_limit_touches_what_a_command_shows() -> None:
 )
 def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
     assert code in verdicts(name, **given).values()
-    assert code in codes(bits(Scene({**QUARTZ, **given}), [name])).split()
+    assert code in codes(bits(Frame({**QUARTZ, **given}), [name])).split()
 
 
 def test_the_order_of_two_spheres_decides_no_doubt_about_roughness() -> None:
@@ -124,10 +124,10 @@ def test_spheres_of_a_viscous_time_bounce_where_they_are_faster_than_it_lets_the
     for time, speed in zip(times.tolist(), speeds.tolist(), strict=True):
         given = {"radius": 1e-6, "viscous_time": time, "speed": speed}
         bounces.append("bounces" in verdicts("restitution", **given).values())
-        limit = dict.fromkeys(["sticking_speed"], math.inf) | Scene({**QUARTZ, **given}).numbers("sticking_speed")
+        limit = dict.fromkeys(["sticking_speed"], math.inf) | Frame({**QUARTZ, **given}).numbers("sticking_speed")
         assert bounces[-1] is (speed > limit["sticking_speed"])
     assert {*bounces} == {True, False}
-    scene = Scene({**QUARTZ, "radius": 1e-6, "viscous_time": times, "speed": speeds})
+    scene = Frame({**QUARTZ, "radius": 1e-6, "viscous_time": times, "speed": speeds})
     assert [*(bits(scene, ["restitution"]) & BITS["bounces"] > 0)] == bounces
 
 
@@ -149,7 +149,7 @@ def test_a_sphere_springs_back_where_what_is_left_of_its_energy_does_not_reach_t
 def test_iron_of_100_nm_is_pressed_to_where_a_solid_yields() -> None:
     """p_H = 2aE*/πR is 17.8 GPa there, 0.16 E*; of quartz it is 0.05 E*."""
     for material, ratio, is_in_doubt in (("iron", 0.16, True), ("quartz", 0.051, False)):
-        scene = Scene({"radius": 1e-7}, known_materials()[material])
+        scene = Frame({"radius": 1e-7}, known_materials()[material])
         assert scene["hertz_pressure"] / scene["contact_modulus"] == approx(ratio, rel=0.02)
         assert ("may-yield" in codes(bits(scene, ["contact_radius"])).split()) is is_in_doubt
 
@@ -172,7 +172,7 @@ def test_a_load_of_exactly_the_pull_off_force_is_not_stable() -> None:
 def test_a_ratio_of_forces_has_the_doubts_of_its_contact() -> None:
     """Without load, too, where nothing of the contact enters 4ξ/R1."""
     soft = {"radius": 3e-10, "surface_energy": 0.025, "youngs_modulus": 5e9, "poisson_ratio": 0.2}
-    of_loads = [codes(bits(Scene({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
+    of_loads = [codes(bits(Frame({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
     assert {"few-atoms", "wide-contact"} <= {*of_loads[0]} == {*of_loads[1]}
 
 
@@ -195,7 +195,7 @@ RIGID: list[dict[str, Any]] = [
 
 @pytest.mark.parametrize("given", RIGID)
 def test_two_rigid_bodies_have_no_jkr_contact(given: dict[str, Any]) -> None:
-    scene = Scene({**QUARTZ, **given})
+    scene = Frame({**QUARTZ, **given})
     for name, value in outcomes(scene, QUESTIONS["report"].quantities).items():
         if name in ("pull_off_force_dmt", "r_min", "yield_angle"):
             assert value > 0
@@ -307,7 +307,7 @@ def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
 )
 def test_the_law_of_adhesion_is_judged_by_its_effect(name: str, given: dict[str, Any], code: str) -> None:
     model = given.pop("model", "jkr")
-    scene = Scene({"radius": given["radius"]}, known_materials()[given["material"]], model=model)
+    scene = Frame({"radius": given["radius"]}, known_materials()[given["material"]], model=model)
     assert {one for one in codes(bits(scene, [name])).split() if one.startswith("law")} == ({code} if code else set())
 
 
@@ -315,7 +315,7 @@ def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
     """DMT holds a load that Maugis' law does not; where neither holds it, there is no answer to doubt."""
     force = solve("pull_off_force", **QUARTZ, model="dmt")
     held = {**QUARTZ, "radius": 1e-4, "load": -0.9 * 1e3 * force}
-    scene = Scene(held, model="dmt")
+    scene = Frame(held, model="dmt")
     assert "law-off-2x" in codes(bits(scene, ["approach_at_load"])).split()
 
 
@@ -330,7 +330,7 @@ def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
 def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
     model: str, name: str, value: float, other: float, names: tuple[str, ...]
 ) -> None:
-    zero, both = (Scene({**QUARTZ, name: given}, model=model) for given in (value, np.array([value, other])))
+    zero, both = (Frame({**QUARTZ, name: given}, model=model) for given in (value, np.array([value, other])))
     for one in names:
         assert zero[one] == both[one][0] == 0
         assert factor_of_law(zero, [one]) == factor_of_law(both, [one])[0] == 1
@@ -339,7 +339,7 @@ def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
 
 def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too() -> None:
     """Its radius √(Rδ) rests on no work of adhesion, and Maugis' contact is far wider."""
-    scenes = [Scene({**QUARTZ, "approach_at_load": given}, model="dmt") for given in (1e-11, np.array([1e-11, 1e-12]))]
+    scenes = [Frame({**QUARTZ, "approach_at_load": given}, model="dmt") for given in (1e-11, np.array([1e-11, 1e-12]))]
     for name, first in (("contact_radius_at_load", "law-off-2x few-atoms"), ("stiffness", "law-off-25% few-atoms")):
         one, both = (bits(scene, [name]) for scene in scenes)
         assert codes(one) == codes(int(both[0])) == first
@@ -349,5 +349,5 @@ def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too
 def test_the_other_law_has_the_spacing_that_follows_from_a_cutoff() -> None:
     """The scene computes it, in whose place stands one that is given it."""
     given: dict[str, Any] = {"radius": 1e-7, "hamaker": 6.5e-20, "cutoff": 2e-10}
-    other = Scene(given, known_materials()["quartz"]).by_law
+    other = Frame(given, known_materials()["quartz"]).by_law
     assert other["pull_off_force"] == solve("pull_off_force", material="quartz", model="maugis", **given)

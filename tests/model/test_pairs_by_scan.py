@@ -9,7 +9,7 @@ import pytest
 
 from frames import outcomes
 from jkroll.errors import JkrollError
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.inverse import Problem
 from jkroll.model.unsolved import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
 from jkroll.quantities.laws import LAWS
@@ -31,7 +31,7 @@ QUANTITIES = (
 )  # fmt: skip
 
 
-def above(scene: Scene, names: tuple[str, ...], measured: dict[str, float], places: Any) -> Any:
+def above(scene: Frame, names: tuple[str, ...], measured: dict[str, float], places: Any) -> Any:
     """Return for both quantities whether they are above their measured values, as ±1, and nan where they have none."""
     found = outcomes(scene.replace(**dict(zip(names, places, strict=True))), [*measured])
     signs = [
@@ -43,7 +43,7 @@ def above(scene: Scene, names: tuple[str, ...], measured: dict[str, float], plac
     return numpy.array([numpy.broadcast_to(sign, places.shape[1:]) for sign in signs])
 
 
-def scanned(names: tuple[str, ...], measured: dict[str, float], scene: Scene) -> list[tuple[float, ...]] | None:
+def scanned(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> list[tuple[float, ...]] | None:
     """Return the pairs that a dense scan finds, the same ones several times; None where it finds a curve."""
     axes = []
     for name in names:
@@ -75,7 +75,7 @@ def is_near(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
     return all(math.isclose(a, b, rel_tol=1e-4, abs_tol=1e-14) for a, b in zip(one, other, strict=True))
 
 
-def solved(names: tuple[str, ...], measured: dict[str, float], scene: Scene) -> list[tuple[float, ...]] | None:
+def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> list[tuple[float, ...]] | None:
     """Return the pairs that the program names; None where it refuses the problem as not separated."""
     try:
         solved = Problem(names, measured, scene).solved
@@ -96,16 +96,16 @@ def compared(random: Random) -> str:
     given: dict[str, Any] = {name: log_uniform(random, *span) for name, span in SPANS.items()}
     given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}
     law = random.choice([*LAWS])
-    given["load"] = random.uniform(-0.9, 3) * Scene(given, model=law)["pull_off_force"]
+    given["load"] = random.uniform(-0.9, 3) * Frame(given, model=law)["pull_off_force"]
     names = tuple(random.sample([*SPANS, "load"], 2))
     if random.random() < 0.3:
         given["radius2"] = log_uniform(random, 1e-8, 1e-3)
     measured = {
-        name: float(value) for name, value in Scene(given, model=law).numbers(*random.sample(QUANTITIES, 2)).items()
+        name: float(value) for name, value in Frame(given, model=law).numbers(*random.sample(QUANTITIES, 2)).items()
     }
     if len(measured) < 2:
         return "not in this law"
-    scene = Scene({name: value for name, value in given.items() if name not in names}, model=law)
+    scene = Frame({name: value for name, value in given.items() if name not in names}, model=law)
     pairs = solved(names, measured, scene)
     backwards = solved(names, dict(reversed(measured.items())), scene)
     problem = (law, names, measured, given)

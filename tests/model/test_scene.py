@@ -13,7 +13,7 @@ from jkroll import solve
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.model.alternatives import at_half_spacing
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.limits import LIMITS
 from jkroll.model.plan import KEPT, depends_on, formula_of, plan_for
 from jkroll.model.reasons import BEYOND_PULL_OFF, NO_CHAIN, NO_DOUBLE, Failure, MissingInput
@@ -26,14 +26,14 @@ LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
 
 
 def test_answers_and_their_limits_are_the_same_one_by_one() -> None:
-    scene = Scene({**QUARTZ, "viscous_time": 1e-12, "speed": 1.0, "filling_factor": 0.1})
+    scene = Frame({**QUARTZ, "viscous_time": 1e-12, "speed": 1.0, "filling_factor": 0.1})
     values = outcomes(scene, ("pull_off_force", "n_roll", *LIMIT_NAMES))
-    assert all(Scene(scene.stated)[name] == value for name, value in values.items())
+    assert all(Frame(scene.stated)[name] == value for name, value in values.items())
     assert scene.inputs_of("pull_off_force") == ("radius", "surface_energy")
 
 
 def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
-    scene = Scene({**QUARTZ, "radius2": float("inf"), "load": -1.0}).replace(density=1e-30)
+    scene = Frame({**QUARTZ, "radius2": float("inf"), "load": -1.0}).replace(density=1e-30)
     values = outcomes(scene, ("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
     kinds = {name: value.kind if isinstance(value, Failure) else type(value) for name, value in values.items()}
     assert kinds == {
@@ -49,7 +49,7 @@ def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
 
 def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
     tiny = {**QUARTZ, "radius": 1e-30, "youngs_modulus": 1e30, "atomic_spacing": 1e29}
-    values = outcomes(Scene(tiny, model="maugis"), ("pull_off_force", "sticking_energy", "sticking_speed"))
+    values = outcomes(Frame(tiny, model="maugis"), ("pull_off_force", "sticking_energy", "sticking_speed"))
     assert isinstance(values["pull_off_force"], float)
     for name in ("sticking_energy", "sticking_speed"):
         assert values[name].kind == NO_DOUBLE
@@ -58,27 +58,27 @@ def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
 
 def test_only_what_belongs_to_a_plane_may_be_infinite() -> None:
     radii = numpy.array([1e30, 1e-7, float("inf")])
-    found = outcomes(Scene({**QUARTZ, "density": 1e3, "radius2": radii}), ("r_min", "moment_of_inertia2"))
+    found = outcomes(Frame({**QUARTZ, "density": 1e3, "radius2": radii}), ("r_min", "moment_of_inertia2"))
     assert numpy.isnan(found["r_min"]).tolist() == [False, False, True]
     assert numpy.isinf(found["moment_of_inertia2"]).tolist() == [False, False, True]
 
 
 def test_a_scene_with_other_inputs_is_another_scene() -> None:
-    scene = Scene(QUARTZ)
+    scene = Frame(QUARTZ)
     assert scene["pull_off_force"] > 0
     doubled = scene.replace(radius=2e-7)
     assert doubled["pull_off_force"] == 2 * scene["pull_off_force"]
     assert scene.values["radius"] == 1e-7
     with pytest.raises(MissingInput):
         scene.replace(surface_energy=None)["pull_off_force"]
-    other = Scene({**QUARTZ, "radius": 2e-7}, model="dmt")
+    other = Frame({**QUARTZ, "radius": 2e-7}, model="dmt")
     assert scene.replace(model="dmt", radius=2e-7)["pull_off_force"] == other["pull_off_force"]
 
 
 def test_arrays_of_which_sphere_2_loses_what_it_had_of_its_own_are_evaluated_anew() -> None:
     radii = numpy.array([1e-7, 2e-7])
-    unlike = Scene({**QUARTZ, "radius": radii, "surface_energy2": 0.08})
-    alike = Scene({**QUARTZ, "radius": radii})
+    unlike = Frame({**QUARTZ, "radius": radii, "surface_energy2": 0.08})
+    alike = Frame({**QUARTZ, "radius": radii})
     assert (unlike["pull_off_force"] > alike["pull_off_force"]).all()
     assert (unlike.replace(surface_energy2=None)["pull_off_force"] == alike["pull_off_force"]).all()
 
@@ -88,7 +88,7 @@ def test_arrays_that_do_not_broadcast_are_no_scene(name: str) -> None:
     """Also where they decide on what follows from the inputs: on rigid bodies, and on a material's displacement."""
     arrays = {name.removesuffix("2"): numpy.ones(2), name: numpy.ones(3)}
     with pytest.raises(BadRequest, match=rf"do not broadcast: {name.removesuffix('2')} \(2,\), {name} \(3,\)"):
-        Scene(arrays, known_materials()["silica-dry"])
+        Frame(arrays, known_materials()["silica-dry"])
 
 
 def test_every_parameter_is_a_name_that_something_gives() -> None:
@@ -121,7 +121,7 @@ def test_a_scene_with_alternatives_is_gone_with_its_last_user() -> None:
     """A search for cycles comes after 50 000 new objects, of which a block of a long table leaves a handful."""
     gc.disable()
     try:
-        scene = Scene({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})
+        scene = Frame({**QUARTZ, "radius": numpy.geomspace(1e-8, 1e-6, 5)})
         outcomes(scene.by_law, LIMIT_NAMES)
         outcomes(at_half_spacing(scene.by_law), LIMIT_NAMES)
         last_seen = ref(scene)

@@ -17,7 +17,7 @@ import pytest
 from harness import Run
 from jkroll import Interval, Material, Materials, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.uncertainty import error_bars, sources_of_results
 from jkroll.quantities.values import QuantityError, Uncertain, value_of
 from relative import approx
@@ -28,7 +28,7 @@ def found(
     name: str, given: Mapping[str, float], uncertain: Mapping[str, Uncertain], *materials: Material
 ) -> SimpleNamespace:
     """Return a quantity with its uncertainty, and the shares of its sources."""
-    scene = Scene({**given, **uncertain}, *materials)
+    scene = Frame({**given, **uncertain}, *materials)
     bar = error_bars(scene, [name])[name]
     return SimpleNamespace(uncertainty=bar.of(scene[name]), shares=bar.shares)
 
@@ -196,7 +196,7 @@ def test_a_material_named_twice_moves_together() -> None:
     assert once.uncertainty.high == approx(twice.uncertainty.high, rel=1e-15)
     apart = found("pull_off_force", {"radius": 1e-7}, {}, material, material._replace(name="another"))
     assert apart.uncertainty.high < once.uncertainty.high
-    stated = Scene({"radius": 1e-7, "surface_energy": 0.03}, material)
+    stated = Frame({"radius": 1e-7, "surface_energy": 0.03}, material)
     assert error_bars(stated, ["pull_off_force"]) == {}
 
 
@@ -215,7 +215,7 @@ def test_what_cannot_be_combined_is_refused() -> None:
 def test_of_materials_what_is_of_the_other_kind_is_left_out(run: Run) -> None:
     both: dict[str, Uncertain] = {"surface_energy": relative(0.025, 0.1), "youngs_modulus": Interval(54e9, 50e9, 60e9)}
     material = known_materials()["quartz"]._replace(uncertainties=both)
-    scene = Scene({"radius": 1e-7}, material)
+    scene = Frame({"radius": 1e-7}, material)
     sources = sources_of_results(scene, ["contact_radius"])
     assert ([source.names for source in sources.entering], [source.names for source in sources.left_out]) == (
         [("surface_energy",)],
@@ -354,7 +354,7 @@ def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_besid
 
 @pytest.mark.parametrize("size", [1e29, 1e-29])
 def test_shares_are_those_of_changes_whose_squares_no_double_holds(size: float) -> None:
-    scene = Scene({"radius": Measured(size, 0.1 * size), "density": Measured(size, 0.5 * size)})
+    scene = Frame({"radius": Measured(size, 0.1 * size), "density": Measured(size, 0.5 * size)})
     inertia = error_bars(scene, ["moment_of_inertia"])["moment_of_inertia"]
     assert inertia.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.05)
 

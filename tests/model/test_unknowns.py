@@ -13,7 +13,7 @@ import pytest
 from harness import Run
 from jkroll import Interval, JkrollError, Measured, infer, known_materials
 from jkroll.errors import BadRequest
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.inverse import Problem, Solution
 from jkroll.model.reasons import Failure, MissingInput
 from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Unseparated
@@ -28,7 +28,7 @@ MEASURED = {"pull_off_force": 3e-7, "stiffness": 1e3}
 def found(
     names: tuple[str, ...], measured: dict[str, float], given: dict[str, Any], model: str | None = None
 ) -> Solution:
-    return Problem(names, measured, Scene(given, model=model)).solution
+    return Problem(names, measured, Frame(given, model=model)).solution
 
 
 # --- By hand ----------------------------------------------------------------------------------------------------------
@@ -41,7 +41,7 @@ def test_an_example_by_hand() -> None:
     modulus = (1e3 / 1.2) ** 1.5 / math.sqrt(9 * math.pi * gamma * 2e-6**2)
     assert pair.values["surface_energy"] == approx(gamma, rel=1e-14)
     assert pair.values["youngs_modulus"] == approx(2 * (1 - 0.17**2) * modulus, rel=1e-13)
-    assert Scene({**PLANE, **pair.values}).numbers(*MEASURED) == approx(MEASURED, rel=1e-14)
+    assert Frame({**PLANE, **pair.values}).numbers(*MEASURED) == approx(MEASURED, rel=1e-14)
 
 
 def test_the_condition_of_power_laws_is_that_of_the_matrix_of_exponents() -> None:
@@ -69,7 +69,7 @@ def test_an_input_that_cancels_from_a_quantity_is_found_from_the_other() -> None
 def test_a_load_comes_back_from_zero_too(law: str, load: float) -> None:
     given = {**PLANE, "surface_energy": 0.02}
     names = ("load", "youngs_modulus")
-    full = Scene({**given, "load": load, "youngs_modulus": 3e10}, model=law)
+    full = Frame({**given, "load": load, "youngs_modulus": 3e10}, model=law)
     pair = found(names, full.numbers("contact_radius_at_load", "stiffness"), given, law)
     assert pair.values["load"] == approx(load, rel=1e-12, abs=1e-20)
     assert pair.values["youngs_modulus"] == approx(3e10, rel=1e-13)
@@ -82,7 +82,7 @@ def test_a_measured_approach_of_0_is_as_good_as_another(radius: float) -> None:
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e9}
     sphere = {"surface_energy": 0.03, "radius": radius}
     load = infer("load", measured={"approach_at_load": 0.0}, **given, **sphere)
-    measured = {"approach_at_load": 0.0, "stiffness": Scene({**given, **sphere, "load": load})["stiffness"]}
+    measured = {"approach_at_load": 0.0, "stiffness": Frame({**given, **sphere, "load": load})["stiffness"]}
     pair = found(("surface_energy", "radius"), measured, {**given, "load": load})
     assert pair.values == approx(sphere, rel=1e-9)
 
@@ -90,10 +90,10 @@ def test_a_measured_approach_of_0_is_as_good_as_another(radius: float) -> None:
 def test_both_spheres_of_one_material_are_inferred_together() -> None:
     quartz, iron = (known_materials()[name] for name in ("quartz", "iron"))
     alone, twice, other = (
-        Problem(NAMES, MEASURED, Scene({"radius": 2e-6}, quartz, second)).solution for second in (None, quartz, iron)
+        Problem(NAMES, MEASURED, Frame({"radius": 2e-6}, quartz, second)).solution for second in (None, quartz, iron)
     )
     assert alone.values == twice.values
-    scene = Scene({"radius": 2e-6, **other.values}, quartz, iron)
+    scene = Frame({"radius": 2e-6, **other.values}, quartz, iron)
     assert scene.numbers(*MEASURED) == approx(MEASURED, rel=1e-13)
     assert other.values != approx(alone.values, rel=0.1)
 
@@ -158,7 +158,7 @@ def test_a_load_that_is_left_open_counts_by_its_distance_from_pull_off() -> None
 def test_two_unknowns_that_both_quantities_leave_open_are_named() -> None:
     """In DMT the moment is 2πwRξ, whatever the load and the modulus are, and its digits come from rounding."""
     given = {**PLANE, "surface_energy": 0.05, "yield_displacement": 2e-10, "density": 2e3}
-    measured = Scene({**given, "load": 1e-8, "youngs_modulus": 1e9}, model="dmt").numbers("yield_force", "n_grav")
+    measured = Frame({**given, "load": 1e-8, "youngs_modulus": 1e9}, model="dmt").numbers("yield_force", "n_grav")
     with pytest.raises(Unseparated, match=r"they leave E1 and P open"):
         found(("youngs_modulus", "load"), measured, given, "dmt")
 
@@ -168,12 +168,12 @@ def test_what_is_barely_separated_is_refused() -> None:
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e6, "atomic_spacing": 4e-10}
     names, condition = ("surface_energy", "radius"), 1e6
     for radius in (1e-8, 1e-7, 1e-6):
-        full = Scene({**given, "radius": radius, "surface_energy": 0.05}, model="maugis")
+        full = Frame({**given, "radius": radius, "surface_energy": 0.05}, model="maugis")
         pair = found(names, full.numbers("pull_off_force", "pull_off_force_dmt"), given, "maugis")
         assert pair.condition > 2 * condition
         assert pair.values["radius"] == approx(radius, rel=1e-15 * pair.condition)
         condition = pair.condition
-    full = Scene({**given, "radius": 1e-5, "surface_energy": 0.05}, model="maugis")
+    full = Frame({**given, "radius": 1e-5, "surface_energy": 0.05}, model="maugis")
     with pytest.raises(Unseparated, match=r"both stay as they are along γ1 ∝ R1\^-1 \(κ is above 1e8\)"):
         found(names, full.numbers("pull_off_force", "pull_off_force_dmt"), given, "maugis")
 
@@ -182,14 +182,14 @@ def test_what_is_barely_separated_is_refused() -> None:
 def test_all_pairs_are_named(radius: float) -> None:
     given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e9, "density": 2e3, "load": 1e-7}
     names = ("surface_energy", "radius")
-    full = Scene({**given, "surface_energy": 0.01, "radius": radius}, model="dmt")
+    full = Frame({**given, "surface_energy": 0.01, "radius": radius}, model="dmt")
     measured = full.numbers("rolling_frequency", "hertz_pressure")
     with pytest.raises(SeveralSolutions) as caught:
         found(names, measured, given, "dmt")
     first, second = caught.value.values
     assert first["radius"] != approx(second["radius"], rel=0.01)
     for pair in (first, second):
-        assert Scene({**given, **pair}, model="dmt").numbers(*measured) == approx(measured, rel=1e-13)
+        assert Frame({**given, **pair}, model="dmt").numbers(*measured) == approx(measured, rel=1e-13)
     words = (
         f"surface_energy,radius: the pairs ({amount('surface_energy', first['surface_energy'])}, "
         f"{amount('radius', first['radius'])}) and ("
@@ -201,7 +201,7 @@ def test_all_pairs_are_named(radius: float) -> None:
 def test_pairs_are_found_next_to_pull_off(margin: float) -> None:
     """Where the stiffness falls to 0 as the root of the margin, and corners of cells have no contact."""
     values = {"surface_energy": 0.03, "youngs_modulus": 54e9}
-    full = Scene({**PLANE, **values})
+    full = Frame({**PLANE, **values})
     values["load"] = -(1 - margin) * full["pull_off_force"]
     measured = full.replace(load=values["load"]).numbers("stiffness", "contact_radius_at_load")
     for given, value in values.items():
@@ -212,12 +212,12 @@ def test_pairs_are_found_next_to_pull_off(margin: float) -> None:
 
 def test_a_pair_in_a_cell_without_contact_at_one_corner_hides_no_other() -> None:
     values, given = {"surface_energy": 6e-3, "youngs_modulus": 3e11}, {**PLANE, "shear_strength": 1e7}
-    given["load"] = -0.97 * Scene({**given, **values})["pull_off_force"]
-    measured = Scene({**given, **values}).numbers("sliding_force", "well_energy")
+    given["load"] = -0.97 * Frame({**given, **values})["pull_off_force"]
+    measured = Frame({**given, **values}).numbers("sliding_force", "well_energy")
     with pytest.raises(SeveralSolutions) as caught:
         found(NAMES, measured, given)
     for pair in caught.value.values:
-        assert Scene({**given, **pair}).numbers(*measured) == approx(measured, rel=1e-9)
+        assert Frame({**given, **pair}).numbers(*measured) == approx(measured, rel=1e-9)
 
 
 def test_the_order_of_what_was_measured_hides_no_pair() -> None:
@@ -230,7 +230,7 @@ def test_the_order_of_what_was_measured_hides_no_pair() -> None:
             found(("radius", "surface_energy"), each, given, "maugis")
         assert [pair["radius"] for pair in caught.value.values] == approx([3.21324e-9, 119e-9], rel=1e-5)
         for pair in caught.value.values:
-            assert Scene({**given, **pair}, model="maugis").numbers(*measured) == approx(measured, rel=1e-9)
+            assert Frame({**given, **pair}, model="maugis").numbers(*measured) == approx(measured, rel=1e-9)
 
 
 # --- Error bars -------------------------------------------------------------------------------------------------------
@@ -282,7 +282,7 @@ COMMAND = f"{WORDS} --measured pull_off_force=300nN --measured stiffness=1kN/m"
 
 def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
     measured = {"pull_off_force": numpy.array([[3e-7], [4e-7]]), "stiffness": numpy.array([1e3, 1e12])}
-    failures = Problem(NAMES, measured, Scene(PLANE)).solution.failures
+    failures = Problem(NAMES, measured, Frame(PLANE)).solution.failures
     assert {failures[row].__traceback__ for row in (1, 3)} == {None}  # it would hold all that was computed
     both = infer(["gamma", "young"], measured=measured, **PLANE)
     alone = infer(["gamma", "young"], measured={"pull_off_force": 4e-7, "stiffness": 1e3}, **PLANE)

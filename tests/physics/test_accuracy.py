@@ -34,7 +34,7 @@ from reference import (
     formula_error,
     ulp_error,
 )
-from scenes import Scene, hard_approaches, hard_loads, hard_scenes, log_uniform, random_scenes, strip_contacts
+from scenes import Frame, hard_approaches, hard_loads, hard_scenes, log_uniform, random_scenes, strip_contacts
 
 pytestmark = pytest.mark.filterwarnings("error")  # of numpy, too
 
@@ -59,10 +59,10 @@ class Error(NamedTuple):
 
     ulp: float  # over 1 + κ: the larger one of that of a number and that of an element of an array
     of_number: float
-    scene: Scene
+    scene: Frame
 
 
-def errors_of(scenes: Iterable[Scene]) -> dict[str, list[Error]]:
+def errors_of(scenes: Iterable[Frame]) -> dict[str, list[Error]]:
     """Solve scenes one by one, and as arrays those of which the same is given."""
     alike = defaultdict(list)
     for scene in scenes:
@@ -70,7 +70,7 @@ def errors_of(scenes: Iterable[Scene]) -> dict[str, list[Error]]:
         alike[frozenset(scene), frozenset(exact)].append((scene, exact, conditions(scene, exact)))
     found: dict[str, list[Error]] = {}
     for (given, wanted), same in alike.items():
-        arrays: Scene = {name: np.array([scene[name] for scene, _, _ in same]) for name in given}
+        arrays: Frame = {name: np.array([scene[name] for scene, _, _ in same]) for name in given}
         columns = solve(wanted, **arrays)
         for row, (scene, exact, condition) in enumerate(same):
             for name, value in solve(wanted, **scene).items():
@@ -145,7 +145,7 @@ def test_results_of_fresh_scenes_are_within_the_bounds() -> None:
 
 
 @cache
-def parameter_values() -> list[Scene]:
+def parameter_values() -> list[Frame]:
     """Return values of every parameter of every formula, of magnitudes that go together, each taken as exact."""
     random = Random(1997)
     return [dict(_values(random, scene)) for scene in random_scenes(COUNT, seed=1998)]
@@ -167,7 +167,7 @@ def test_values_are_the_same_in_every_process() -> None:
     assert drawn[0] == drawn[1] != ""
 
 
-def _values(random: Random, scene: Scene) -> Iterator[tuple[str, Any]]:
+def _values(random: Random, scene: Frame) -> Iterator[tuple[str, Any]]:
     for name in ("radius", "surface_energy", "youngs_modulus", "poisson_ratio", "density"):
         yield name + "2", scene.get(name + "2", scene[name])
     results = {name: float(value) for name, value in exact_results(scene).items()}
@@ -213,7 +213,7 @@ def _damped(random: Random) -> Iterator[tuple[str, Any]]:
 
 
 @cache
-def law_values() -> list[Scene]:
+def law_values() -> list[Frame]:
     """Return values of every parameter of the formulas of other laws, each taken as exact."""
     random = Random(1992)
     return [dict(_law_values(random)) for _ in range(COUNT)]
@@ -263,7 +263,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     yield "approach_at_load", random.choice([0.0, -depth * nearly, beyond]) * length**2 / radius
 
 
-def values_of(name: str) -> list[Scene]:
+def values_of(name: str) -> list[Frame]:
     """Return values of the parameters of a formula."""
     if FORMULAS[name].__module__ == cylinder.__name__ or name == "unloaded_half_width":
         return strip_contacts(COUNT)
@@ -274,7 +274,7 @@ def values_of(name: str) -> list[Scene]:
 
 # The worst of thousands of arguments, each beyond the accuracy that was once stated. The force that slides or peels was
 # a square, which doubled a rounding.
-WORST: list[tuple[str, Scene]] = [
+WORST: list[tuple[str, Frame]] = [
     (
         "sliding_or_peeling_force",
         {"peeling_force": force, "peeling_over_sliding": over_sliding, "load_margin": margin},
@@ -311,12 +311,12 @@ WORST: list[tuple[str, Scene]] = [
 
 
 @pytest.mark.parametrize(("name", "given"), WORST)
-def test_formula_is_as_accurate_as_it_says_at_its_worst(name: str, given: Scene) -> None:
+def test_formula_is_as_accurate_as_it_says_at_its_worst(name: str, given: Frame) -> None:
     assert formula_error(name, given, float(FORMULAS[name](**given))) <= float(accuracy_of(name).partition(" ulp")[0])
 
 
 # Where some formulas have no value, or state no accuracy.
-OUTSIDE: Mapping[str, Callable[[Scene], bool]] = {
+OUTSIDE: Mapping[str, Callable[[Frame], bool]] = {
     "load_margin": lambda values: values["load"] < -values["pull_off_force"],
     "stiffness": lambda values: values["load_margin"] < 0,
     "vertical_frequency": lambda values: values["stiffness"] < 0,

@@ -11,7 +11,7 @@ import pytest
 
 from frames import outcomes
 from jkroll import NOMENCLATURE, solve
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.plan import Plan, formula_of
 from jkroll.model.ranges import LEAST, MOST, SMALLEST, check_range, is_answer, takes
 from jkroll.model.reasons import MissingInput
@@ -165,7 +165,7 @@ def test_scenes_at_the_corners_have_right_numbers(model: str, count: int) -> Non
     """Every number is right, and there is one wherever doubles hold it and all on the way to it."""
     answered = 0
     for given in corner_scenes(LEAST, MOST, count):
-        scene = Scene(given, model=model)
+        scene = Frame(given, model=model)
         asked = [name for name in RESULTS if name not in scene.known and (model == "maugis" or name not in OF_MAUGIS)]
         numbers = outcomes(scene, asked)
         wanted = [name for name in asked if not isinstance(numbers[name], MissingInput)]

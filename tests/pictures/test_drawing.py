@@ -20,7 +20,7 @@ from jkroll import known_materials, solve
 from jkroll.answers.curve import Loads, loads_of
 from jkroll.cli.map import MAX_CURVES, map_request
 from jkroll.cli.process import main
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, curves_of_contact, paper_map
 from jkroll.pictures.picture import Curve, Field, Panel, Picture, described
 from jkroll.pictures.request import picture_of
@@ -70,7 +70,7 @@ def in_a_column(name: str, width: int = 85) -> tuple[Picture, Figure]:
 
 def contact_of_quartz() -> Picture:
     """Return the panels of a contact."""
-    return curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, None)[0]
+    return curves_of_contact([Frame({"radius": 1e-7}, known_materials()["quartz"])], None, None)[0]
 
 
 def contour_sets(page: Figure) -> list[Any]:
@@ -417,7 +417,7 @@ def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
 
 def test_a_law_has_one_colour_over_the_panels_of_a_contact() -> None:
     """The pressure, which JKR alone has, is no panel to compare laws by."""
-    scenes = [Scene({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("maugis", "jkr")]
+    scenes = [Frame({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("maugis", "jkr")]
     picture, notes = curves_of_contact(scenes, None, None)
     force, moment = ({curve.text: curve.colour for curve in panel.curves} for panel in picture.panels)
     assert force == moment == {"Maugis–Dugdale": 0, "JKR": 1}
@@ -447,7 +447,7 @@ def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Pat
 def test_the_force_curve_of_one_law_has_its_branches_and_states(
     model: str | None, branches: list[str], states: list[str]
 ) -> None:
-    scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model=model)
+    scene = Frame({"radius": 1e-7}, known_materials()["quartz"], model=model)
     (panel,) = curves_of_contact([scene], None, "force")[0].panels
     curves = panel.curves[::-1]
     assert ([curve.text for curve in curves], [point.text for point in panel.marks]) == (branches, states)
@@ -463,7 +463,7 @@ def test_the_force_curve_of_one_law_has_its_branches_and_states(
 def test_curves_of_several_laws_end_at_the_loads_and_have_no_chords(loads: str) -> None:
     """There is no curve where the force is beyond the loads: between the unstable branch and the stable one."""
     low, high = loads_of(loads)
-    scenes = [Scene({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("jkr", "maugis")]
+    scenes = [Frame({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("jkr", "maugis")]
     drawn, _ = curves_of_contact(scenes, Loads(low, high), "force")
     (panel,) = drawn.panels
     laws = {law: [curve for curve in panel.curves if curve.text == law] for law in ("JKR", "Maugis–Dugdale")}

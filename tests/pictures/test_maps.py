@@ -13,7 +13,7 @@ import pytest
 
 from harness import Run
 from jkroll import known_materials, solve
-from jkroll.model.frame import Scene
+from jkroll.model.frame import Frame
 from jkroll.model.limits import LIMITS
 from jkroll.model.plan import depends_on
 from jkroll.pictures.figures import paper_map
@@ -62,7 +62,7 @@ def test_a_figure_is_its_equation(name: str, formula: object) -> None:
 
 def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
     panel, field = panel_of("6b"), field_of("6b")
-    np.testing.assert_allclose(field.values / evaluate(field.scene, field.printed, panel.x, panel.y), 2.5, rtol=1e-12)
+    np.testing.assert_allclose(field.values / evaluate(field.frame, field.printed, panel.x, panel.y), 2.5, rtol=1e-12)
 
 
 # --- What the paper's text says one sees ------------------------------------------------------------------------------
@@ -84,7 +84,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     drawn, field = panel_of("8"), field_of("8")
     (shaded,) = (region for region in field.regions if "cannot begin rolling" in region.text)
-    excess = shaded.excess(over(field.scene, drawn.x, drawn.y))
+    excess = shaded.excess(over(field.frame, drawn.x, drawn.y))
     row = int(np.argmin(abs(np.log(drawn.y.values() / 1e-8))))
     inside = drawn.x.values()[excess[row] > 0]
     assert inside.min() == approx(9.2e11, rel=0.2)
@@ -142,7 +142,7 @@ def test_a_table_has_rounded_values_or_those_that_were_asked(axis: Axis, most: i
 
 def test_the_axis_of_a_flat_curve_does_not_enlarge_rounding_errors(run: Run) -> None:
     """Q does not depend on R1: its values differ by rounding alone."""
-    forces = evaluate(Scene({}, known_materials()["quartz"]), "yield_force", Axis("radius", 1e-8, 1e-6, size=1001))
+    forces = evaluate(Frame({}, known_materials()["quartz"]), "yield_force", Axis("radius", 1e-8, 1e-6, size=1001))
     assert is_flat(forces)
     axis = axis_around("yield_force", [forces], may_be_log=True)
     assert axis.high - axis.low == approx(0.1 * forces[0], rel=1e-6)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from jkroll.materials.library import known_materials
-from jkroll.model.frame import DEFAULTS, Scene
+from jkroll.model.frame import DEFAULTS, Frame
 from jkroll.quantities.formatting import Format, amount, in_words, significant
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import value_of
@@ -250,13 +250,13 @@ def _compared(row: Measurement) -> Compared:
     return Compared(row, _middle(row.measured, unit_of), computed, f"{told}, by {scene.law.name.upper()}")
 
 
-def _scene(row: Measurement, given: Mapping[str, str]) -> Scene:
+def _scene(row: Measurement, given: Mapping[str, str]) -> Frame:
     materials = known_materials()
     other = materials[row.material2] if row.material2 else None
-    return Scene({name: value_of(text, name) for name, text in given.items()}, materials[row.material], other)
+    return Frame({name: value_of(text, name) for name, text in given.items()}, materials[row.material], other)
 
 
-def _told(scene: Scene, row: Measurement) -> Iterator[str]:
+def _told(scene: Frame, row: Measurement) -> Iterator[str]:
     """Iterate over the inputs that are said: the materials, the radii, γ and ξ where they enter."""
     for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
         if name in ("material", "material2"):

@@ -1,1 +1,1 @@
-"""The questions that commands ask of a scene, and the answers."""
+"""The questions that commands ask of a frame, and the answers."""

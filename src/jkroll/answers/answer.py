@@ -1,4 +1,4 @@
-"""The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
+"""The answer of a command for one frame: its results, the inputs as understood, limits and notes."""
 
 from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
@@ -28,7 +28,7 @@ from ..model.alternatives import (
     with_bars,
 )
 from ..model.column import Column
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..model.limits import (
     ASSUMED_DISPLACEMENT,
     CONTACT_EXCEEDS_SPHERE,
@@ -134,33 +134,33 @@ def without_value(name: str, error: JkrollError, law: str = "") -> Result:
     return Result(name, None, reason_of(name, error), error.code, law=law)
 
 
-def equation_of(scene: Scene, name: str) -> str:
+def equation_of(frame: Frame, name: str) -> str:
     """Return the equation by which a law has a quantity: that of the paper, or the source of the law."""
-    return NOMENCLATURE[scene.plan(name).name].equation or scene.law.source
+    return NOMENCLATURE[frame.plan(name).name].equation or frame.law.source
 
 
 _MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 
 
-def model_error(name: str, scene: Scene) -> float | None:
+def model_error(name: str, frame: Frame) -> float | None:
     """Return the relative error of a model; None for the exact one, for other quantities, and where one has no value.
 
     At a fixed load Eq (25) is exact; at a fixed approach, there is a term in ξ³ more.
     """
-    exact_model = "fixed_approach_moment" if "approach_at_load" in scene.stated else "yield_moment"
+    exact_model = "fixed_approach_moment" if "approach_at_load" in frame.stated else "yield_moment"
     if name not in _MOMENTS or name == exact_model:
         return None
-    values = scene.numbers(name, exact_model)
+    values = frame.numbers(name, exact_model)
     if len(values) < 2:
         return None
     return float(abs(values[name] - values[exact_model]) / values[exact_model])
 
 
-def with_force_by_maugis(error: Failure, scene: Scene) -> Failure:
+def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
     """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
-    if not scene.law.is_default:
+    if not frame.law.is_default:
         return error
-    force = scene.replace(model=BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
+    force = frame.replace(model=BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
     return Failure(HELD_BY_MAUGIS, numbers=(*error.numbers, -force)) if force >= -error.numbers[0] else error
 
 
@@ -173,13 +173,13 @@ def readings_of(law: str) -> tuple[str, str]:
 
 
 class Answer(Results):
-    """The results of a command for one scene, with all that is to be said of them."""
+    """The results of a command for one frame, with all that is to be said of them."""
 
     condition: float | None = None  # of two inferred inputs together
 
-    def __init__(self, question: Question, scene: Scene, *, keeps_all: bool = False) -> None:
-        """Compute the quantities of a question as far as the scene allows."""
-        super().__init__(scene, scene.shown(question.quantities, question.named), keeps_all=keeps_all)
+    def __init__(self, question: Question, frame: Frame, *, keeps_all: bool = False) -> None:
+        """Compute the quantities of a question as far as the frame allows."""
+        super().__init__(frame, frame.shown(question.quantities, question.named), keeps_all=keeps_all)
         self.question = question
 
     @cached_property
@@ -229,11 +229,11 @@ class Answer(Results):
 
     def result(self, name: str) -> Result:
         """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
-        law = "" if self.scene.law.is_default else self.scene.law.name
+        law = "" if self.frame.law.is_default else self.frame.law.name
         if name in self.reasons:
             return without_value(name, self.reasons[name], law)
-        of_law = equation_of(self.scene, name) if law and has_other_formulas(self.scene, name) else ""
-        error, bar = model_error(name, self.scene), self.bar(name)
+        of_law = equation_of(self.frame, name) if law and has_other_formulas(self.frame, name) else ""
+        error, bar = model_error(name, self.frame), self.bar(name)
         return Result(name, self.values[name], error=error, bar=bar, law=law if of_law else "", of_law=of_law)
 
     def bar(self, name: str) -> ErrorBar | None:
@@ -247,21 +247,21 @@ class Answer(Results):
 
         One has its error bar, and a rolling quantity both readings: at equal displacement, and at equal hysteresis.
         """
-        scene, law = self.scene, self.scene.law.name
-        if scene.missing(["tabor_parameter"]):
+        frame, law = self.frame, self.frame.law.name
+        if frame.missing(["tabor_parameter"]):
             return {}
         values = self.others.get(other_law(law), {})
         ours = {name: self.values[name] for name in values if self.values.get(name)}
         numbers = {name: middle(values[name]) for name in ours}
         columns = {f"over_{law}": numbers}
         if law != BETWEEN:
-            at_half = at_half_spacing(scene.by_law).numbers(*ours)
+            at_half = at_half_spacing(frame.by_law).numbers(*ours)
             columns[f"over_{law}_at_half_spacing"] = dict.fromkeys(ours) | at_half
         rolled = rolling(ours)
-        if rolled and (reading := at_other_reading(scene, scene.by_law)) is not None:
+        if rolled and (reading := at_other_reading(frame, frame.by_law)) is not None:
             readings = reading.numbers(*rolled)
             both = [{name: numbers[name] for name in readings}, readings]
-            columns |= zip(readings_of(law), both if is_at_displacement(scene) else reversed(both), strict=True)
+            columns |= zip(readings_of(law), both if is_at_displacement(frame) else reversed(both), strict=True)
         entries: dict[str, dict[str, Any]] = {name: {"value": number} for name, number in numbers.items()}
         for key, column in columns.items():
             for name, number in column.items():
@@ -273,7 +273,7 @@ class Answer(Results):
     @cached_property
     def of_jkr(self) -> Mapping[str, float]:
         """The values of JKR, to stand beside those of another law."""
-        numbers = self.scene.under(DEFAULT_LAW).numbers(*(self.columns.keys() - self.ended.keys()))
+        numbers = self.frame.under(DEFAULT_LAW).numbers(*(self.columns.keys() - self.ended.keys()))
         return {name: number for name, number in numbers.items() if number < INFINITY}
 
     @cached_property
@@ -285,20 +285,20 @@ class Answer(Results):
         if not self.values:
             return {}
         meant = [name for name in self.computed if name not in self.ended]
-        names_of = names_with_alternatives([self.scene], meant)
-        names_of[other_law(self.scene.law.name)] += self.scene.by_law.missing(meant)
-        every = alternatives_of(self.scene, names_of)
+        names_of = names_with_alternatives([self.frame], meant)
+        names_of[other_law(self.frame.law.name)] += self.frame.by_law.missing(meant)
+        every = alternatives_of(self.frame, names_of)
         return {kind: {name: each.measure for name, each in of_kind.items()} for kind, of_kind in every.items()}
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
         """Those of these values that matter: by the other law where it moves a result, and by measured forces."""
-        is_shown = self.scene.law.name == BETWEEN or any(doubt.limit is LAW for doubt in self.exceeded)
+        is_shown = self.frame.law.name == BETWEEN or any(doubt.limit is LAW for doubt in self.exceeded)
         return {kind: values for kind, values in self.others.items() if is_shown or kind not in LAWS}
 
     def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
         """Return the limits that end no meaning, with that of an assumed displacement."""
-        return doubts(self.scene, columns, (*INEXACT, ASSUMED_DISPLACEMENT))
+        return doubts(self.frame, columns, (*INEXACT, ASSUMED_DISPLACEMENT))
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
@@ -332,28 +332,28 @@ class Answer(Results):
             return True
         names = [name for name in self.values if name in self.question.headline]
         if limit is LAW:
-            return bool(factor_of_law(self.scene, {name: self.columns[name] for name in names}) > LAW_MATTERS)
-        return bool(touched(self.scene, names, [limit]))
+            return bool(factor_of_law(self.frame, {name: self.columns[name] for name in names}) > LAW_MATTERS)
+        return bool(touched(self.frame, names, [limit]))
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
-        scene, known = self.scene, [name for name in self.values if name not in self.ended]
+        frame, known = self.frame, [name for name in self.values if name not in self.ended]
         headline = [name for name in known if name in self.question.headline]
         if doubt.limit is LAW and doubt.is_exceeded:
-            return _about_law(doubt, scene, headline, known, self.others.get(BETWEEN, {}))
+            return _about_law(doubt, frame, headline, known, self.others.get(BETWEEN, {}))
         rolled = rolling(headline) or rolling(known)  # none where ξ itself was asked for
         if doubt.limit is ASSUMED_DISPLACEMENT and doubt.is_exceeded and rolled:
-            return _about_displacement(scene, {name: self.others[DATA][name] for name in rolled[:MAX_TOLD]})
-        return _about_roughness(scene) if doubt.code == "rough-matters" else doubt.text
+            return _about_displacement(frame, {name: self.others[DATA][name] for name in rolled[:MAX_TOLD]})
+        return _about_roughness(frame) if doubt.code == "rough-matters" else doubt.text
 
     @cached_property
     def _entering(self) -> tuple[set[str], list[str]]:
-        return entering(self.scene, [*self.columns])
+        return entering(self.frame, [*self.columns])
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
         """The assumptions, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
-        return assumed(self.scene, self._entering[0], self._possible, has_values=True)
+        return assumed(self.frame, self._entering[0], self._possible, has_values=True)
 
     @property
     def _possible(self) -> list[str]:
@@ -367,9 +367,9 @@ class Answer(Results):
             *about_assumed(self.assumed),
             *about_missing({**self.lacking, **self.open_bars()}),
             *about_left_out(self.sources),
-            *about_given(self.scene, self._possible, inputs),
+            *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
-            *about_values(self.scene, [*self.values], [*self.values, *self.ended]),
+            *about_values(self.frame, [*self.values], [*self.values, *self.ended]),
             *about_limits(self.validity, "more" if self.lacking else "remark"),  # where results say what is missing
             *about_lost_contacts(self),
         )
@@ -385,7 +385,7 @@ class Answer(Results):
         """The reason why there is no result, or no contact."""
         for error in self.reasons.values():
             if isinstance(error, Failure) and not error.kind.has_contact:
-                return with_force_by_maugis(error, self.scene) if error.kind == BEYOND_PULL_OFF else error
+                return with_force_by_maugis(error, self.frame) if error.kind == BEYOND_PULL_OFF else error
         if self.values or self.ended:  # what has no meaning is an answer
             return None
         return next(iter(self.reasons.values()), Failure(OF_IDENTICAL_SPHERES))
@@ -395,22 +395,22 @@ class Answer(Results):
 
 
 def _about_law(
-    doubt: Doubt, scene: Scene, headline: Sequence[str], known: Sequence[str], by_law: Mapping[str, Any]
+    doubt: Doubt, frame: Frame, headline: Sequence[str], known: Sequence[str], by_law: Mapping[str, Any]
 ) -> str:
     """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by …".
 
     `by_law`: the answers by Maugis' law, with their error bars.
     """
-    spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"], digits=3)
+    spacing = span("atomic_spacing", frame["atomic_spacing"] / 2, frame["atomic_spacing"], digits=3)
     scale = f"(Tabor parameter {doubt.value:.2g}, z0 = {spacing})"
     for names in (headline, known if not headline or doubt.value >= JUMP else ()):
-        texts = {name: advised(scene, name, by_law.get(name)) for name in names}
+        texts = {name: advised(frame, name, by_law.get(name)) for name in names}
         if told := [name for name in names if texts[name]][:MAX_TOLD]:
             values = ", ".join(f"{NOMENCLATURE[name].symbol} {texts[name]}" for name in told)
-            at_displacement = " at equal ξ" if rolling(told) and is_at_displacement(scene) else ""
-            better = f"better here than {scene.law.title} {scale}: --model {BETWEEN}"
+            at_displacement = " at equal ξ" if rolling(told) and is_at_displacement(frame) else ""
+            better = f"better here than {frame.law.title} {scale}: --model {BETWEEN}"
             return f"{values} by {law_advised(told)}{at_displacement}, {better}"
-    return f"energies and speeds are rough here: neither {scene.law.title} nor Maugis' law is exact {scale}"
+    return f"energies and speeds are rough here: neither {frame.law.title} nor Maugis' law is exact {scale}"
 
 
 def law_advised(names: Collection[str]) -> str:
@@ -418,19 +418,19 @@ def law_advised(names: Collection[str]) -> str:
     return "Maugis' or Lennard-Jones' law" if "pull_off_force" in names else "Maugis' law"
 
 
-def advised(scene: Scene, name: str, by_law: Any = None) -> str:
+def advised(frame: Frame, name: str, by_law: Any = None) -> str:
     """Return what a quantity is by Maugis' law, from half the atomic spacing on: "= 14–15 nN"; empty if it is the same.
 
     `by_law`: this with its error bar, of which a range counts, as it is of the inputs.
 
-    A pull-off force by Lennard-Jones' law is above Maugis' in every scene that was tried. Below the Tabor parameter of
+    A pull-off force by Lennard-Jones' law is above Maugis' in every frame that was tried. Below the Tabor parameter of
     a jump, Maugis' law is no correction to the energies that separate spheres, and what follows from them: a well of
     Lennard-Jones' law is deeper still, and its contacts form and open without a jump.
     """
-    other, ours = by_law_at_spacing(scene, [name]), scene.numbers(name).get(name)
+    other, ours = by_law_at_spacing(frame, [name]), frame.numbers(name).get(name)
     has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
-    is_no_correction = has_energy and not rolling([name]) and scene["tabor_parameter"] < JUMP
-    if ours is None or is_no_correction or not moved_by_law(scene, [name]):
+    is_no_correction = has_energy and not rolling([name]) and frame["tabor_parameter"] < JUMP
+    if ours is None or is_no_correction or not moved_by_law(frame, [name]):
         return ""
     fit = ["pull_off_force_lennard_jones"] if name == "pull_off_force" else []
     others = [*other.numbers(name, *fit).values(), *at_half_spacing(other).numbers(name).values()]
@@ -438,31 +438,31 @@ def advised(scene: Scene, name: str, by_law: Any = None) -> str:
         return "has no value"
     is_moved = not farthest((value, ours) for value in others) <= LAW_MATTERS
     if isinstance(by_law, Interval):
-        at_half = with_bars(scene, [name], lambda scene: at_half_spacing(by_law_at_spacing(scene, [name])))
+        at_half = with_bars(frame, [name], lambda frame: at_half_spacing(by_law_at_spacing(frame, [name])))
         at_half = at_half[name].measure
         others += [*ends_of(by_law), *(ends_of(at_half) if at_half is not None else ())]
     return f"= {span(name, min(others), max(others))}" if is_moved else ""
 
 
-def _about_displacement(scene: Scene, values: Mapping[str, Any]) -> str:
+def _about_displacement(frame: Frame, values: Mapping[str, Any]) -> str:
     """Return what stands in place of answers with the assumed ξ: "Q = 89–270 pN by forces on SiO2 of 1 µm".
 
     The moment is proportional to what adhesion hysteresis supplies, which has an end.
     """
     told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(value))}" for name, value in values.items() if value)
-    text = f"{', '.join(told)} by {_forces(scene)}"
-    most = at_most_measured(scene)
+    text = f"{', '.join(told)} by {_forces(frame)}"
+    most = at_most_measured(frame)
     if most.numbers("hysteresis_ratio").get("hysteresis_ratio", 0.0) > 1:
         name = next(iter(values))
-        end = with_bars(scene, [name], at_full_hysteresis, ["hysteresis_ratio"])[name].measure
+        end = with_bars(frame, [name], at_full_hysteresis, ["hysteresis_ratio"])[name].measure
         bound = "at most" if middle(end) < most[name] else "at least"
         text += f"; adhesion alone gives {NOMENCLATURE[name].symbol} = {span(name, *ends_of(end))} {bound}"
     return f"{text}; ξ is assumed (--xi)"  # the head says this, too: it may be cut from a short note
 
 
-def _about_roughness(scene: Scene) -> str:
+def _about_roughness(frame: Frame) -> str:
     """Return what was measured where the pull-off force is that of smooth spheres."""
-    force = scene.numbers("pull_off_force").get("pull_off_force", 0.0)
+    force = frame.numbers("pull_off_force").get("pull_off_force", 0.0)
     smooth, rough = (span("pull_off_force", force / most, force / least) for most, least in ((4, 2), (100, 10)))
     return (
         f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 "
@@ -470,11 +470,11 @@ def _about_roughness(scene: Scene) -> str:
     )
 
 
-def _forces(scene: Scene) -> str:
-    """Return what was measured, and how it was brought to the size of a scene."""
-    if rolled_solid(scene) != SIO2:
+def _forces(frame: Frame) -> str:
+    """Return what was measured, and how it was brought to the size of a frame."""
+    if rolled_solid(frame) != SIO2:
         return "displacements of polystyrene on glass at 5 µm, scaled to this size"
     text = f"forces on {SIO2} of 1 µm"
-    if abs(2 * scene["reduced_radius"] / ROLLED["radius"] - 1) < _ALIKE:
+    if abs(2 * frame["reduced_radius"] / ROLLED["radius"] - 1) < _ALIKE:
         return text
     return f"{text} ({span('yield_force', *FORCES)}), scaled to this size"

@@ -5,7 +5,7 @@ from math import inf, isfinite
 from typing import NamedTuple
 
 from ..errors import BadRequest, NoResult
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..model.plan import in_order
 from ..model.reasons import NO_STIFFNESS, MissingInput
 from ..model.rows import Wanted, sides_in
@@ -39,9 +39,9 @@ class State(NamedTuple):
     value: float
     name: str
 
-    def in_scene(self, scene: Scene) -> Scene:
-        """Return a scene at the state."""
-        frame = scene.replace(**{self.given: self.value}, state=self.name)
+    def in_frame(self, frame: Frame) -> Frame:
+        """Return a frame at the state."""
+        frame = frame.replace(**{self.given: self.value}, state=self.name)
         if self.name == FOLD:  # where the formula gives rounding errors
             frame.drop("stiffness", NO_STIFFNESS)
         return frame
@@ -69,18 +69,18 @@ def loads_of(text: str) -> Loads:
     return loads
 
 
-def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
-    """Return the states of the force curve of a scene under its law, by rising approach or load as that has them.
+def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
+    """Return the states of the force curve of a frame under its law, by rising approach or load as that has them.
 
     Without `loads` the curve ends at (16/9)P_c. It has `steps` on the stable branch, half as many where fixed grips
     hold the contact, and the named states.
     """
     try:
-        given, at_load = _SET_BY.get(scene.law.name, ("load", "load"))
-        named, force = _named(scene), scene["pull_off_force"]
+        given, at_load = _SET_BY.get(frame.law.name, ("load", "load"))
+        named, force = _named(frame), frame["pull_off_force"]
         low, high = loads or Loads(-inf, MAX_LOAD * force)
-        first = scene.replace(load=low)[at_load] if low > -force else named[PULL_OFF]
-        last = scene.replace(load=high)[at_load]
+        first = frame.replace(load=low)[at_load] if low > -force else named[PULL_OFF]
+        last = frame.replace(load=high)[at_load]
     except (MissingInput, NoResult):  # the answer says what is missing, or that the spheres let go
         return [State("load", loads.high, "stable") if loads else State("load", 0.0, EQUILIBRIUM)]
     half = steps // 2
@@ -93,46 +93,46 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
     by_value = {float(f"{state.value:.12g}"): state for state in every}  # a named state takes the place of another
     path = [by_value[value] for value in sorted(by_value)]
     if named.get(FOLD) == 0:
-        path = [*_without_contact(scene, path[0].value, half), *path]
+        path = [*_without_contact(frame, path[0].value, half), *path]
     if loads is None:
         return path
     slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load of a state comes back but for rounding
     lowest, highest = low - slack, high + slack
-    return [state for state in path if state.name == "stable" or lowest <= state.in_scene(scene)["load"] <= highest]
+    return [state for state in path if state.name == "stable" or lowest <= state.in_frame(frame)["load"] <= highest]
 
 
-def _named(scene: Scene) -> dict[str, float]:
+def _named(frame: Frame) -> dict[str, float]:
     """Return the values at the named states of the input that sets a state of the law; 0 at a fold without contact."""
-    if scene.law.name == "jkr":
+    if frame.law.name == "jkr":
         return {**NAMED}
-    if scene.law.name == "dmt":
-        return {PULL_OFF: 0.0, EQUILIBRIUM: scene.replace(load=0.0)["approach_at_load"]}
-    if scene.law.name == "maugis":
-        ends = {FOLD: scene["edge_ratio_at_fold"], PULL_OFF: scene["edge_ratio_at_pull_off"]}
-        return {**ends, EQUILIBRIUM: scene.replace(load=0.0)["edge_ratio_at_load"]}
-    return {PULL_OFF: -scene["pull_off_force"], EQUILIBRIUM: 0.0}
+    if frame.law.name == "dmt":
+        return {PULL_OFF: 0.0, EQUILIBRIUM: frame.replace(load=0.0)["approach_at_load"]}
+    if frame.law.name == "maugis":
+        ends = {FOLD: frame["edge_ratio_at_fold"], PULL_OFF: frame["edge_ratio_at_pull_off"]}
+        return {**ends, EQUILIBRIUM: frame.replace(load=0.0)["edge_ratio_at_load"]}
+    return {PULL_OFF: -frame["pull_off_force"], EQUILIBRIUM: 0.0}
 
 
-def _without_contact(scene: Scene, ratio: float, steps: int) -> Iterator[State]:
+def _without_contact(frame: Frame, ratio: float, steps: int) -> Iterator[State]:
     """Iterate over states by Maugis' law from the fold on, up to a contact of an edge ratio, without that."""
-    fold, touch = scene["fold_approach_maugis"], scene.replace(edge_ratio=ratio)["approach_at_load"]
+    fold, touch = frame["fold_approach_maugis"], frame.replace(edge_ratio=ratio)["approach_at_load"]
     for step in range(steps):
         yield State("approach_at_load", fold + (touch - fold) * step / steps, "without contact" if step else FOLD)
 
 
-def frames_of_curve(scene: Scene, loads: Loads | None = None) -> Iterator[Scene]:
-    """Iterate over the frames at the states of the force curve of a scene, under its law."""
-    return (state.in_scene(scene) for state in states(scene, loads))
+def frames_of_curve(frame: Frame, loads: Loads | None = None) -> Iterator[Frame]:
+    """Iterate over the frames at the states of the force curve of a frame, under its law."""
+    return (state.in_frame(frame) for state in states(frame, loads))
 
 
-def answer_at_state(question: Question, frame: Scene) -> Answer:
+def answer_at_state(question: Question, frame: Frame) -> Answer:
     """Return the answer at a state. The quantity that sets the state is an input and no result."""
     sets_state = STATE_OR_LOAD & frame.stated.keys()
     names = tuple(name for name in question.quantities if name not in sets_state) or question.quantities
     return Answer(Question(question.headline, names, names), frame)
 
 
-def curve_columns(frames: Sequence[Scene], names: Sequence[str], *, keeps_all: bool = False) -> Wanted:
+def curve_columns(frames: Sequence[Frame], names: Sequence[str], *, keeps_all: bool = False) -> Wanted:
     """Return the columns of quantities at states, behind those of the inputs and of the names of the states."""
     inputs = {name for frame in frames for name in frame.echo(frame.inputs_used(names))}
     sides = sides_in((frame, names) for frame in frames)

@@ -34,12 +34,12 @@ class Inferred(Answer):
     laws: Mapping[str, Any] = {}  # what is found under each law stands beside the results
 
     def __init__(self, problem: Problem, *, keeps_all: bool = False) -> None:
-        """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
+        """Solve a problem. Raises the errors that hold for every frame, and others are the answer."""
         unknowns = Found(problem, problem.columns(problem.unknowns), keeps_all=keeps_all)
         self.failure = next(iter(problem.errors(unknowns.computed).values()), None)
         measured = () if self.failure else (*problem.measured,)
-        scene = problem.filled if self.failure else problem.solved
-        super().__init__(Question(problem.unknowns, measured, named=measured), scene, keeps_all=keeps_all)
+        frame = problem.filled if self.failure else problem.solved
+        super().__init__(Question(problem.unknowns, measured, named=measured), frame, keeps_all=keeps_all)
         self.unknowns = unknowns
         self.problem, self.bars, self.sources = problem, unknowns.bars, unknowns.sources
         self.measures = {name: in_words(name, value) for name, value in unknowns.inputs_of(()).items()}
@@ -70,7 +70,7 @@ class Inferred(Answer):
         """The values, with error bars, under each other law that has the measured quantities by other formulas."""
         if self.ended:
             return {}
-        formulas = self.scene.formulas_to(*self.problem.measured)
+        formulas = self.frame.formulas_to(*self.problem.measured)
         by_law = {}
         for law in LAWS:
             other = self.problem.replace(model=law)
@@ -87,7 +87,7 @@ class Inferred(Answer):
         if doubt.is_exceeded and doubt.limit is LAW and BETWEEN in self.alternatives:
             values = {name: middle(value) for name, value in self.alternatives[BETWEEN].items()}
             told = listed(f"{symbols[name]} = {span(name, value, value)}" for name, value in values.items())
-            better = f"by Maugis' law, better here than {self.scene.law.title}"
+            better = f"by Maugis' law, better here than {self.frame.law.title}"
             return f"{told} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
         if doubt.code == "rough-matters":
             unknowns = listed(symbols.values())
@@ -103,24 +103,24 @@ class Inferred(Answer):
 
     def _proofs(self) -> Iterator[Note]:
         """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""
-        scene, values, forward = self.scene, self.problem.solution.values, self.values
-        used = scene.data_used(scene.inputs_of(*forward))
+        frame, values, forward = self.frame, self.problem.solution.values, self.values
+        used = frame.data_used(frame.inputs_of(*forward))
         for name, value in values.items():
             if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
                 yield Note(
                     "warning", f"{equal({name: value}, symbol_of)} is beyond usual values, {sizes_in_words([name])}"
                 )
             if name in _RAISING and not _LOSING.isdisjoint(forward):
-                symbol = symbol_among(name, scene.given)
+                symbol = symbol_among(name, frame.given)
                 yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
             replaced = "surface_energy" if name == "work_of_adhesion" else name
-            for material, _ in scene.materials:
+            for material, _ in frame.materials:
                 if replaced in material.properties and (material, replaced) not in used:
                     symbol = NOMENCLATURE[replaced].symbol.rstrip("1")
                     yield Note("more", f"{symbol} of {material.name} is not used")
         proof = f"{equal(values, symbol_of)} {'give' if self.condition else 'gives'} {equal(forward, symbol_of)}"
-        if "surface_energy" in values and "radius2" in scene.stated and "surface_energy2" not in scene.given:
-            proof += f" if γ2 = γ1, so w = {amount('work_of_adhesion', scene['work_of_adhesion'])}"
+        if "surface_energy" in values and "radius2" in frame.stated and "surface_energy2" not in frame.given:
+            proof += f" if γ2 = γ1, so w = {amount('work_of_adhesion', frame['work_of_adhesion'])}"
         yield Note("more", proof + (f"; κ = {self.condition:.3g}" if self.condition else ""))
 
     @cached_property

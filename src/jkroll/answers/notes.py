@@ -15,7 +15,7 @@ from ..model.alternatives import (
     rolling,
     solid_of_pair,
 )
-from ..model.frame import DEFAULTS, Scene
+from ..model.frame import DEFAULTS, Frame
 from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
 from ..model.plan import depends_on
 from ..model.reasons import grouped
@@ -63,36 +63,36 @@ _MAX_CODES = 4  # of doubts, which are named
 # --- What is given ----------------------------------------------------------------------------------------------------
 
 
-def entering(scene: Scene, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], list[str]]:
+def entering(frame: Frame, names: Sequence[str], *, judges: bool = True) -> tuple[set[str], list[str]]:
     """Return the inputs of quantities, and those that were given though neither these nor a limit depends on them.
 
     The atomic spacing is among the former if it enters a limit, as it enters few answers. A load that enters limits
     alone is among the latter: it was meant for more. `judges`: whether all limits are judged, and not only those that
     end meaning.
     """
-    limits = touched(scene, scene.possible(names), LIMITS if judges else ENDING)
+    limits = touched(frame, frame.possible(names), LIMITS if judges else ENDING)
     every = [*names, *(limit.name for limit in limits)]
-    own, used = ({*scene.inputs_of(*scene.possible(each))} for each in (names, every))
-    needed = used - (STATE_OR_LOAD - own) | depends_on((*scene.missing(every),), (scene.law.name,))
-    idle = [name for name in scene.described if needed.isdisjoint((name, computed_as(name)))]
+    own, used = ({*frame.inputs_of(*frame.possible(each))} for each in (names, every))
+    needed = used - (STATE_OR_LOAD - own) | depends_on((*frame.missing(every),), (frame.law.name,))
+    idle = [name for name in frame.described if needed.isdisjoint((name, computed_as(name)))]
     return own | used & {"atomic_spacing"}, idle
 
 
-def assumed(scene: Scene, inputs: Collection[str], names: Sequence[str], *, has_values: bool) -> dict[str, str]:
+def assumed(frame: Frame, inputs: Collection[str], names: Sequence[str], *, has_values: bool) -> dict[str, str]:
     """Return what was assumed for some quantities, by a rule or by a value, each with the option that sets it, by name.
 
-    `has_values`: whether a rule gives one value, and not others in other rows, or points, of which the scene is one.
+    `has_values`: whether a rule gives one value, and not others in other rows, or points, of which the frame is one.
     """
-    steps = scene.formulas_to(*names)
+    steps = frame.formulas_to(*names)
     texts = {name: rule for name, rule in _RULES.items() if name in steps}
     if "hamaker" in inputs:
         texts["work_of_adhesion"] = "w = A/12πD0²"
     elif "surface_energy2" not in inputs:
         texts.pop("work_of_adhesion", None)
-    for name, value in scene.numbers(*texts).items() if has_values else ():
+    for name, value in frame.numbers(*texts).items() if has_values else ():
         texts[name] += f" = {amount(name, value, Format(digits=4))}"
     for name, value in DEFAULTS.items():
-        if name in inputs and name not in scene.given:
+        if name in inputs and name not in frame.given:
             texts[name] = f"{symbol_of(name)} = {amount(name, value)}" if value else "no load"
     return {name: f"{text} ({NOMENCLATURE[name].option})" for name, text in texts.items()}
 
@@ -102,15 +102,15 @@ def about_assumed(texts: Mapping[str, str]) -> list[Note]:
     return [Note("assumed", f"assumed: {', '.join(texts.values())}")] if texts else []
 
 
-def about_given(scene: Scene, names: Sequence[str], inputs: Collection[str]) -> Iterator[Note]:
+def about_given(frame: Frame, names: Sequence[str], inputs: Collection[str]) -> Iterator[Note]:
     """Iterate over the notes that follow from what is given; `inputs`: those of these quantities."""
-    if "shear_strength" in scene.formulas_to(*names):
+    if "shear_strength" in frame.formulas_to(*names):
         yield Note("remark", "sliding and twisting are known to an order of magnitude: τ = G/4π² (--shear-strength)")
-    energies = [scene[name] for name in ("surface_energy", "surface_energy2") if name in inputs]
+    energies = [frame[name] for name in ("surface_energy", "surface_energy2") if name in inputs]
     if len(energies) == 2 and max(energies) > _UNLIKE * min(energies):
         bounds = "w = 2√(γ1γ2) is an upper estimate for solids so unlike, 4/(1/γ1 + 1/γ2) a lower one"
         yield Note("caveat", f"{bounds}: --work-of-adhesion")
-    for material, name in scene.data_used(inputs):
+    for material, name in frame.data_used(inputs):
         if name in material.notes:  # of a property with an origin they say what is against it
             kind: Kind = "caveat" if name in material.origins else "more"
             yield Note(kind, f"{symbol_among(name, ())} of {material.name}: {material.notes[name]}")
@@ -131,51 +131,51 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 # --- Values -----------------------------------------------------------------------------------------------------------
 
 
-def about_values(scene: Scene, names: Collection[str], computed: Collection[str]) -> Iterator[Note]:
+def about_values(frame: Frame, names: Collection[str], computed: Collection[str]) -> Iterator[Note]:
     """Iterate over notes on values: what happens in a collision, what gives way first in a contact, the assumed ξ.
 
     `computed`: the quantities with a value, or with a number that has no meaning.
     """
-    is_silica = solid_of_pair(scene) == SIO2
+    is_silica = solid_of_pair(frame) == SIO2
     if is_silica and "break_energy_dust_simulation" in names:
         measured = "for spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J"
         yield Note("more", f"E_break of {SIO2}: {measured}")
-    if is_silica and "sticking_speed" in names and "viscous_time" not in scene.stated:
+    if is_silica and "sticking_speed" in names and "viscous_time" not in frame.stated:
         measured = "SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s"
         yield Note("remark", f"speeds are low: {measured}, where γ of quartz gives 0.31 m/s, of silica-dry 1.7 m/s")
-    if "n_grav" in names and not scene.is_identical:
-        chain = Scene(scene.stated_of_1, scene.material, model=scene.stated_model).numbers("n_grav").values()
+    if "n_grav" in names and not frame.is_identical:
+        chain = Frame(frame.stated_of_1, frame.material, model=frame.stated_model).numbers("n_grav").values()
         other = "".join(f"; the next, between spheres 1, yields at {carried + 1:.4g}" for carried in chain)
         yield Note("caveat", f"N_grav is what the first contact, on body 2, carries{other}")
     if "yield_force" in computed and "sliding_or_peeling_force" in names:
-        force = scene["sliding_or_peeling_force"]
-        rolls = "it rolls first; where it cannot, " if scene["yield_force"] < force else ""
-        first, last = ("peels off", "slides") if scene["peeling_over_sliding"] < 1 else ("slides", "peels off")
+        force = frame["sliding_or_peeling_force"]
+        rolls = "it rolls first; where it cannot, " if frame["yield_force"] < force else ""
+        first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
         pushed = f"pushed, {rolls}it {first} at {span('sliding_or_peeling_force', force, force)}, before it {last}"
         yield Note("caveat", f"{pushed}: the contact shrinks under the push")
-    if scene.law.name == BETWEEN and "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
+    if frame.law.name == BETWEEN and "contact_radius_at_load" in names and frame["contact_radius_at_load"] == 0:
         yield Note("remark", "a = 0: the spheres are bound without touching")
     if rolling(names):
-        values = scene.numbers(XI, "hysteresis_ratio", "displacement_ratio")
-        if assumes_displacement(scene) and not is_like_rolled(scene):
+        values = frame.numbers(XI, "hysteresis_ratio", "displacement_ratio")
+        if assumes_displacement(frame) and not is_like_rolled(frame):
             is_possible = values.get("displacement_ratio", 0.0) < 1  # else a warning says more
-            yield Note("caveat" if is_possible else "remark", about_displacement(scene, ""))
+            yield Note("caveat" if is_possible else "remark", about_displacement(frame, ""))
         if (ratio := values.get("hysteresis_ratio", 1.0)) < 1 and XI in values:
             lost = f"{significant(100 * ratio, 2)} % of w must be lost where the contact opens and closes"
             yield Note("more", f"to roll at ξ = {amount(XI, values[XI])}, {lost}")
 
 
-def about_displacement(scene: Scene, solid: str) -> str:
-    """Return what was measured where ξ is assumed for a scene, or for rows for which it stands.
+def about_displacement(frame: Frame, solid: str) -> str:
+    """Return what was measured where ξ is assumed for a frame, or for rows for which it stands.
 
     `solid`: that on which rolling was measured, if spheres may be like those; else empty.
     """
-    if scene.material is not None and not solid:
-        spheres = scene.material.name if scene.material2 is None else "this pair"
-        like_these = " at this size and γ" if rolled_solid(scene) else ""
+    if frame.material is not None and not solid:
+        spheres = frame.material.name if frame.material2 is None else "this pair"
+        like_these = " at this size and γ" if rolled_solid(frame) else ""
         return f"ξ is assumed (--xi): no ξ of {spheres} was measured{like_these}"
-    ends = span(XI, *displacements_where_measured(scene))
-    of_silica = f"forces on {SIO2} of 1 µm mean {ends} under {scene.law.title}"
+    ends = span(XI, *displacements_where_measured(frame))
+    of_silica = f"forces on {SIO2} of 1 µm mean {ends} under {frame.law.title}"
     measured = of_silica if solid in ("", SIO2) else "polystyrene has 42 nm at 5 µm"  # Sümer & Sitti
     return f"ξ is assumed (--xi): {measured}, and it grows with the sphere"
 
@@ -204,11 +204,11 @@ def about_left_out(*every: Sources | None) -> list[Note]:
 
 def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
     """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
-    has_spread = answer.sources is not None and "load" in answer.scene.inputs_used([*answer.computed])
-    forces = answer.scene.numbers("load", "pull_off_force") if has_spread else {}
+    has_spread = answer.sources is not None and "load" in answer.frame.inputs_used([*answer.computed])
+    forces = answer.frame.numbers("load", "pull_off_force") if has_spread else {}
     if len(forces) < 2 or answer.open_bars():
         return
-    bars = error_bars(answer.scene, forces, sources=answer.sources).values()
+    bars = error_bars(answer.frame, forces, sources=answer.sources).values()
     spread = hypot(*(bar.sides["minus"] for bar in bars if "minus" in bar.sides))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
     if part >= _LOST:
@@ -219,7 +219,7 @@ def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-Group = tuple[Scene, Sequence[str]]  # rows with the same inputs: a scene for them, and the quantities that they show
+Group = tuple[Frame, Sequence[str]]  # rows with the same inputs: a frame for them, and the quantities that they show
 
 
 def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
@@ -245,15 +245,15 @@ def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
 def assumed_in(groups: Iterable[Group], *, judges: bool = True) -> dict[str, str]:
     """Return what is assumed in some group, with the option that sets it, by name; `judges` as in `entering`."""
     texts: dict[str, str] = {}
-    for scene, names in groups:
-        inputs, _ = entering(scene, names, judges=judges)
-        texts |= assumed(scene, inputs, scene.possible(names), has_values=False)
+    for frame, names in groups:
+        inputs, _ = entering(frame, names, judges=judges)
+        texts |= assumed(frame, inputs, frame.possible(names), has_values=False)
     return texts
 
 
 def idle_in(groups: Iterable[Group], *, judges: bool = True) -> list[str]:
     """Return the inputs that change no result in any group; `judges` as in `entering`."""
-    first, *others = (entering(scene, names, judges=judges)[1] for scene, names in groups)
+    first, *others = (entering(frame, names, judges=judges)[1] for frame, names in groups)
     return [name for name in first if all(name in idle for idle in others)]
 
 
@@ -263,14 +263,14 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
     `reported`: the bits of the doubts to report.
     """
     every = [*about_rows(tally, reported, "jkroll guide doubts")]
-    for scene, names in groups:
-        possible = scene.possible(names)
+    for frame, names in groups:
+        possible = frame.possible(names)
         with suppress(JkrollError):  # each row says which sources do not go together
-            every += about_left_out(sources_of_results(scene, possible) if scene.uncertainties else None)
-        every += about_given(scene, possible, scene.inputs_of(*possible))
-        if rolling(possible) and assumes_displacement(scene):
-            every.append(Note("caveat", about_displacement(scene, rolled_solid(scene))))
-        every += about_limits(doubts(scene, scene.columns(possible)))
+            every += about_left_out(sources_of_results(frame, possible) if frame.uncertainties else None)
+        every += about_given(frame, possible, frame.inputs_of(*possible))
+        if rolling(possible) and assumes_displacement(frame):
+            every.append(Note("caveat", about_displacement(frame, rolled_solid(frame))))
+        every += about_limits(doubts(frame, frame.columns(possible)))
     return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]
 
 

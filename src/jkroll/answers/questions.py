@@ -1,4 +1,4 @@
-"""The questions that a command asks of a scene: the quantities that it is named after, and all that it shows."""
+"""The questions that a command asks of a frame: the quantities that it is named after, and all that it shows."""
 
 from collections.abc import Mapping
 
@@ -12,7 +12,7 @@ class Question:
         self,
         headline: tuple[str, ...],  # those that the command is named after; --bare writes them alone
         quantities: tuple[str, ...],  # all that are shown, in this order
-        named: tuple[str, ...] = (),  # asked for by name: shown for any scene
+        named: tuple[str, ...] = (),  # asked for by name: shown for any frame
         without_row: tuple[str, ...] = (),  # left to programs by the table of an answer, which has P_DMT as a column
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row

@@ -21,7 +21,7 @@ import numpy
 from numpy import cbrt, exp, interp, linspace, pi, sqrt, where
 
 from .. import __version__
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..output.writers import Cell, write_records
 from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.contact import pull_off_force, reduced_radius
@@ -119,7 +119,7 @@ class Equations:
             return a, a**3 - lambda_ * a**2 * (t + m**2 * angle)
 
         given = {"work_of_adhesion": w, "reduced_radius": R, "transition_parameter": lambda_, "load": P}
-        near = Scene({name: float(value) for name, value in given.items()})["edge_ratio_at_load"]
+        near = Frame({name: float(value) for name, value in given.items()})["edge_ratio_at_load"]
         v = _root(lambda v: state(v)[1] - P / unit_force, Decimal(near))
         return state(v)[0] * self.cbrt(unit_force * R / K)
 
@@ -346,7 +346,7 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, r
     others = OTHER_WAYS[quantity]
 
     def ours(given: Arrays) -> Any:
-        return Scene(given)[quantity]
+        return Frame(given)[quantity]
 
     names = {name for way in (getattr(DECIMALS, quantity), *others.values()) for name in inputs_of(way)}
     given = {

@@ -1,4 +1,4 @@
-"""A call of a command: its words and options, read as far as they are needed, as scenes and as a format of results."""
+"""A call of a command: its words and options, read as far as they are needed, as frames and as a format of results."""
 
 import os
 import sys
@@ -79,7 +79,7 @@ class Call:
             else:
                 self.settings[name] = value
 
-    # --- Scenes -------------------------------------------------------------------------------------------------------
+    # --- Frames -------------------------------------------------------------------------------------------------------
 
     @cached_property
     def materials(self) -> Materials:
@@ -168,7 +168,7 @@ class Call:
 
     @cached_property
     def sweep(self) -> Sweep:
-        """The rows: a scene for each combination of materials and values."""
+        """The rows: a frame for each combination of materials and values."""
         return Sweep(self.pairs, self.spreads, self.models)
 
     def _named(self, text: str | None) -> list[Material | None]:

@@ -8,7 +8,7 @@ import numpy
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..model.limits import LIMITS
 from ..model.plan import depends_on
 from ..output.writers import text_output, whole_file, write_columns
@@ -99,7 +99,7 @@ def draw_contact(call: Call) -> int:
             raise BadRequest(f"{flag} and --{name.replace('_', '-')} exclude each other")
     if (count := len(call.sweep) // len(call.models)) > 1:
         raise BadRequest(f"a picture shows one contact; {count} were given")
-    return _deliver(*curves_of_contact([*call.sweep.scenes()], call.loads, call.panel), call)
+    return _deliver(*curves_of_contact([*call.sweep.frames()], call.loads, call.panel), call)
 
 
 def _deliver(drawn: Picture, notes: Iterable[str], call: Call) -> int:
@@ -138,7 +138,7 @@ def _write_data(drawn: Picture, path: str) -> None:
             heads = (panel.x.header(), panel.y.header())
             if (field := panel.field) is not None:
                 x, y = numpy.meshgrid(panel.x.values(), panel.y.values())
-                values = evaluate(field.scene, field.quantity, panel.x, panel.y)
+                values = evaluate(field.frame, field.quantity, panel.x, panel.y)
                 columns = [numbers.ravel() for numbers in (x, y, values)]
                 write_columns((*heads, header(field.quantity)), columns, "csv", out)
             else:
@@ -174,7 +174,7 @@ def axis_of(text: str, option: str) -> Axis:
 
 
 def map_request(call: Call) -> PlotRequest:
-    """Return what a call asks for: a quantity, axes, scenes to draw, and marks."""
+    """Return what a call asks for: a quantity, axes, frames to draw, and marks."""
     if not call.subject:
         raise BadRequest("map needs a quantity, such as pull_off_force")
     quantity = quantity_named(call.subject)
@@ -197,18 +197,18 @@ def map_request(call: Call) -> PlotRequest:
     if (count := len(call.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
         raise BadRequest(f"{count} pairs are more than {most}")
-    scenes = tuple((_distinction(scene, call), scene) for scene in call.sweep.scenes())
+    frames = tuple((_distinction(frame, call), frame) for frame in call.sweep.frames())
     limits = () if call.plain else LIMITS
     marks = [*filter(None, call.mark.split(","))]
-    return PlotRequest(quantity, x, y, scenes, marks, call.materials, limits)
+    return PlotRequest(quantity, x, y, frames, marks, call.materials, limits)
 
 
-def _distinction(scene: Scene, call: Call) -> str:
-    """Return the materials of a scene, and those of its values of which several were given, without uncertainties."""
-    parts = [material.name for material, _ in scene.materials]
-    if len(call.models) > 1 and scene.stated_model is not None:
-        parts.append(scene.law.title)
+def _distinction(frame: Frame, call: Call) -> str:
+    """Return the materials of a frame, and those of its values of which several were given, without uncertainties."""
+    parts = [material.name for material, _ in frame.materials]
+    if len(call.models) > 1 and frame.stated_model is not None:
+        parts.append(frame.law.title)
     several = [name for name, text in call.values.items() if "," in text or ":" in text]
-    computed = [name if name in scene.given else computed_as(name) for name in several]
-    parts += [f"{symbol(name)} = {amount(name, scene.given[name])}" for name in computed]
+    computed = [name if name in frame.given else computed_as(name) for name in several]
+    parts += [f"{symbol(name)} = {amount(name, frame.given[name])}" for name in computed]
     return ", ".join(parts)

@@ -59,7 +59,7 @@ HINTS: Mapping[str, str] = {
         ("batch --json", "batch --csv", "batch --bare"), "--format and the name of the file say the format"
     ),
 }
-# Words of a scene that may be given by name, too.
+# Words of a frame that may be given by name, too.
 NAMED = {
     "MATERIAL": Option("material", "--material", metavar="quartz"),
     "RADIUS": Option("radius", "--radius", metavar="100nm"),

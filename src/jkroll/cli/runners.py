@@ -14,7 +14,7 @@ from ..answers.notes import Group, assumed_in, lines_of, notes_on_rows
 from ..answers.questions import EVERYTHING, QUESTIONS, Question, quantities_named, quantity_named, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import UnknownMaterial
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..model.limits import ENDING_MEANING
 from ..model.plan import formula_of
 from ..model.sweep import Sweep
@@ -37,16 +37,16 @@ WIDTH_OF_EXPORT = 120  # of a comment
 
 
 def run_question(call: Call) -> int:
-    """Answer the question of a command for every scene that was described; return the exit code."""
+    """Answer the question of a command for every frame that was described; return the exit code."""
     check_format(call)
     question = question_of(call, QUESTIONS[call.command])
     form = call.form(question.quantities)
     for name in question.named:
-        scene = call.sweep.kinds[0]
-        if name in scene.stated or (name in scene.values and formula_of(name) is None):
+        frame = call.sweep.kinds[0]
+        if name in frame.stated or (name in frame.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
 
-    def answer(row: Scene) -> "Answer":
+    def answer(row: Frame) -> "Answer":
         from ..answers.answer import Answer  # of which rows that are written with fewer words need nothing
 
         return Answer(question, row, keeps_all=keeps_all(call))
@@ -57,7 +57,7 @@ def run_question(call: Call) -> int:
 def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: "Callable[[Any], Answer]") -> int:
     """Write what is asked, as rows or as answers; return the exit code. `answer`: returns that of a row."""
     count = len(sweep)
-    single = answer(next(sweep.scenes())) if count == 1 else None
+    single = answer(next(sweep.frames())) if count == 1 else None
     if single is not None and call.kind != "explain" and single.failure is not None and single.has_no_headline:
         raise single.failure
     is_one = single is not None and call.kind in ("plain", "table") and call.target is None
@@ -67,7 +67,7 @@ def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: "C
         raise BadRequest(f"--{call.kind}: {count} pairs are more than {sweep.most_answers}; --csv writes any number")
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # what is wrong with rows is raised before one is written
-    return _write_answers(call, map(answer, sweep.scenes()) if single is None else [single], count, form)
+    return _write_answers(call, map(answer, sweep.frames()) if single is None else [single], count, form)
 
 
 def keeps_all(call: Call) -> bool:
@@ -96,7 +96,7 @@ def question_of(call: Call, usual: Question) -> Question:
 
 
 def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, single: "Answer | None") -> int:
-    """Write a row for each scene; return the exit code. `single`: the answer of the only one."""
+    """Write a row for each frame; return the exit code. `single`: the answer of the only one."""
     from ..model.rows import of_single_row
 
     is_shown = call.kind == "table" and call.target is None and len(sweep) <= sweep.most_in_table
@@ -207,9 +207,9 @@ def _write_answer(call: Call, answer: "Answer", out: TextIO, form: Format) -> No
     """Write a single answer as text, and its notes."""
     is_table = call.kind == "table"
     if is_table:
-        from ..output.table import scene_table
+        from ..output.table import frame_table
 
-        scene_table(answer, out, form)
+        frame_table(answer, out, form)
     else:
         from ..output.answered import write_plain
 
@@ -234,7 +234,7 @@ def run_contact(call: Call) -> int:
 
 
 def _write_curve(call: Call) -> int:
-    """Write the force curve of every scene; return the exit code.
+    """Write the force curve of every frame; return the exit code.
 
     Raises the failure of the first state if each has one.
     """
@@ -249,11 +249,11 @@ def _write_curve(call: Call) -> int:
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
     keeps = keeps_all(call)
-    samples = [frame for scene in sweep.kinds for frame in frames_of_curve(scene, loads)]
+    samples = [frame for frame in sweep.kinds for frame in frames_of_curve(frame, loads)]
     failures = (answer_at_state(question, frame).failure for frame in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
-    frames = (frame for scene in sweep.scenes() for frame in frames_of_curve(scene, loads))
+    frames = (frame for frame in sweep.frames() for frame in frames_of_curve(frame, loads))
     if call.kind == "json":
         every = [*frames]
         return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)
@@ -272,8 +272,8 @@ def _write_curve(call: Call) -> int:
                 columns.put(row, wanted.results(frame))
             yield columns
 
-    curves = [Answer(WHOLE_CURVE, scene) for scene in sweep.kinds]
-    groups = [(curve.scene, [*curve.columns]) for curve in curves]
+    curves = [Answer(WHOLE_CURVE, frame) for frame in sweep.kinds]
+    groups = [(curve.frame, [*curve.columns]) for curve in curves]
     single = curves[0] if len(sweep) == 1 and not call.quiet else None
     return _write_columns(call, wanted, groups, columns(), form, is_table=is_table, single=single)
 
@@ -295,19 +295,19 @@ def run_export(call: Call) -> int:
         raise BadRequest(f"export: {question}; what other codes call γ is in jkroll guide dem")
     if (count := len(call.sweep)) != 1:
         raise BadRequest(f"export takes one pair of spheres, not {count}; for unlike ones: --radius2")
-    scene = next(call.sweep.scenes())
-    if (model := scene.law.name) not in program.models:
+    frame = next(call.sweep.frames())
+    if (model := frame.law.name) not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
-    sys.stdout.write(program.text(scene))
+    sys.stdout.write(program.text(frame))
     if call.quiet:
         return 0
-    lacking = scene.missing(program.quantities)
+    lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
-    answer = Answer(Question(names, names), scene)
+    answer = Answer(Question(names, names), frame)
     notes = [*(f"note: {note.text}" for note in about_middles(answer.uncertain)), *every_line(answer)]
     notes = [line.replace(f": --model {BETWEEN}", "") for line in notes]  # a law that no program has
     if program.about:
-        for line in (*(f"note: {text}" for text in program.about(scene)), *notes):
+        for line in (*(f"note: {text}" for text in program.about(frame)), *notes):
             say_wrapped(line, sys.stderr)
     else:
         for line in notes:
@@ -316,7 +316,7 @@ def run_export(call: Call) -> int:
 
 
 def run_infer(call: Call) -> int:
-    """Find inputs for every scene and measured value; return the exit code."""
+    """Find inputs for every frame and measured value; return the exit code."""
     from ..answers.inferred import Inferred
     from ..model.infer import Problems
     from ..model.inverse import Problem
@@ -353,7 +353,7 @@ def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
 
 
 def run_batch(call: Call) -> int:
-    """Convert a table of scenes; return the exit code."""
+    """Convert a table of frames; return the exit code."""
     from ..tables.run import Job, run
     from ..tables.table import Asked
 

@@ -13,7 +13,7 @@ from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, ends_of
 from .column import Column, first_of
-from .frame import DEFAULTS, IN_ITS_PLACE, Scene
+from .frame import DEFAULTS, IN_ITS_PLACE, Frame
 from .plan import depends_on, plan_for
 from .ranges import LEAST, takes
 from .reasons import HIDDEN, reason
@@ -22,15 +22,15 @@ from .uncertainty import ErrorBar, error_bars, sources_of_results
 # --- By the other law -------------------------------------------------------------------------------------------------
 
 
-def at_half_spacing(scene: Scene) -> Scene:
-    """Return a scene whose atomic spacing is half as large, or the least that a scene takes."""
-    return scene.replace(atomic_spacing=at_least(scene["atomic_spacing"] / 2, LEAST))
+def at_half_spacing(frame: Frame) -> Frame:
+    """Return a frame whose atomic spacing is half as large, or the least that a frame takes."""
+    return frame.replace(atomic_spacing=at_least(frame["atomic_spacing"] / 2, LEAST))
 
 
-def by_law_at_spacing(scene: Scene, names: Iterable[str]) -> Scene:
-    """Return the scene under the other law, with its atomic spacing stated where that decides on some quantities."""
-    rests = any(map(scene.by_law.may_rest_on_spacing, names))
-    return scene.by_law_at_spacing if rests else scene.by_law
+def by_law_at_spacing(frame: Frame, names: Iterable[str]) -> Frame:
+    """Return the frame under the other law, with its atomic spacing stated where that decides on some quantities."""
+    rests = any(map(frame.by_law.may_rest_on_spacing, names))
+    return frame.by_law_at_spacing if rests else frame.by_law
 
 
 def rolling(names: Iterable[str]) -> list[str]:
@@ -38,51 +38,51 @@ def rolling(names: Iterable[str]) -> list[str]:
     return [name for name in names if name != XI and XI in depends_on((name,))]
 
 
-def is_at_displacement(scene: Scene) -> bool:
+def is_at_displacement(frame: Frame) -> bool:
     """Return whether equal inputs are equal displacements, and not equal hystereses."""
-    return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
+    return frame.given.keys().isdisjoint(IN_ITS_PLACE[1:])
 
 
-def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
-    """Return a scene under another law with the other of equal displacement and hysteresis, or None."""
-    ours, theirs = scene.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
+def at_other_reading(frame: Frame, other: Frame) -> Frame | None:
+    """Return a frame under another law with the other of equal displacement and hysteresis, or None."""
+    ours, theirs = frame.numbers(XI, "hysteresis_ratio"), other.numbers("hysteresis_ratio")
     if len(ours) < 2 or not theirs:
         return None
     displacement, without_contact = ours[XI], DEFAULTS[XI]
-    if is_at_displacement(scene):
+    if is_at_displacement(frame):
         displacement = displacement * (ours["hysteresis_ratio"] / theirs["hysteresis_ratio"])
         without_contact = ours[XI]
     displacement = where(takes(XI, displacement), displacement, without_contact)
     return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
 
-def has_other_formulas(scene: Scene, name: str, law: str = DEFAULT_LAW) -> bool:
-    """Return whether a law has a quantity by other formulas than a scene, or does not have it."""
-    return scene.plan(name).steps.keys() != plan_for(name, *scene.kind[:2], law).steps.keys()
+def has_other_formulas(frame: Frame, name: str, law: str = DEFAULT_LAW) -> bool:
+    """Return whether a law has a quantity by other formulas than a frame, or does not have it."""
+    return frame.plan(name).steps.keys() != plan_for(name, *frame.kind[:2], law).steps.keys()
 
 
-def moved_by_law(scene: Scene, names: Iterable[str]) -> list[str]:
+def moved_by_law(frame: Frame, names: Iterable[str]) -> list[str]:
     """Return those of some quantities that the other law has by formulas of its own, or alone."""
-    other = scene.by_law
-    return [name for name in other.possible(names) if has_other_formulas(scene, name, other.law.name)]
+    other = frame.by_law
+    return [name for name in other.possible(names) if has_other_formulas(frame, name, other.law.name)]
 
 
-def factor_of_law(scene: Scene, columns: Mapping[str, Column]) -> Any:
+def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
     """Return how far results are from those under the law that holds, as the factor of the farthest.
 
     A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
     law, too. The factor is infinite where only the law in use has a result, or results differ in sign.
     """
-    if scene.law.name == BETWEEN:
+    if frame.law.name == BETWEEN:
         return 1.0
-    ours = {name: columns[name].values for name in moved_by_law(scene, columns) if not columns[name].is_empty}
-    other = by_law_at_spacing(scene, ours)
+    ours = {name: columns[name].values for name in moved_by_law(frame, columns) if not columns[name].is_empty}
+    other = by_law_at_spacing(frame, ours)
     compared = [*other.columns(ours).items()]
     rolled = rolling(ours)
-    if rolled and (reading := at_other_reading(scene, other)) is not None:
+    if rolled and (reading := at_other_reading(frame, other)) is not None:
         compared += reading.columns(rolled).items()
     if "pull_off_force" in ours:
-        compared.append(("pull_off_force", scene.column("pull_off_force_lennard_jones")))
+        compared.append(("pull_off_force", frame.column("pull_off_force_lennard_jones")))
     return farthest((theirs.or_else(0.0), ours[name]) for name, theirs in compared)
 
 
@@ -119,9 +119,9 @@ def measured_solid(material: Material) -> str:
     return POLYSTYRENE if material.name in (POLYSTYRENE, "polystyrene-glassy") else ""
 
 
-def assumes_displacement(scene: Scene) -> bool:
+def assumes_displacement(frame: Frame) -> bool:
     """Return whether the paper's displacement is assumed where rolling begins, under a law by which forces mean one."""
-    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE) and not scene.plan("yield_force").lacking
+    return XI in frame.values and frame.given.keys().isdisjoint(IN_ITS_PLACE) and not frame.plan("yield_force").lacking
 
 
 def is_smooth(material: Material | None) -> bool:
@@ -129,68 +129,68 @@ def is_smooth(material: Material | None) -> bool:
     return material is not None and MICA in (material.name, *material.aliases)
 
 
-def solid_of_pair(scene: Scene) -> str:
+def solid_of_pair(frame: Frame) -> str:
     """Return the solid on which rolling was measured, if both spheres are of it."""
-    solid = scene.material
+    solid = frame.material
     measured = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
-    return measured if scene.material2 in (None, solid) else ""
+    return measured if frame.material2 in (None, solid) else ""
 
 
-def rolled_solid(scene: Scene) -> str:
+def rolled_solid(frame: Frame) -> str:
     """Return the solid on which rolling was measured, if both spheres are of it, whatever their size, and ξ assumed."""
-    solid = solid_of_pair(scene)
-    return solid if solid and assumes_displacement(scene) else ""
+    solid = solid_of_pair(frame)
+    return solid if solid and assumes_displacement(frame) else ""
 
 
-def is_like_rolled(scene: Scene) -> Any:
+def is_like_rolled(frame: Frame) -> Any:
     """Return whether spheres have the solid, size and γ of those that were rolled, by element for arrays."""
-    solid = rolled_solid(scene)
+    solid = rolled_solid(frame)
     if not solid:
         return False
-    known = scene.numbers("work_of_adhesion", "reduced_radius")
+    known = frame.numbers("work_of_adhesion", "reduced_radius")
     (least, most), (low, high) = _NEAR[solid]
     radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
     return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
 
 
-def displacements_where_measured(scene: Scene) -> tuple[float, float]:
+def displacements_where_measured(frame: Frame) -> tuple[float, float]:
     """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
-    ours = scene.numbers("work_of_adhesion", "contact_modulus") if rolled_solid(scene) == SIO2 else {}
+    ours = frame.numbers("work_of_adhesion", "contact_modulus") if rolled_solid(frame) == SIO2 else {}
     given = {"radius": ROLLED["radius"], **ours} if len(ours) == 2 else ROLLED
-    spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
-    pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
+    spacing = {"atomic_spacing": frame.values["atomic_spacing"]} if "atomic_spacing" in frame.values else {}
+    pair = Frame({**given, **spacing, XI: DEFAULTS[XI]}, model=frame.law.name)
     low, high = (DEFAULTS[XI] * (force / pair["yield_force"]) for force in FORCES)
     return low, high
 
 
-def measured_displacement(scene: Scene) -> Interval:
-    """Return the displacement that forces on the solid of a scene mean, scaled to its radii."""
+def measured_displacement(frame: Frame) -> Interval:
+    """Return the displacement that forces on the solid of a frame mean, scaled to its radii."""
     displacement = _OF_POLYSTYRENE
-    if rolled_solid(scene) == SIO2:
-        low, high = displacements_where_measured(scene)
+    if rolled_solid(frame) == SIO2:
+        low, high = displacements_where_measured(frame)
         displacement = Displacement(Interval.of((low + high) / 2, low=low, high=high), ROLLED["radius"])
-    return displacement.scaled(2 * scene["reduced_radius"])
+    return displacement.scaled(2 * frame["reduced_radius"])
 
 
-def at_least_measured(scene: Scene) -> Scene:
-    """Return the scene with the least displacement that forces on the same solid mean."""
-    return scene.replace(**{XI: measured_displacement(scene).low})
+def at_least_measured(frame: Frame) -> Frame:
+    """Return the frame with the least displacement that forces on the same solid mean."""
+    return frame.replace(**{XI: measured_displacement(frame).low})
 
 
-def at_most_measured(scene: Scene) -> Scene:
-    """Return the scene with the largest displacement that forces on the same solid mean."""
-    return scene.replace(**{XI: measured_displacement(scene).high})
+def at_most_measured(frame: Frame) -> Frame:
+    """Return the frame with the largest displacement that forces on the same solid mean."""
+    return frame.replace(**{XI: measured_displacement(frame).high})
 
 
-def at_full_hysteresis(scene: Scene) -> Scene:
-    """Return the scene with the displacement at which all of the work of adhesion is lost."""
-    return scene.replace(**{XI: scene[XI] / scene["hysteresis_ratio"]})
+def at_full_hysteresis(frame: Frame) -> Frame:
+    """Return the frame with the displacement at which all of the work of adhesion is lost."""
+    return frame.replace(**{XI: frame[XI] / frame["hysteresis_ratio"]})
 
 
-def factor_of_data(scene: Scene, _: Mapping[str, Column]) -> Any:
+def factor_of_data(frame: Frame, _: Mapping[str, Column]) -> Any:
     """Return how far the assumed ξ is from what forces on the same solid mean, as the larger factor; 1 without any."""
-    factor = farthest((end, scene[XI]) for end in ends_of(measured_displacement(scene)))
-    return where(is_like_rolled(scene), factor, 1.0)
+    factor = farthest((end, frame[XI]) for end in ends_of(measured_displacement(frame)))
+    return where(is_like_rolled(frame), factor, 1.0)
 
 
 # --- What may stand in place of results -------------------------------------------------------------------------------
@@ -198,15 +198,15 @@ def factor_of_data(scene: Scene, _: Mapping[str, Column]) -> Any:
 DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
 
 
-def names_with_alternatives(scenes: Sequence[Scene], names: Sequence[str]) -> dict[str, list[str]]:
+def names_with_alternatives(frames: Sequence[Frame], names: Sequence[str]) -> dict[str, list[str]]:
     """Return the quantities that have alternatives, by kind: the name of the other law, and DATA.
 
-    `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
+    `frames`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
     """
-    others = {other_law(scene.law.name) for scene in scenes}
+    others = {other_law(frame.law.name) for frame in frames}
     law = others.pop() if len(others) == 1 else BETWEEN
-    moved = {name for scene in scenes for name in moved_by_law(scene, names)}
-    rolled = {name for scene in scenes if assumes_displacement(scene) for name in rolling(names)}
+    moved = {name for frame in frames for name in moved_by_law(frame, names)}
+    rolled = {name for frame in frames if assumes_displacement(frame) for name in rolling(names)}
     return {law: [name for name in names if name in moved], DATA: [name for name in names if name in rolled]}
 
 
@@ -232,37 +232,37 @@ class Alternative(NamedTuple):
         return self.bar.of(self.column.values) if self.bar is not None and has_bar else self.column.values
 
 
-def alternatives_of(scene: Scene, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Alternative]]:
-    """Return by kind and quantity what may stand in place of results, with error bars if the scene is uncertain.
+def alternatives_of(frame: Frame, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Alternative]]:
+    """Return by kind and quantity what may stand in place of results, with error bars if the frame is uncertain.
 
-    `names_of`: the quantities of each kind. A kind that a scene does not have is left out.
+    `names_of`: the quantities of each kind. A kind that a frame does not have is left out.
     """
-    law, every = other_law(scene.law.name), {}
+    law, every = other_law(frame.law.name), {}
     if moved := names_of.get(law):
-        every[law] = with_bars(scene, moved, attrgetter("by_law"))
+        every[law] = with_bars(frame, moved, attrgetter("by_law"))
     rolled = names_of.get(DATA)
-    if rolled and (is_near := is_like_rolled(scene)) is not False:
+    if rolled and (is_near := is_like_rolled(frame)) is not False:
         deciding = "yield_force", "reduced_radius"  # at the pair that was measured, and here
-        lows, highs = (with_bars(scene, rolled, end, deciding) for end in (at_least_measured, at_most_measured))
+        lows, highs = (with_bars(frame, rolled, end, deciding) for end in (at_least_measured, at_most_measured))
         every[DATA] = {name: _between(lows[name], highs[name], is_near) for name in rolled}
     return every
 
 
 def with_bars(
-    scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene], deciding: Sequence[str] = ()
+    frame: Frame, names: Sequence[str], alternative: Callable[[Frame], Frame], deciding: Sequence[str] = ()
 ) -> dict[str, Alternative]:
-    """Return quantities of what is made of a scene, with their error bars. Sources that do not go together give none.
+    """Return quantities of what is made of a frame, with their error bars. Sources that do not go together give none.
 
-    `deciding`: the quantities of the scene that decide on inputs of the other one, whose sources enter, too. Raises a
+    `deciding`: the quantities of the frame that decide on inputs of the other one, whose sources enter, too. Raises a
     JkrollError for several rows of which some have no error bars.
     """
-    columns, bars = alternative(scene).columns(names), dict[str, ErrorBar]()
-    if scene.uncertainties:
+    columns, bars = alternative(frame).columns(names), dict[str, ErrorBar]()
+    if frame.uncertainties:
         try:
-            sources = sources_of_results(scene, [*names, *deciding]) if deciding else None
-            bars = error_bars(scene, names, alternative, sources)
+            sources = sources_of_results(frame, [*names, *deciding]) if deciding else None
+            bars = error_bars(frame, names, alternative, sources)
         except JkrollError:
-            if scene.shape:  # of several rows, one may be to blame
+            if frame.shape:  # of several rows, one may be to blame
                 raise
     return {name: Alternative(column, bars.get(name)) for name, column in columns.items()}
 

@@ -26,14 +26,14 @@ class Reader:
     """Reads the inputs of one call, and compares what containers say of several inputs."""
 
     def __init__(self, formula: Callable[..., Any] | None = None) -> None:
-        """`formula`: the formula whose arguments are read; None for the inputs of a scene."""
+        """`formula`: the formula whose arguments are read; None for the inputs of a frame."""
         self.registry: Any = None  # the registry of the last pint Quantity
         self._formula = formula
         self._labelled: tuple[str, list[Axis]] | None = None  # the first input with labels
         self._owners: dict[Any, str] = {}  # by variable of the package uncertainties, the input that has it
 
     def in_si(self, given: Mapping[str, Any], name_of: Callable[[str], str] = as_input) -> dict[str, Any]:
-        """Return the inputs of a scene in SI units by name. `name_of` returns the quantity that a word stands for."""
+        """Return the inputs of a frame in SI units by name. `name_of` returns the quantity that a word stands for."""
         values: dict[str, Any] = {}
         words: dict[str, str] = {}
         for key, value in given.items():
@@ -75,7 +75,7 @@ class Reader:
         return self._floats(name, value)
 
     def _single(self, name: str, value: Any) -> Any:
-        """Return what a text or an uncertain value is in a scene. A formula takes neither."""
+        """Return what a text or an uncertain value is in a frame. A formula takes neither."""
         if self._formula is not None:
             raise QuantityError(name, str(value), "is not a number", _TAKEN_BY_FORMULAS)
         return value_of(value, name) if isinstance(value, str) else checked(value, name, str(value.value))

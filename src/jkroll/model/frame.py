@@ -1,7 +1,7 @@
-"""From what is given to what is asked: a scene evaluates the formulas that questions need, and says what is missing.
+"""From what is given to what is asked: a frame evaluates the formulas that questions need, and says what is missing.
 
-The assumptions of a scene are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and
-the names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, from
+The assumptions of a frame are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and
+the names in DEFAULTS have values if nothing else is said. A frame takes numbers in the range of their quantity, from
 1e-30 to 1e30 in SI units. It gives results that doubles hold with all digits, and zeros where the physics has them.
 """
 
@@ -51,7 +51,7 @@ from .reasons import (
     reason_for,
 )
 
-# --- Scenes -----------------------------------------------------------------------------------------------------------
+# --- Frames -----------------------------------------------------------------------------------------------------------
 
 IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # what says where rolling begins
 DEFAULTS = {
@@ -94,7 +94,7 @@ _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strengt
     "rolling_frequency_as_printed"})  # fmt: skip
 
 
-class Scene:
+class Frame:
     """Two spheres, as far as they were described, and everything that follows.
 
     The inputs that were given by name are `described`; converted, they are `stated`; with the properties of the
@@ -102,10 +102,10 @@ class Scene:
     input they are `known`. `values` are those of the known names and of all results so far, nan where there is none;
     `reasons` say why. Both are numbers, which hold for all rows, or arrays.
 
-    >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
-    >>> f"{scene['pull_off_force']:.4e}"
+    >>> frame = Frame({"surface_energy": 0.025, "radius": 1e-7})
+    >>> f"{frame['pull_off_force']:.4e}"
     '1.1781e-08'
-    >>> scene.replace(radius=2e-7)["reduced_radius"]
+    >>> frame.replace(radius=2e-7)["reduced_radius"]
     1e-07
     """
 
@@ -123,7 +123,7 @@ class Scene:
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
-        `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
+        `model` is the law of attraction; None stands for the paper's, JKR. The frame computes with the middle of a
         value that has an uncertainty; `model.uncertainty` computes with the rest. `moved`: values in place of those of
         the materials, which are not their data; None stands for none. `state`: the name of a state of a force curve.
         Raises QuantityError, or BadRequest for arrays that do not broadcast.
@@ -172,8 +172,8 @@ class Scene:
         """Pickle what was described; the rest is computed anew."""
         return _described, (self.described, self.material, self.material2, self.stated_model, self.moved, self.state)
 
-    def replace(self, **values: Any) -> "Scene":
-        """Return the scene with other values of inputs, of which None takes one away.
+    def replace(self, **values: Any) -> "Frame":
+        """Return the frame with other values of inputs, of which None takes one away.
 
         `model` is its law of attraction, `state` the name of its state. A value that a material gave is moved, the
         others are stated. A radius takes the place of a diameter that was described, and E that of G. What follows from
@@ -186,12 +186,12 @@ class Scene:
         given = {
             name: value for name, value in every.items() if value is not None and CONVERTED.get(name) not in values
         }
-        scene = Scene(given, self.material, self.material2, model=model, moved=moved, state=state)
-        scene._shared = {**self._shared}
-        return scene
+        frame = Frame(given, self.material, self.material2, model=model, moved=moved, state=state)
+        frame._shared = {**self._shared}
+        return frame
 
-    def under(self, law: str) -> "Scene":
-        """Return the scene under another law.
+    def under(self, law: str) -> "Frame":
+        """Return the frame under another law.
 
         A state of a force curve whose input this law lacks is at its load there, or nowhere if grips hold it.
         """
@@ -201,12 +201,12 @@ class Scene:
         return self.replace(model=law)
 
     @cached_property
-    def by_law(self) -> "Scene":
-        """The scene under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
+    def by_law(self) -> "Frame":
+        """The frame under the law between JKR and DMT, or for that under JKR; an assumed atomic spacing stays so."""
         return self.under(other_law(self.law.name))
 
     @cached_property
-    def by_law_at_spacing(self) -> "Scene":
+    def by_law_at_spacing(self) -> "Frame":
         """The same, with its atomic spacing stated."""
         return self.by_law.replace(atomic_spacing=self.by_law["atomic_spacing"])
 
@@ -298,7 +298,7 @@ class Scene:
     # --- Plans --------------------------------------------------------------------------------------------------------
 
     def plan(self, name: str) -> Plan:
-        """Return the plan of a quantity; one without a formula if the scene's inputs do not lead to it."""
+        """Return the plan of a quantity; one without a formula if the frame's inputs do not lead to it."""
         return plan_for(name, *self.kind)
 
     def plans(self, *names: str) -> list[Plan]:
@@ -312,11 +312,11 @@ class Scene:
         return frozenset().union(*(plan.steps for plan in self.plans(*wanted))) - self.known
 
     def missing(self, names: Iterable[str]) -> list[str]:
-        """Return those of some quantities to which the scene's inputs do not lead."""
+        """Return those of some quantities to which the frame's inputs do not lead."""
         return [name for name in names if not self.plan(name).is_possible]
 
     def possible(self, names: Iterable[str]) -> list[str]:
-        """Return those of some quantities to which the scene's inputs lead."""
+        """Return those of some quantities to which the frame's inputs lead."""
         return [name for name in names if self.plan(name).is_possible]
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
@@ -327,7 +327,7 @@ class Scene:
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
     def inputs_used(self, names: Sequence[str]) -> Collection[str]:
-        """Return the inputs on which quantities depend, as far as the scene has them."""
+        """Return the inputs on which quantities depend, as far as the frame has them."""
         possible = self.possible(names)
         return self.inputs_of(*possible) if possible else depends_on(tuple(names)) & self.given.keys()
 
@@ -516,9 +516,9 @@ def _described(
     model: str | None,
     moved: Mapping[str, Any],
     state: str,
-) -> Scene:
-    """Return a scene that was pickled."""
-    return Scene(given, material, material2, model=model, moved=moved, state=state)
+) -> Frame:
+    """Return a frame that was pickled."""
+    return Frame(given, material, material2, model=model, moved=moved, state=state)
 
 
 def check_exclusive(given: Collection[str], word_of: Callable[[str], str] = str) -> None:

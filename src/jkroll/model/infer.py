@@ -13,7 +13,7 @@ from ..quantities.nomenclature import PROPERTIES, named
 from ..quantities.values import QuantityError, Spread, is_uncertain, middle
 from .column import Column
 from .containers import Reader
-from .frame import Scene
+from .frame import Frame
 from .inverse import Problem
 from .limits import Doubt
 from .plan import in_order
@@ -29,25 +29,25 @@ from .unsolved import already_given, inputs_named
 class Unknowns(Wanted):
     """Unknowns of rows, each of which is a problem."""
 
-    def results(self, scene: Problem) -> Results:
+    def results(self, frame: Problem) -> Results:
         """Return the results of a problem, or of several."""
-        solids = [solid.name for solid, _ in scene.scene.materials]
+        solids = [solid.name for solid, _ in frame.frame.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.names):
             # Solids of many rows have no name: each row by itself says.
             raise BadRequest("of which spheres an unknown is")
-        return Found(scene, scene.columns(self.names), keeps_all=self.keeps_all)
+        return Found(frame, frame.columns(self.names), keeps_all=self.keeps_all)
 
 
 class Found(Results):
-    """The unknowns of a problem, whose limits are those of what was measured, in the scene with them."""
+    """The unknowns of a problem, whose limits are those of what was measured, in the frame with them."""
 
     @cached_property
     def forward(self) -> Results:
         """The measured quantities; none where the unknowns have no value."""
         if any(column.is_empty for column in self.computed.values()):
-            return Results(self.scene.filled, {})
-        solved = self.scene.solved
-        return Results(solved, solved.columns(self.scene.measured), keeps_all=self.keeps_all)
+            return Results(self.frame.filled, {})
+        solved = self.frame.solved
+        return Results(solved, solved.columns(self.frame.measured), keeps_all=self.keeps_all)
 
     @cached_property
     def meant(self) -> Mapping[str, Column]:
@@ -93,11 +93,11 @@ class Problems(Sweep):
         super().__init__(given.pairs, {**given.spreads, **measured}, given.models)
         self.names, self.quantities = names, [*measured]
 
-    def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Problem:
+    def frame(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Problem:
         """Return a row of inputs among which are the measured values."""
         measured = {name: given[name] for name in self.quantities}
         others = {name: value for name, value in given.items() if name not in measured}
-        return Problem(tuple(self.names), measured, Scene(others, *spheres, model=model))
+        return Problem(tuple(self.names), measured, Frame(others, *spheres, model=model))
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str], *, keeps_all: bool = False) -> Unknowns:
         """Return the columns of the unknowns. Raises the error of the inputs."""
@@ -112,8 +112,8 @@ class Problems(Sweep):
         """Return the columns of the unknowns alone, with all numbers."""
         return Unknowns(quantities, named=named, doubts=doubts, keeps_all=True)
 
-    def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
-        """Return a scene of each kind of rows, with the measured quantities."""
+    def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:  # noqa: ARG002
+        """Return a frame of each kind of rows, with the measured quantities."""
         return [(problem.filled, self.quantities) for problem in self.kinds]
 
 
@@ -186,8 +186,8 @@ def infer(
     described = reader.in_si(given)
     for name, value in known.items():
         check_range(name, middle(value))
-    scene = Scene(described, *materials_of(material, material2, materials), model=model)
-    problem, inputs = Problem(names, known, scene), {**described, **known}
+    frame = Frame(described, *materials_of(material, material2, materials), model=model)
+    problem, inputs = Problem(names, known, frame), {**described, **known}
     values = problem.solution.values
     if any(map(is_uncertain, inputs.values())):  # as in `solve`
         values = with_uncertainties(problem, inputs, values)

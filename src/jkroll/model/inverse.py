@@ -18,7 +18,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.values import Uncertain, is_uncertain, middle
 from ..text import listed
 from .column import Column, at_row
-from .frame import Scene, broadcast, check_exclusive
+from .frame import Frame, broadcast, check_exclusive
 from .plan import formula_of
 from .ranges import LEAST, MOST
 from .reasons import Failure, MissingInput, kind_and_step
@@ -77,27 +77,27 @@ class Solution(NamedTuple):
 
 
 class Problem:
-    """A scene that lacks the unknowns, and the measured values of as many of its quantities.
+    """A frame that lacks the unknowns, and the measured values of as many of its quantities.
 
     Both may have uncertainties, and may be arrays. A value that a material has of an unknown is replaced. Rows and
-    error bars take a problem for a scene whose quantities are the unknowns.
+    error bars take a problem for a frame whose quantities are the unknowns.
     """
 
     few = 0  # places of uncertain inputs that numbers compute: to solve a problem takes arrays
 
-    def __init__(self, unknowns: Sequence[str], measured: Values, scene: Scene, near: "Problem | None" = None) -> None:
+    def __init__(self, unknowns: Sequence[str], measured: Values, frame: Frame, near: "Problem | None" = None) -> None:
         """`near`: a problem from whose solution Newton's method leads to two unknowns in arrays."""
-        self.unknowns, self.measured, self.scene, self.near = tuple(unknowns), measured, scene, near
+        self.unknowns, self.measured, self.frame, self.near = tuple(unknowns), measured, frame, near
         self.levels = {name: middle(value) for name, value in measured.items()}
         levels = {name: level for name, level in self.levels.items() if not isinstance(level, NUMBER)}
-        self.arrays = {**scene.arrays, **levels}
+        self.arrays = {**frame.arrays, **levels}
         self.shape = broadcast(self.arrays)
         self._error: JkrollError | None = None  # of a problem of numbers, why it has no solution
 
     def replace(self, **values: Any) -> "Problem":
         """Return the problem with other values of some inputs and measured quantities."""
         measured = {name: values.pop(name, value) for name, value in self.measured.items()}
-        return Problem(self.unknowns, measured, self.scene.replace(**values), self)
+        return Problem(self.unknowns, measured, self.frame.replace(**values), self)
 
     def rows(self, rows: Any) -> "Problem":
         """Return the problem of some elements of the arrays; one of numbers is the same in all rows."""
@@ -112,14 +112,14 @@ class Problem:
 
     @property
     def uncertainties(self) -> Mapping[str, Uncertain]:
-        """The uncertainties of measured values, and of inputs of the scene."""
+        """The uncertainties of measured values, and of inputs of the frame."""
         measured = {name: given for name, given in self.measured.items() if is_uncertain(given)}
-        return {**self.scene.uncertainties, **measured}
+        return {**self.frame.uncertainties, **measured}
 
     def sources(self) -> Sources:
         """Return the sources of uncertainty that enter the unknowns."""
         measured = [Source((name,), given) for name, given in self.measured.items() if is_uncertain(given)]
-        return sources_of(self.scene, [*self.measured, *self.inputs_used(())], measured)
+        return sources_of(self.frame, [*self.measured, *self.inputs_used(())], measured)
 
     def missing(self, names: Sequence[str]) -> list[str]:
         """Return those of the unknowns that need more inputs: all or none."""
@@ -131,31 +131,31 @@ class Problem:
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
         """Return inputs as they were understood, and the measured values."""
-        return {**self.scene.echo(self.scene.known.intersection(used)), **self.levels}
+        return {**self.frame.echo(self.frame.known.intersection(used)), **self.levels}
 
-    # --- Scenes with values of the unknowns ---
+    # --- Frames with values of the unknowns ---
 
     @cached_property
     def _sought(self) -> dict[str, str]:
         """The unknown of each input that is sought: of those of both spheres if one material was named for both."""
-        keys, sought = [solid.key for solid, _ in self.scene.materials], {name: name for name in self.unknowns}
+        keys, sought = [solid.key for solid, _ in self.frame.materials], {name: name for name in self.unknowns}
         if len(keys) == 2 and keys[0] == keys[1]:
             twins = {of_sphere(2, name): name for name in self.unknowns if name in PROPERTIES}
-            sought |= {twin: name for twin, name in twins.items() if twin not in self.scene.stated}
+            sought |= {twin: name for twin, name in twins.items() if twin not in self.frame.stated}
         return sought
 
-    def with_values(self, values: Values) -> Scene:
-        """Return the scene with values of the unknowns, or arrays of them."""
-        return self.scene.replace(**{name: values[unknown] for name, unknown in self._sought.items()})
+    def with_values(self, values: Values) -> Frame:
+        """Return the frame with values of the unknowns, or arrays of them."""
+        return self.frame.replace(**{name: values[unknown] for name, unknown in self._sought.items()})
 
     @cached_property
-    def filled(self) -> Scene:
-        """The scene with placeholders for the unknowns, the largest values."""
+    def filled(self) -> Frame:
+        """The frame with placeholders for the unknowns, the largest values."""
         return self.with_values({name: SIZES[name][1] for name in self.unknowns})
 
     @cached_property
-    def solved(self) -> Scene:
-        """The scene with the unknowns in it, or placeholders in rows without them. Of numbers, raises the failure."""
+    def solved(self) -> Frame:
+        """The frame with the unknowns in it, or placeholders in rows without them. Of numbers, raises the failure."""
         values = self.solution.values
         if self.shape:
             values = {name: numpy.nan_to_num(value, nan=SIZES[name][1]) for name, value in values.items()}
@@ -178,9 +178,9 @@ class Problem:
         """Raise the error of a problem that has no solution whatever the measured values are."""
         inputs_named(self.unknowns)
         for name in (*self.unknowns, *self.measured):
-            if name in self.scene.stated or (name in self.unknowns and name in self.measured):
+            if name in self.frame.stated or (name in self.unknowns and name in self.measured):
                 raise already_given(name)
-        check_exclusive({*self.unknowns, *self.scene.stated})
+        check_exclusive({*self.unknowns, *self.frame.stated})
         for quantity in self.measured:
             if formula_of(quantity) is None and self.filled.missing([quantity]):
                 option = NOMENCLATURE[quantity].option or quantity
@@ -263,7 +263,7 @@ def slopes(y: Any) -> Any:
 def _roots(problem: Problem) -> tuple[Any, Failures]:
     """Return a table of the value of one unknown in each row, its growth and the condition; and the failures.
 
-    Where there is no value among the usual sizes, all that a scene takes are scanned.
+    Where there is no value among the usual sizes, all that a frame takes are scanned.
     """
     (unknown,) = problem.unknowns
     outcomes: dict[int, Any] = {}

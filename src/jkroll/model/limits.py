@@ -12,7 +12,7 @@ from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
 from .alternatives import factor_of_data, factor_of_law, is_smooth, rolled_solid
 from .column import Column
-from .frame import Scene
+from .frame import Frame
 from .plan import taken_by
 from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, kind_and_step, reason, register
 
@@ -35,12 +35,12 @@ class Limit:
         sign: Literal["<", "<=", ">", ">="],
         codes: Mapping[float, str],  # by threshold
         consequence: str,  # for a number beyond the threshold
-        applies: Callable[[Scene, Collection[str]], bool] | None = None,  # to some results of a scene; None: to all
+        applies: Callable[[Frame, Collection[str]], bool] | None = None,  # to some results of a frame; None: to all
         ends_meaning: bool = False,  # a number that is said to be in doubt has no meaning
         conclusion: str = "",  # the name of what follows, if it is not that of the number
         # What is judged in place of the number, for columns of results: of laws and data the factor between answers.
-        factor: Callable[[Scene, Mapping[str, Column]], Any] | None = None,
-        where: Callable[[Scene], Any] | None = None,  # the rows for which it is judged
+        factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
+        where: Callable[[Frame], Any] | None = None,  # the rows for which it is judged
         is_told: bool = True,  # below an answer, and not in explanations alone
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
@@ -132,25 +132,25 @@ SOFT = 1e8  # contact modulus below which solids, rubbers and gels, close over t
 RUBBERY = 0.49  # Poisson's ratio from which on a solid is stretched, and does not yield
 
 
-def _may_be_rough(scene: Scene) -> Any:
+def _may_be_rough(frame: Frame) -> Any:
     """Return whether roughness can part two solids: not soft ones, nor mica from mica."""
-    if is_smooth(scene.material) and (scene.material2 is None or is_smooth(scene.material2)):
+    if is_smooth(frame.material) and (frame.material2 is None or is_smooth(frame.material2)):
         return False
-    return scene.numbers("contact_modulus").get("contact_modulus", INFINITY) >= SOFT
+    return frame.numbers("contact_modulus").get("contact_modulus", INFINITY) >= SOFT
 
 
-def _is_rubbery(scene: Scene) -> Any:
+def _is_rubbery(frame: Frame) -> Any:
     """Return whether the softer of two bodies keeps its volume, as rubbers and gels do."""
-    known = scene.numbers("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
+    known = frame.numbers("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
     if len(known) < 4:
         return False
     is_second = known["youngs_modulus2"] < known["youngs_modulus"]
     return where(is_second, known["poisson_ratio2"], known["poisson_ratio"]) >= RUBBERY
 
 
-def _is_not_rubbery(scene: Scene) -> Any:
+def _is_not_rubbery(frame: Frame) -> Any:
     """Return whether it does not."""
-    return where(_is_rubbery(scene), False, True)
+    return where(_is_rubbery(frame), False, True)
 
 
 # What ends the meaning of results; then the law of attraction; then what makes results inexact.
@@ -215,12 +215,12 @@ INEXACT = (
     Limit(
         "load_margin", frozenset({"load_factor"}), "<=", {0.0: "beyond-pull-off"},
         "only fixed grips hold this state",
-        lambda scene, _: not STATE_OR_LOAD.isdisjoint(scene.stated),
+        lambda frame, _: not STATE_OR_LOAD.isdisjoint(frame.stated),
     ),
     Limit(
         "yield_force_fixed_load", frozenset({"yield_force_fixed_load"}), ">", {1.0: "rolls-by-itself"},
         "a load that keeps its direction rolls sphere 1 by itself: Q_P is the force that holds it back",
-        factor=lambda scene, _: 1 - scene["yield_force_fixed_load"] / scene["yield_force"],  # turning over resisting
+        factor=lambda frame, _: 1 - frame["yield_force_fixed_load"] / frame["yield_force"],  # turning over resisting
     ),
     Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "peels-before-sliding"},
@@ -233,7 +233,7 @@ INEXACT = (
     Limit(
         "speed_over_sticking", frozenset({"restitution", "sticking_speed"}), ">", {1.0: "bounces"},
         "head-on and free, they bounce if adhesion is the only loss; others let them stick at higher speeds",
-        lambda scene, _: "speed" in scene.stated,
+        lambda frame, _: "speed" in frame.stated,
         is_told=False,  # e says it
     ),
     Limit(
@@ -254,13 +254,13 @@ INEXACT = (
         "radius", _PULLED, ">=", {1e-6: "rough-matters"},
         "rough spheres of hard solids had 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
-        factor=lambda scene, _: at_most(scene["radius"], scene["radius2"]),
+        factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
         where=_may_be_rough,
     ),
     Limit(
         "filling_factor", frozenset({"tensile_strength"}), ">", {1.0: "filling-out-of-range"},
         "the formula of P_tens was fitted to filling factors of 0.01 to 0.5",
-        factor=lambda scene, _: at_least(scene["filling_factor"] / 0.5, 0.01 / scene["filling_factor"]),
+        factor=lambda frame, _: at_least(frame["filling_factor"] / 0.5, 0.01 / frame["filling_factor"]),
     ),
     Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "few-atoms"},
@@ -287,7 +287,7 @@ LIMITS = (*ENDING, *INEXACT)
 ASSUMED_DISPLACEMENT = Limit(
     XI, _DISPLACEMENT, ">", {1.0: ""},
     "ξ is assumed, and forces measured on the same solid mean another",
-    lambda scene, _: bool(rolled_solid(scene)) and not scene.missing(["reduced_radius"]),
+    lambda frame, _: bool(rolled_solid(frame)) and not frame.missing(["reduced_radius"]),
     factor=factor_of_data,
 )  # fmt: skip
 
@@ -308,44 +308,44 @@ NUMBERS_OF_LIMITS = {"work_of_adhesion", *(limit.name for limit in LIMITS)}.diff
 )
 
 
-def doubts(scene: Scene, columns: Mapping[str, Column], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
+def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] = LIMITS) -> list[Doubt]:
     """Return the limits of the results in columns, judged or with the reason why not.
 
     Those whose numbers law or contact do not have are left out.
     """
-    concerned = touched(scene, columns, limits)
-    numbers = scene.columns(limit.name for limit in concerned)
+    concerned = touched(frame, columns, limits)
+    numbers = frame.columns(limit.name for limit in concerned)
     every = []
     for limit in concerned:
         values, reasons = column = numbers[limit.name]
         if column.is_empty:
             kind, _ = kind_and_step(reasons)
             if kind is MISSING:
-                every.append(Doubt(limit, nan, nan, scene.missing_input(limit.name)))
+                every.append(Doubt(limit, nan, nan, frame.missing_input(limit.name)))
             elif kind is RESTS_ON_SPACING:
                 every.append(Doubt(limit, nan, nan, Failure(kind, next(iter(limit.codes.values())))))
             continue
-        judged = values if limit.factor is None else where(reasons == 0, limit.factor(scene, columns), nan)
+        judged = values if limit.factor is None else where(reasons == 0, limit.factor(frame, columns), nan)
         if limit.where is not None:
-            judged = where(limit.where(scene), judged, 0.0)
+            judged = where(limit.where(frame), judged, 0.0)
         every.append(Doubt(limit, values, judged, unjudged=reasons == reason(RESTS_ON_SPACING, limit.name)))
     return every
 
 
-def touched(scene: Scene, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
+def touched(frame: Frame, names: Collection[str], limits: Iterable[Limit] = LIMITS) -> list[Limit]:
     """Return the limits that concern the results of these names."""
-    concerned = (limit for limit in limits if concerns(limit, scene, names))
-    return [limit for limit in concerned if limit.where is None or limit.where(scene) is not False]
+    concerned = (limit for limit in limits if concerns(limit, frame, names))
+    return [limit for limit in concerned if limit.where is None or limit.where(frame) is not False]
 
 
-def concerns(limit: Limit, scene: Scene, names: Collection[str]) -> bool:
+def concerns(limit: Limit, frame: Frame, names: Collection[str]) -> bool:
     """Return whether a limit touches the results of these names, and applies to them."""
-    if limit.touches.isdisjoint(taken_by(tuple(names), *scene.kind)):
+    if limit.touches.isdisjoint(taken_by(tuple(names), *frame.kind)):
         return False
-    return limit.applies is None or limit.applies(scene, names)
+    return limit.applies is None or limit.applies(frame, names)
 
 
-def bits_of(scene: Scene, is_judged: Mapping[str, Any], every: Iterable[Doubt]) -> Any:
+def bits_of(frame: Frame, is_judged: Mapping[str, Any], every: Iterable[Doubt]) -> Any:
     """Return the codes of doubts as bits, of each limit in the rows where a quantity that it concerns is judged.
 
     `is_judged`: the rows, by quantity.
@@ -353,14 +353,14 @@ def bits_of(scene: Scene, is_judged: Mapping[str, Any], every: Iterable[Doubt]) 
     bits: Any = 0
     is_same = all(rows is True for rows in is_judged.values())
     for doubt in every:
-        rows = True if is_same else rows_of(doubt.limit, scene, is_judged)
+        rows = True if is_same else rows_of(doubt.limit, frame, is_judged)
         bits = bits | where(rows, doubt.bits, 0)
     return bits
 
 
-def rows_of(limit: Limit, scene: Scene, is_judged: Mapping[str, Any]) -> Any:
+def rows_of(limit: Limit, frame: Frame, is_judged: Mapping[str, Any]) -> Any:
     """Return the rows in which some quantity is judged that a limit concerns."""
-    return reduce(or_, (rows for name, rows in is_judged.items() if concerns(limit, scene, [name])), False)
+    return reduce(or_, (rows for name, rows in is_judged.items() if concerns(limit, frame, [name])), False)
 
 
 @cache  # many rows have the same doubts

@@ -108,7 +108,7 @@ class Kind:
     ) -> None:
         self.phrase, self.words, self.name, self.is_beyond = phrase, words, name, is_beyond
         self.code = code or code_of(phrase)
-        self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the scene is to be trusted
+        self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the frame is to be trusted
 
     def __eq__(self, other: object) -> bool:
         return type(other) is type(self) and vars(other) == vars(self)  # a copy, in another process, is the same kind

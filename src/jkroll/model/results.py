@@ -33,9 +33,9 @@ class Results:
     A result has no value where a limit ends its meaning, unless bare numbers are wanted.
     """
 
-    def __init__(self, scene: Any, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
+    def __init__(self, frame: Any, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
         """`computed`: the columns; `keeps_all`: whether values without a meaning stay, as bare numbers do."""
-        self.scene, self.computed, self.keeps_all = scene, computed, keeps_all
+        self.frame, self.computed, self.keeps_all = frame, computed, keeps_all
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 
@@ -53,11 +53,11 @@ class Results:
         """Return a column with a reason in rows where a limit ends the meaning of some quantities."""
         for touched in () if column.is_empty else touching:
             for doubt in () if touched in NUMBERS_OF_LIMITS else self.ending:
-                if concerns(doubt.limit, self.scene, [touched]):
+                if concerns(doubt.limit, self.frame, [touched]):
                     for code in doubt.limit.codes.values():
                         column = column.without((doubt.bits & BITS[code]) != 0, reason(ENDS[code], name))
             if NOMENCLATURE[touched].of_identical:
-                is_unlike = where(self.scene.is_identical, False, True)
+                is_unlike = where(self.frame.is_identical, False, True)
                 column = column.without(is_unlike, reason(OF_ANOTHER_PAIR, name))
         return column
 
@@ -77,7 +77,7 @@ class Results:
 
     def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the inputs that were stated or enter quantities, as they were understood, with their error bars."""
-        inputs: dict[str, Any] = self.scene.echo(self.scene.inputs_used(names))
+        inputs: dict[str, Any] = self.frame.echo(self.frame.inputs_used(names))
         if self.sources is not None:
             inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
         return inputs
@@ -88,14 +88,14 @@ class Results:
 
         Raises a JkrollError for sources that do not go together.
         """
-        return sources_of_results(self.scene, [*self.computed]) if self.scene.uncertainties else None
+        return sources_of_results(self.frame, [*self.computed]) if self.frame.uncertainties else None
 
     @cached_property
     def bars(self) -> Mapping[str, ErrorBar]:
         """The error bars of values that have some, in some row."""
         if self.sources is None:
             return {}
-        bars = error_bars(self.scene, self.values, sources=self.sources)
+        bars = error_bars(self.frame, self.values, sources=self.sources)
         return {name: bar.without(self.columns[name].reasons != 0) for name, bar in bars.items()}
 
     # --- Limits of the model ------------------------------------------------------------------------------------------
@@ -103,7 +103,7 @@ class Results:
     @cached_property
     def ending(self) -> Sequence[Doubt]:
         """The limits that end the meaning of results, judged for all values."""
-        return doubts(self.scene, {n: column for n, column in self.computed.items() if not column.is_empty}, ENDING)
+        return doubts(self.frame, {n: column for n, column in self.computed.items() if not column.is_empty}, ENDING)
 
     @cached_property
     def validity(self) -> Sequence[Doubt]:
@@ -114,7 +114,7 @@ class Results:
 
     def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
         """Return the limits that end no meaning, judged for columns."""
-        return doubts(self.scene, columns, INEXACT)
+        return doubts(self.frame, columns, INEXACT)
 
     @property
     def _resting(self) -> dict[str, Column]:
@@ -122,7 +122,7 @@ class Results:
         return {
             name: column
             for name, column in self.computed.items()
-            if self.scene.may_rest_on_spacing(name) and _has(column.reasons == reason(RESTS_ON_SPACING, name))
+            if self.frame.may_rest_on_spacing(name) and _has(column.reasons == reason(RESTS_ON_SPACING, name))
         }
 
     @property
@@ -131,8 +131,8 @@ class Results:
         has_meaning = {name: column.reasons == 0 for name, column in self.meant.items() if not column.is_empty}
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
         rests = {name: column.reasons == reason(RESTS_ON_SPACING, name) for name, column in self._resting.items()}
-        unjudged = bits_of(self.scene, rests, self.inexact(self._resting)) & NOT_JUDGED
-        return self._bits_of_ending | bits_of(self.scene, has_meaning, inexact) | unjudged
+        unjudged = bits_of(self.frame, rests, self.inexact(self._resting)) & NOT_JUDGED
+        return self._bits_of_ending | bits_of(self.frame, has_meaning, inexact) | unjudged
 
     @property
     def ending_bits(self) -> Any:
@@ -142,7 +142,7 @@ class Results:
     @property
     def _bits_of_ending(self) -> Any:
         has_value = {name: column.reasons == 0 for name, column in self.computed.items() if not column.is_empty}
-        return bits_of(self.scene, has_value, self.ending)
+        return bits_of(self.frame, has_value, self.ending)
 
     # --- Reasons ------------------------------------------------------------------------------------------------------
 
@@ -153,13 +153,13 @@ class Results:
         """
         if all(at_row(column.reasons, row) == reason(HIDDEN) for column in self.columns.values()):
             return {ROW: Failure(OF_IDENTICAL_SPHERES)}
-        errors: dict[str, JkrollError] = self.scene.errors(self.columns, row)
+        errors: dict[str, JkrollError] = self.frame.errors(self.columns, row)
         return errors
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
         """Return why values have no error bar in a row, as there is no value at an end of an input."""
         return {
-            name: no_error_bar(self.scene, name, bar, row, sources=self.sources)
+            name: no_error_bar(self.frame, name, bar, row, sources=self.sources)
             for name, bar in self.bars.items()
             if at_row(bar.place, row)
         }

@@ -19,7 +19,7 @@ from ..quantities.values import Measured, Uncertain, is_uncertain
 from ..text import first_of, listed
 from .alternatives import DATA, Alternative, alternatives_of, names_with_alternatives
 from .column import Column, at_row
-from .frame import FOLLOWS, Scene
+from .frame import FOLLOWS, Frame
 from .limits import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
 from .ranges import takes
 from .reasons import HIDDEN, Failure, MissingInput, grouped, needs_in_words, reason
@@ -37,7 +37,7 @@ BLOCK = 5 << 10  # rows computed together as arrays: many for the calls of numpy
 AT_ONCE = 1 << 15  # rows times the places of their uncertain inputs, in one frame
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 _MOST = 1 << 62  # of a whole number that an array holds
-BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
+BAD = -1  # the kind of a row, or of a cell, of which arrays make no frame
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
@@ -66,15 +66,15 @@ class Wanted:
         self.names, self.named, self.inputs, self.sides = names, named, inputs, sides
         self.doubts, self.alternatives, self.keeps_all = doubts, alternatives, keeps_all
 
-    def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str]) -> "Wanted":
+    def with_alternatives(self, frames: Sequence[Frame], names: Collection[str]) -> "Wanted":
         """Return the same quantities, some of them with columns of what may stand in their place.
 
-        `scenes`: of each kind of rows.
+        `frames`: of each kind of rows.
         """
-        names_of = names_with_alternatives(scenes, [name for name in self.names if name in names])
+        names_of = names_with_alternatives(frames, [name for name in self.names if name in names])
         of_law, sides = next(iter(names_of.values())), {*(self.sides or ())}
         with suppress(JkrollError):  # sources of two kinds give no error bars
-            sides |= sides_in((scene.by_law, of_law) for scene in scenes)
+            sides |= sides_in((frame.by_law, of_law) for frame in frames)
         return Wanted(self.names, self.named, self.inputs, sides, self.doubts, names_of, self.keeps_all)
 
     @cached_property
@@ -111,24 +111,24 @@ class Wanted:
 
     # --- Results ------------------------------------------------------------------------------------------------------
 
-    def results(self, scene: Any) -> Results:
+    def results(self, frame: Any) -> Results:
         """Return the results of a frame."""
-        return Results(scene, scene.shown(self.names, self.named), keeps_all=self.keeps_all)
+        return Results(frame, frame.shown(self.names, self.named), keeps_all=self.keeps_all)
 
     def alternatives_to(self, results: Results) -> dict[str, Alternative]:
         """Return what may stand in place of results that have a meaning, by the keys of columns."""
         shown = results.computed
         names_of = {kind: [name for name in names if name in shown] for kind, names in self.alternatives.items()}
-        every = alternatives_of(results.scene, names_of) if self.alternatives else {}
+        every = alternatives_of(results.frame, names_of) if self.alternatives else {}
         return {
             f"{name}{_BY}{kind}": each.without(results.ended.get(name, False))
             for kind, of_kind in every.items()
             for name, each in of_kind.items()
         }
 
-    def places(self, scene: Any) -> int:
+    def places(self, frame: Any) -> int:
         """Return the number of places of uncertain inputs at which rows are computed for their error bars."""
-        return number_of_places(scene, self.names) if self.sides is not None and scene.uncertainties else 1
+        return number_of_places(frame, self.names) if self.sides is not None and frame.uncertainties else 1
 
     def has_bars(self, results: Results) -> bool:
         """Return whether there are columns for the error bars of results."""
@@ -143,11 +143,11 @@ class Wanted:
 
 
 def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> set[str]:
-    """Return the sides of the uncertainties that enter quantities; `kinds`: scenes with the quantities of each.
+    """Return the sides of the uncertainties that enter quantities; `kinds`: frames with the quantities of each.
 
     Raises a JkrollError for sources that do not go together.
     """
-    every = (sources_of_results(scene, names) for scene, names in kinds if scene.uncertainties)
+    every = (sources_of_results(frame, names) for frame, names in kinds if frame.uncertainties)
     return {side for sources in every for side in sources.sides}
 
 
@@ -372,10 +372,10 @@ class Block(Protocol):
     numbers: Mapping[str, Numbers]  # by input
     kinds: Sequence[Any]  # arrays: rows with other whole numbers have other laws or solids, BAD are refused
 
-    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
+    def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the frame of rows that are alike. Raises a JkrollError if one of them makes no frame with others."""
 
-    def scene_of(self, row: int) -> Any:
+    def frame_of(self, row: int) -> Any:
         """Return the frame of a single row. Raises the error of what is wrong with it."""
 
 
@@ -387,23 +387,23 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
     is_left = numpy.ones(block.size, dtype=bool)  # where a row alone says what is wrong
     for group in groups(block):
         with suppress(JkrollError):
-            scene, size = block.scene(group.given(group.rows), group.rows), len(group.rows)
-            at_once = max(1, min(size, AT_ONCE // wanted.places(scene)))
+            frame, size = block.frame(group.given(group.rows), group.rows), len(group.rows)
+            at_once = max(1, min(size, AT_ONCE // wanted.places(frame)))
             for start in range(0, size, at_once):
                 rows = group.rows[start : start + at_once]
                 with suppress(JkrollError):
-                    part = scene if at_once == size else block.scene(group.given(rows), rows)
+                    part = frame if at_once == size else block.frame(group.given(rows), rows)
                     columns.put(rows, wanted.results(part))
                     is_left[rows] = False
-    put_single_rows(columns, block.scene_of, numpy.flatnonzero(is_left).tolist())
+    put_single_rows(columns, block.frame_of, numpy.flatnonzero(is_left).tolist())
     return columns
 
 
-def put_single_rows(columns: Columns, scene_of: Callable[[int], Any], rows: Iterable[int]) -> None:
+def put_single_rows(columns: Columns, frame_of: Callable[[int], Any], rows: Iterable[int]) -> None:
     """Put rows of which each is a frame, or is refused."""
     for row in rows:
         try:
-            columns.put(row, columns.wanted.results(scene_of(row)))
+            columns.put(row, columns.wanted.results(frame_of(row)))
         except JkrollError as error:
             columns.refuse(row, error)
 
@@ -490,7 +490,7 @@ def _values(column: Numbers, rows: Indices, kind: int) -> Any:
 
 
 def lack(reasons: Reasons) -> JkrollError | None:
-    """Return why a row has no contact, or is no scene; None if it has one at the middles of its inputs."""
+    """Return why a row has no contact, or is no frame; None if it has one at the middles of its inputs."""
     for name, error in reasons.items():
         has_contact = not isinstance(error, Failure) or error.kind.has_contact
         if name == ROW or (not has_contact and name in NOMENCLATURE):

@@ -1,4 +1,4 @@
-"""The Python face of a scene: names and values in, values out; of the inverse problem; and of the formulas."""
+"""The Python face of a frame: names and values in, values out; of the inverse problem; and of the formulas."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
@@ -12,7 +12,7 @@ from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, UnknownQuantity, 
 from ..quantities.values import QuantityError, is_uncertain
 from ..text import listed
 from .containers import Reader, units_of
-from .frame import Scene, broadcast
+from .frame import Frame, broadcast
 from .plan import parameters_of
 from .reasons import NO_DOUBLE, Failure, failure_of, reason_for
 from .uncertainty import error_bars, no_error_bar
@@ -34,11 +34,11 @@ def solve(
     model: str | None = None,
     **given: Any,
 ) -> Any:
-    """Compute quantities of the nomenclature from whatever is known of the scene.
+    """Compute quantities of the nomenclature from whatever is known of the frame.
 
     Bare numbers: what was assumed, which limits of the model do not hold, and what a material's source says of its
     values is left out, and so is the uncertainty that a shipped material states. `jkroll.answer` has them, for one
-    scene.
+    frame.
 
     Parameters
     ----------
@@ -83,10 +83,10 @@ def solve(
     names = [*map(named, words_in(wanted))]
     reader = Reader()
     described = reader.in_si(given)
-    scene = Scene(described, *materials_of(material, material2, materials), model=model)
-    results = values_of(scene, names)
-    if scene.uncertain:
-        results = with_uncertainties(scene, described, results)
+    frame = Frame(described, *materials_of(material, material2, materials), model=model)
+    results = values_of(frame, names)
+    if frame.uncertain:
+        results = with_uncertainties(frame, described, results)
     elif reader.registry is not None:
         results = {name: reader.registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
@@ -126,21 +126,21 @@ def _material(argument: str, material: str | Material | None, materials: Materia
     return material._replace(properties=properties)
 
 
-def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
+def values_of(frame: Frame, names: Sequence[str]) -> dict[str, Any]:
     """Return the values of quantities; raise the error of the first that has none.
 
     Long lists are computed in blocks, with which intermediate results take no memory.
     """
-    shapes = {value.shape for value in scene.arrays.values()}
-    is_long_list = shapes == {scene.shape} and len(scene.shape) == 1 and scene.shape[0] > ELEMENTS_AT_ONCE
-    if not is_long_list or not isinstance(scene.is_rigid, bool):  # of which a block may have none
-        return {name: scene[name] for name in names}
+    shapes = {value.shape for value in frame.arrays.values()}
+    is_long_list = shapes == {frame.shape} and len(frame.shape) == 1 and frame.shape[0] > ELEMENTS_AT_ONCE
+    if not is_long_list or not isinstance(frame.is_rigid, bool):  # of which a block may have none
+        return {name: frame[name] for name in names}
     import numpy
 
     blocks = []
-    for start in range(0, scene.shape[0], ELEMENTS_AT_ONCE):
-        block = {name: value[start : start + ELEMENTS_AT_ONCE] for name, value in scene.arrays.items()}
-        blocks.append(values_of(scene.replace(**block), names))
+    for start in range(0, frame.shape[0], ELEMENTS_AT_ONCE):
+        block = {name: value[start : start + ELEMENTS_AT_ONCE] for name, value in frame.arrays.items()}
+        blocks.append(values_of(frame.replace(**block), names))
     return {
         name: value if isinstance(value, float) else numpy.concatenate([block[name] for block in blocks])
         for name, value in blocks[0].items()
@@ -154,13 +154,13 @@ def refuse_arrays(described: Mapping[str, Any]) -> None:
             raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays without uncertainty")
 
 
-def with_uncertainties(scene: Any, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
-    """Return values of a scene or a problem with their error bars; raise a Failure with the reason why one has none."""
+def with_uncertainties(frame: Any, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
+    """Return values of a frame or a problem with their error bars; raise a Failure with the reason why one has none."""
     refuse_arrays(described)
-    bars = error_bars(scene, values)
+    bars = error_bars(frame, values)
     for name, bar in bars.items():
         if bar.place:
-            raise no_error_bar(scene, name, bar)
+            raise no_error_bar(frame, name, bar)
     return {**values, **{name: bar.of(values[name]) for name, bar in bars.items()}}
 
 

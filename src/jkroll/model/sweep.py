@@ -14,7 +14,7 @@ from typing import Any
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, computed_as, of_sphere
 from ..quantities.values import Spread
-from .frame import FOLLOWS, Scene
+from .frame import FOLLOWS, Frame
 from .plan import in_order
 from .reasons import OF_IDENTICAL_SPHERES, Failure
 from .rows import BLOCK, Columns, Indices, Numbers, Wanted, evaluated, sides_in
@@ -36,9 +36,9 @@ class Sweep:
         """`spreads`: the lists and ranges of each input, by name."""
         self.pairs, self.spreads, self.models = pairs, spreads, models
 
-    def scene(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Any:
+    def frame(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Any:
         """Return a row of inputs, of the materials of its spheres, and of a law."""
-        return Scene(given, *spheres, model=model)
+        return Frame(given, *spheres, model=model)
 
     @cached_property
     def starts(self) -> dict[str, list[int]]:
@@ -62,38 +62,38 @@ class Sweep:
         return prod(self.sizes)
 
     def row(self, place: int) -> Any:
-        """Return a row as a scene of numbers."""
+        """Return a row as a frame of numbers."""
         place, law = divmod(place, len(self.models))
         given = {}
         for name in reversed([*self.spreads]):  # the last one changes first
             place, of_input = divmod(place, self.starts[name][-1])
             given[name] = self.value(name, of_input)
-        return self.scene({name: given[name] for name in self.spreads}, *self.pairs[place], model=self.models[law])
+        return self.frame({name: given[name] for name in self.spreads}, *self.pairs[place], model=self.models[law])
 
-    def scenes(self) -> Iterator[Any]:
-        """Iterate over the rows as scenes of numbers."""
+    def frames(self) -> Iterator[Any]:
+        """Iterate over the rows as frames of numbers."""
         return map(self.row, range(len(self)))
 
     # --- What is wanted -----------------------------------------------------------------------------------------------
 
     @cached_property
     def kinds(self) -> list[Any]:
-        """A scene for each pair of materials, each law and each kind of values: all rows of a kind have one plan."""
+        """A frame for each pair of materials, each law and each kind of values: all rows of a kind have one plan."""
         of_inputs = [_of_each_kind(name, spreads) for name, spreads in self.spreads.items()]
         rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
-        return [self.scene(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
+        return [self.frame(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
 
     def wanted(self, quantities: Sequence[str], named: Sequence[str], *, keeps_all: bool = False) -> Wanted:
         """Return the columns of the rows: the inputs that were stated or enter a row, and the quantities for it.
 
         `keeps_all`: whether numbers without a meaning stay. Raises a Failure where no quantity concerns a row.
         """
-        shown = {*named, *chain.from_iterable(self.shown(scene, quantities, named) for scene in self.kinds)}
+        shown = {*named, *chain.from_iterable(self.shown(frame, quantities, named) for frame in self.kinds)}
         if not shown:
             raise Failure(OF_IDENTICAL_SPHERES)
         names = [name for name in quantities if name in shown]
-        kinds = [(scene, self.shown(scene, names, named)) for scene in self.kinds]
-        inputs = {name for scene, of_kind in kinds for name in scene.echo(scene.inputs_used(of_kind))}
+        kinds = [(frame, self.shown(frame, names, named)) for frame in self.kinds]
+        inputs = {name for frame, of_kind in kinds for name in frame.echo(frame.inputs_used(of_kind))}
         inputs_shown = in_order(inputs - shown)
         return Wanted(names, named=named, inputs=inputs_shown, sides=sides_in(kinds), keeps_all=keeps_all)
 
@@ -105,13 +105,13 @@ class Sweep:
         shown = [name for name in quantities if name in named or not NOMENCLATURE[name].of_identical]
         return Wanted(quantities, named=shown, doubts=doubts, keeps_all=True)
 
-    def noted(self, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:
-        """Return a scene of each kind of rows, with the quantities that it shows."""
-        return [(scene, self.shown(scene, wanted.names, wanted.named)) for scene in self.kinds]
+    def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:
+        """Return a frame of each kind of rows, with the quantities that it shows."""
+        return [(frame, self.shown(frame, wanted.names, wanted.named)) for frame in self.kinds]
 
-    def shown(self, scene: Scene, quantities: Sequence[str], named: Collection[str]) -> list[str]:
+    def shown(self, frame: Frame, quantities: Sequence[str], named: Collection[str]) -> list[str]:
         """Return those of some quantities that were asked for by name, or that concern some row of a kind."""
-        shows = scene.shows_to_identical if any(map(self._may_be_alike, self.spreads)) else scene.shows
+        shows = frame.shows_to_identical if any(map(self._may_be_alike, self.spreads)) else frame.shows
         return [name for name in quantities if name in named or shows(name)]
 
     def _may_be_alike(self, name: str) -> bool:
@@ -140,8 +140,8 @@ class Sweep:
         size = len(self)
         if size <= self.few:
             columns = Columns(wanted, size, few=True)
-            for row, scene in enumerate(self.scenes()):
-                columns.put(row, wanted.results(scene))
+            for row, frame in enumerate(self.frames()):
+                columns.put(row, wanted.results(frame))
             yield columns
             return
         for start in range(0, size, BLOCK):
@@ -178,13 +178,13 @@ class Lists:
         }
         self.kinds: Sequence[Any] = [pairs, laws]
 
-    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
-        """Return the scene of the inputs of rows that are alike."""
+    def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the frame of the inputs of rows that are alike."""
         pair, model = self.sweep.pairs[self.pairs[rows[0]]], self.sweep.models[self.laws[rows[0]]]
-        return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
+        return self.sweep.frame({**self.fixed, **given}, *pair, model=model)
 
-    def scene_of(self, row: int) -> Any:
-        """Return the scene of a row by itself."""
+    def frame_of(self, row: int) -> Any:
+        """Return the frame of a row by itself."""
         return self.sweep.row(self.start + row)
 
     def _numbers(self, name: str, places: Indices) -> Numbers:

@@ -17,7 +17,7 @@ from ..physics.elementary import absolute, at_least, at_most, hypot, where
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain
 from .column import Column, at_row
-from .frame import Scene
+from .frame import Frame
 from .plan import in_order
 from .reasons import NoErrorBar, reason_of
 
@@ -54,20 +54,20 @@ class Sources(NamedTuple):
         return {side for source in self.entering for side in source.given.sides}
 
 
-def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] = ()) -> Sources:
+def sources_of(frame: Frame, used: Collection[str], measured: Sequence[Source] = ()) -> Sources:
     """Return the sources that enter quantities, given the inputs that these depend on, and measured values if any.
 
     A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice.
     All must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
     Raises BadRequest for what cannot be combined.
     """
-    of_solids = {name: (solid.key, of_solid) for name, (solid, of_solid) in scene.data.items()}
+    of_solids = {name: (solid.key, of_solid) for name, (solid, of_solid) in frame.data.items()}
     names_of: dict[Any, list[str]] = {}  # of each value
-    for name in in_order(scene.uncertainties):
+    for name in in_order(frame.uncertainties):
         names_of.setdefault(of_solids.get(name, name), []).append(name)
-    if "radius" in names_of and "radius2" not in scene.given:
+    if "radius" in names_of and "radius2" not in frame.given:
         names_of["radius"].append("radius2")
-    given = [*measured, *(Source(tuple(names), scene.uncertainties[names[0]]) for names in names_of.values())]
+    given = [*measured, *(Source(tuple(names), frame.uncertainties[names[0]]) for names in names_of.values())]
     given = [source for source in given if not set(used).isdisjoint(source.names)]
     stated = [source for source in given if source.names[0] not in of_solids]
     of_materials = [source for source in given if source.names[0] in of_solids]
@@ -81,18 +81,18 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
         problem = f"{len(entering)} ranges are more than {MAX_RANGES}; give some of these inputs one value"
         raise BadRequest(problem, "too many ranges")
     names = {name for source in entering for name in source.names}
-    if kind is Interval and XI in names - scene.stated.keys() and not names.isdisjoint(("radius", "radius2")):
+    if kind is Interval and XI in names - frame.stated.keys() and not names.isdisjoint(("radius", "radius2")):
         remedy = "give --xi, or single radii"
         raise BadRequest(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
     return Sources(entering, [source for source in of_materials if not isinstance(source.given, kind)])
 
 
-def sources_of_results(scene: Any, names: Sequence[str]) -> Sources:
-    """Return the sources that enter quantities of a scene, as far as it allows them, or the unknowns of a problem."""
-    if not isinstance(scene, Scene):
-        sources: Sources = scene.sources()
+def sources_of_results(frame: Any, names: Sequence[str]) -> Sources:
+    """Return the sources that enter quantities of a frame, as far as it allows them, or the unknowns of a problem."""
+    if not isinstance(frame, Frame):
+        sources: Sources = frame.sources()
         return sources
-    return sources_of(scene, scene.inputs_of(*scene.possible(names)))
+    return sources_of(frame, frame.inputs_of(*frame.possible(names)))
 
 
 # --- Error bars -------------------------------------------------------------------------------------------------------
@@ -126,12 +126,12 @@ class ErrorBar(NamedTuple):
         return dict(sorted(shares.items(), key=lambda share: -share[1]))
 
 
-def number_of_places(scene: Any, names: Sequence[str]) -> int:
+def number_of_places(frame: Any, names: Sequence[str]) -> int:
     """Return the number of places to which the sources of quantities are moved.
 
     Raises a JkrollError for sources that do not go together.
     """
-    sources = sources_of_results(scene, names).entering
+    sources = sources_of_results(frame, names).entering
     if not sources:
         return 1
     is_range = isinstance(sources[0].given, Interval)

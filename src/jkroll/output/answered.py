@@ -16,7 +16,7 @@ from ..model.alternatives import (
     displacements_where_measured,
     rolling,
 )
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import NOMENCLATURE, XI, named
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def write_plain(answer: Answer, out: TextIO, form: Format, *, alternatives: bool = False) -> None:
-    """Write a line `name value unit` for each result of a scene, and for each side of its uncertainty.
+    """Write a line `name value unit` for each result of a frame, and for each side of its uncertainty.
 
     `alternatives`: whether what may stand in its place has lines, too.
     """
@@ -61,14 +61,14 @@ def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, fl
 
 
 def write_json(answers: Iterable[Answer], count: int, out: TextIO, form: Format) -> None:
-    """Write an object for each scene; several scenes are an array, written as they are computed."""
+    """Write an object for each frame; several frames are an array, written as they are computed."""
     for place, answer in enumerate(answers, 1):
         start, end = ("[\n" if place == 1 else "", "\n]" if place == count else ",") if count > 1 else ("", "")
         say(start + json_text(as_object(answer, form), out) + end, out)
 
 
 def as_object(answer: Answer, form: Format) -> dict[str, Any]:
-    """Return the JSON object of one scene."""
+    """Return the JSON object of one frame."""
     from .. import __version__
 
     entry: dict[str, Any] = {"inputs": dict(answer.inputs)}
@@ -79,11 +79,11 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
         entry["condition"] = answer.condition
     if answer.laws:
         entry["laws"] = {
-            other_law(answer.scene.law.name): {
+            other_law(answer.frame.law.name): {
                 name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()
             }
         }
-    if rolled := rolling(answer.values) if assumes_displacement(answer.scene) else ():
+    if rolled := rolling(answer.values) if assumes_displacement(answer.frame) else ():
         entry["displacement"] = _displacement_object(answer, rolled, form)
     entry["validity"] = [_doubt_object(doubt, answer.about(doubt)) for doubt in answer.validity if doubt.error is None]
     entry["notes"] = [note.text for note in answer.notes]
@@ -133,10 +133,10 @@ def _law_object(name: str, numbers: Mapping[str, Any], form: Format) -> dict[str
 
 def _displacement_object(answer: Answer, rolled: Sequence[str], form: Format) -> dict[str, Any]:
     """Return the measured displacement there and here, and results with it, also over those with the assumed one."""
-    scene, values = answer.scene, answer.values
-    entry: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
+    frame, values = answer.frame, answer.values
+    entry: dict[str, Any] = {"at_pair": [*displacements_where_measured(frame)], "here": None, "over_assumed": {}}
     if DATA in answer.others:
-        ends = at_least_measured(scene), at_most_measured(scene)
+        ends = at_least_measured(frame), at_most_measured(frame)
         low, high = (end.numbers(*rolled) for end in ends)
         both = [name for name in rolled if values[name] and name in low and name in high]
         ranges = {name: ends_of(answer.others[DATA][name]) for name in both}
@@ -183,7 +183,7 @@ class Exceeded:
 
 
 class Answered:
-    """The answer to a question about one scene.
+    """The answer to a question about one frame.
 
     `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
     not hold, `alternatives` what may stand in place of the values, `notes` the other sentences. `as_dict()` is the
@@ -194,8 +194,8 @@ class Answered:
         self._answer = answer
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the question and the scene; the rest is computed anew."""
-        return _answered, (self._answer.question, self._answer.scene)
+        """Pickle the question and the frame; the rest is computed anew."""
+        return _answered, (self._answer.question, self._answer.frame)
 
     @cached_property
     def values(self) -> Mapping[str, Result]:
@@ -244,9 +244,9 @@ class Answered:
         return "\n".join([*values, *doubts, *self.notes])
 
 
-def _answered(question: Question, scene: Scene) -> Answered:
-    """Return the answer to a question about a scene."""
-    return Answered(Answer(question, scene))
+def _answered(question: Question, frame: Frame) -> Answered:
+    """Return the answer to a question about a frame."""
+    return Answered(Answer(question, frame))
 
 
 def answer(
@@ -293,7 +293,7 @@ def answer(
     is_command = isinstance(wanted, str) and wanted in QUESTIONS
     text = ",".join(words_in(wanted))
     question = QUESTIONS[text] if is_command else question_about(text)
-    answered = Answer(question, Scene(described, *materials_of(material, material2, materials), model=model))
+    answered = Answer(question, Frame(described, *materials_of(material, material2, materials), model=model))
     if answered.failure is not None and answered.has_no_headline:
         raise answered.failure
     return Answered(answered)

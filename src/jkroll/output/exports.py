@@ -9,7 +9,7 @@ from math import pi
 from typing import NamedTuple
 
 from ..errors import BadRequest, JkrollError
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..model.reasons import OF_IDENTICAL_SPHERES, Failure, reason_of
 from ..physics.motion import STICKS_FROM
 from ..quantities.formatting import Format, amount, significant
@@ -67,20 +67,20 @@ _REMARKS_ON = {  # by law
 }
 
 
-def lammps_input(scene: Scene) -> str:
+def lammps_input(frame: Frame) -> str:
     """Return an input: coefficients of pairs of types or a wall, a time step, and what they stand on."""
-    is_jkr = scene.law.is_default
+    is_jkr = frame.law.is_default
     names = (*USUAL, *((*THRESHOLDS, "shear_strength") if is_jkr else ()), "contact_shear_modulus")
-    values = {name: scene[name] for name in (*names, "density", "density2", *_STATED)}
-    grains = _grains(scene)
+    values = {name: frame[name] for name in (*names, "density", "density2", *_STATED)}
+    grains = _grains(frame)
     pairs = {f"pair_coeff {grain} {grain} {{}}": pair for grain, pair in grains.items()}
     bodies, place = "two spheres", ""
-    if _is_at_wall(scene):
+    if _is_at_wall(frame):
         bodies, place = "a sphere and a plane", " at the wall, which is put at z = 0"
-        pairs["fix wall all wall/gran granular {} zplane 0 NULL"] = scene
-    elif not scene.is_identical:
+        pairs["fix wall all wall/gran granular {} zplane 0 NULL"] = frame
+    elif not frame.is_identical:
         place = " for types 1 and 2"
-        pairs["pair_coeff 1 2 {}"] = scene
+        pairs["pair_coeff 1 2 {}"] = frame
     coefficients, steps = [], []
     for command, pair in pairs.items():
         try:
@@ -93,51 +93,51 @@ def lammps_input(scene: Scene) -> str:
         f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}"
         for grain, pair in grains.items()
     )
-    return (_LAMMPS + _REMARKS_ON[scene.law.name]).format(
+    return (_LAMMPS + _REMARKS_ON[frame.law.name]).format(
         **values,
-        law=scene.law.name,
-        title=scene.law.name.upper(),
+        law=frame.law.name,
+        title=frame.law.name.upper(),
         bodies=bodies,
         place=place,
         of_pairs=f"# {at_rest}The time step is the shortest of all pairs.\n" if len(pairs) > 1 else "",
         types="\n".join(types),
-        skin=_skin(scene, pairs.values()),
+        skin=_skin(frame, pairs.values()),
         coefficients="\n".join(coefficients),
         step=min(steps),
         friction=" F_slide/(P + 2P_c)" if is_jkr else "",
     )
 
 
-def _skin(scene: Scene, pairs: Iterable[Scene]) -> float:
+def _skin(frame: Frame, pairs: Iterable[Frame]) -> float:
     """Return how far beyond touching the neighbor lists reach, in m."""
-    smallest = min(scene["radius"], scene.values.get("radius2", INFINITY))
+    smallest = min(frame["radius"], frame.values.get("radius2", INFINITY))
     approaches = (approach for pair in pairs for approach in pair.numbers("approach").values())
     return float(max(SKIN * smallest, *(LEAST_SKIN * approach for approach in approaches)))
 
 
-def _is_at_wall(scene: Scene) -> bool:
-    return bool(scene.values.get("radius2") == INFINITY)
+def _is_at_wall(frame: Frame) -> bool:
+    return bool(frame.values.get("radius2") == INFINITY)
 
 
-def _grains(scene: Scene) -> dict[int, Scene]:
+def _grains(frame: Frame) -> dict[int, Frame]:
     """Return the pair of two grains of each type, by its number: of a sphere and a plane, there is one type."""
-    if scene.is_identical:
-        return {1: scene}
-    return {sphere: pair_of(scene, sphere) for sphere in ((1,) if _is_at_wall(scene) else (1, 2))}
+    if frame.is_identical:
+        return {1: frame}
+    return {sphere: pair_of(frame, sphere) for sphere in ((1,) if _is_at_wall(frame) else (1, 2))}
 
 
-def pair_of(scene: Scene, sphere: int) -> Scene:
+def pair_of(frame: Frame, sphere: int) -> Frame:
     """Return the pair of two spheres like sphere 1, or like sphere 2, without load."""
-    stated = {name: value for name, value in scene.stated_of_1.items() if name not in STATE_OR_LOAD}
-    of_2 = {of_sphere(1, name): value for name, value in scene.stated.items() if NOMENCLATURE[name].sphere == 2}
+    stated = {name: value for name, value in frame.stated_of_1.items() if name not in STATE_OR_LOAD}
+    of_2 = {of_sphere(1, name): value for name, value in frame.stated.items() if NOMENCLATURE[name].sphere == 2}
     if sphere == 1:
-        return Scene(stated, scene.material, model=scene.law.name)
-    if scene.material2 is not None:
+        return Frame(stated, frame.material, model=frame.law.name)
+    if frame.material2 is not None:
         stated = {name: value for name, value in stated.items() if name not in PROPERTIES}
-    return Scene({**stated, **of_2}, scene.material2 or scene.material, model=scene.law.name)
+    return Frame({**stated, **of_2}, frame.material2 or frame.material, model=frame.law.name)
 
 
-def _coefficients(pair: Scene) -> str:
+def _coefficients(pair: Frame) -> str:
     """Return the words and numbers that describe a contact in `pair_coeff` and `fix wall/gran`."""
     slip = pair["sliding_friction_coefficient"] if pair.law.is_default else NO_SLIP
     numbers: dict[str, tuple[float, ...]] = {
@@ -172,22 +172,22 @@ _TWO_RULES = """\
 """
 
 
-def liggghts_input(scene: Scene) -> str:
+def liggghts_input(frame: Frame) -> str:
     """Return an input: Hertz' force less kA with the pull-off force of JKR."""
-    scene.plans("pull_off_force", "contact_modulus", "density")
-    _refuse_state(scene, "liggghts")
-    spheres = (1,) if scene.is_identical else (1, 2)
+    frame.plans("pull_off_force", "contact_modulus", "density")
+    _refuse_state(frame, "liggghts")
+    spheres = (1,) if frame.is_identical else (1, 2)
     moduli, ratios = (
-        [scene[of_sphere(sphere, name)] for sphere in spheres] for name in ("youngs_modulus", "poisson_ratio")
+        [frame[of_sphere(sphere, name)] for sphere in spheres] for name in ("youngs_modulus", "poisson_ratio")
     )
     if INFINITY in moduli:
         raise BadRequest("export: liggghts needs a finite Young's modulus of each body")
-    grains = _grains(scene)
-    pairs = [scene] if scene.is_identical else [grains[1], scene, scene, grains.get(2, scene)]
+    grains = _grains(frame)
+    pairs = [frame] if frame.is_identical else [grains[1], frame, frame, grains.get(2, frame)]
     steps = [step for pair in pairs for step in pair.numbers("time_step").values()]
     return _LIGGGHTS.format(
-        force=scene["pull_off_force"],
-        wall="; type 2 is the wall" if _is_at_wall(scene) else "",
+        force=frame["pull_off_force"],
+        wall="; type 2 is the wall" if _is_at_wall(frame) else "",
         moduli=_spaced(moduli),
         ratios=_spaced(ratios),
         types=len(moduli),
@@ -201,16 +201,16 @@ def _spaced(numbers: Iterable[float]) -> str:
     return "".join(f" {number:.12g}" for number in numbers)
 
 
-def _energy_density(pair: Scene) -> float:
+def _energy_density(pair: Frame) -> float:
     """Return k in J/m³: with A = cδ the least force is −(kc)³/(12E*²R); c is 4πR for two spheres and 2πR1 at a wall."""
     modulus, radius, force = pair["contact_modulus"], pair["reduced_radius"], pair["pull_off_force"]
     area = 2 * pi * radius * (1 if _is_at_wall(pair) else 2)
     return float((12 * modulus**2 * radius * force) ** (1 / 3) / area)
 
 
-def _refuse_state(scene: Scene, program: str) -> None:
+def _refuse_state(frame: Frame, program: str) -> None:
     """Raise BadRequest for a load or an approach: a file is for all of them."""
-    if not STATE.isdisjoint(scene.stated) or scene.values["load"]:
+    if not STATE.isdisjoint(frame.stated) or frame.values["load"]:
         raise BadRequest(f"export: {program} finds the load by itself; give none")
 
 
@@ -230,44 +230,44 @@ _DUST_COLLIDER = """\
 """
 
 
-def _grain(scene: Scene, program: str) -> tuple[str, list[float]]:
+def _grain(frame: Frame, program: str) -> tuple[str, list[float]]:
     """Return the name of the material of grains, its γ, E, ν, density and ξ, all in SI units, for a program for dust.
 
-    Raises the reason why the program cannot have the scene.
+    Raises the reason why the program cannot have the frame.
     """
-    scene.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
-    _refuse_state(scene, program)
-    if not scene.is_identical:
+    frame.plans("pull_off_force", "contact_modulus", "density", "yield_displacement")
+    _refuse_state(frame, program)
+    if not frame.is_identical:
         raise Failure(OF_IDENTICAL_SPHERES)
-    if "shear_strength" in scene.given:
+    if "shear_strength" in frame.given:
         raise BadRequest(f"export: {program} has a shear strength of its own, and takes no other")
-    if scene["poisson_ratio"] == 0:
+    if frame["poisson_ratio"] == 0:
         raise BadRequest(f"export: {program} divides by Poisson's ratio, which is 0 here")
     names = ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")
-    name = scene.material.name if scene.material else "jkroll"
-    return name, [scene["work_of_adhesion"] / 2, *(scene[each] for each in names)]
+    name = frame.material.name if frame.material else "jkroll"
+    return name, [frame["work_of_adhesion"] / 2, *(frame[each] for each in names)]
 
 
-def dust_simulation_material(scene: Scene) -> str:
+def dust_simulation_material(frame: Frame) -> str:
     """Return the material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
-    name, (gamma, modulus, ratio, density, lag) = _grain(scene, "dust-simulation")
-    numbers = _spaced((100 * scene["radius"], density / 1000, 1000 * gamma, ratio, 10 * modulus, 100 * lag))
+    name, (gamma, modulus, ratio, density, lag) = _grain(frame, "dust-simulation")
+    numbers = _spaced((100 * frame["radius"], density / 1000, 1000 * gamma, ratio, 10 * modulus, 100 * lag))
     return "\n".join(("MATERIAL_FILE_VERSION_1_4", name, *numbers.split(), *_DAMPING, "1", "1", "1", ""))
 
 
-def _about_dust_simulation(scene: Scene) -> tuple[str, str]:
+def _about_dust_simulation(frame: Frame) -> tuple[str, str]:
     """Return the notes on a material file: its lines, and which grains stick at every speed."""
-    ratio = scene.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
-    largest = amount("radius", scene["radius"] * (ratio / STICKS_FROM) ** (6 / 7), Format(digits=3))
+    ratio = frame.replace(viscous_time=float(_DAMPING[1]))["viscosity_number"]
+    largest = amount("radius", frame["radius"] * (ratio / STICKS_FROM) ** (6 / 7), Format(digits=3))
     sticks = f"with this viscous time all grains below {largest} stick at every speed"
     number = f"their T* = (T_vis/ν²)√(E*a0/m) is above {STICKS_FROM:.4f}; here it is {significant(ratio, 3)}"
     fitted = "the viscous time is fitted to measured sticking at a size: fit yours"
     return _ABOUT_DUST_SIMULATION, f"viscous damping: {sticks}: {number}; {fitted}"
 
 
-def dust_collider_material(scene: Scene) -> str:
+def dust_collider_material(frame: Frame) -> str:
     """Return a material of a command file of Paulemaule/DustCollider, in SI units."""
-    name, grain = _grain(scene, "dust-collider")
+    name, grain = _grain(frame, "dust-collider")
     return _DUST_COLLIDER.format(name, _spaced(grain))
 
 
@@ -278,10 +278,10 @@ class Program(NamedTuple):
     """A program that takes contacts: its title, how its input is written, the quantities in it, and the laws it has."""
 
     title: str
-    text: Callable[[Scene], str]
+    text: Callable[[Frame], str]
     quantities: tuple[str, ...]
     models: tuple[str, ...] = (DEFAULT_LAW,)
-    about: Callable[[Scene], Iterable[str]] | None = None  # notes on an input that has no comments
+    about: Callable[[Frame], Iterable[str]] | None = None  # notes on an input that has no comments
 
 
 PROGRAMS: Mapping[str, Program] = {

@@ -15,7 +15,7 @@ from ..answers.notes import every_line
 from ..errors import BadRequest
 from ..materials.library import data_of
 from ..model.alternatives import has_other_formulas
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..model.plan import Plan
 from ..model.ranges import takes
 from ..physics.accuracy import accuracy_of
@@ -68,22 +68,22 @@ def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> N
 
 def _explanation(result: Result, answer: Answer, form: Format) -> list[str]:
     """Return the lines that explain one result."""
-    quantity, scene = NOMENCLATURE[result.name], answer.scene
+    quantity, frame = NOMENCLATURE[result.name], answer.frame
     title = f"{result.name} — {quantity.sentence}" + (f", {result.source}" if result.source else "")
     if result.measure is None:
         return [title, f"  {result.reason}", ""]
     lines, facts = [title], [*_facts(result, answer, form)]
-    if steps := [step for step in scene.plan(result.name).steps.values() if step.formula is not None]:
+    if steps := [step for step in frame.plan(result.name).steps.values() if step.formula is not None]:
         *earlier, last = steps
         fields = docstring_fields(last.formula)
         lines += [f"  {fields['formula']}", "  given"]
-        for name in scene.inputs_of(result.name):
-            lines += _value_lines(name, scene, form, _meaning(name, scene))
+        for name in frame.inputs_of(result.name):
+            lines += _value_lines(name, frame, form, _meaning(name, frame))
         lines += ["  steps"] if earlier else []
         for step in earlier:
-            lines += _value_lines(step.name, scene, form, _formula_of(step))
+            lines += _value_lines(step.name, frame, form, _formula_of(step))
         facts += [
-            ("power law", _power_law(result.name, scene)),
+            ("power law", _power_law(result.name, frame)),
             *((key.lower(), fields.get(key, "")) for key in _SECTIONS),
         ]
         facts.append(("accuracy", f"{accuracy_of(last.formula.__name__)} above its arguments"))
@@ -114,7 +114,7 @@ def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, 
         errors = f"relative errors of these enter times {result.growth:.3g} at most"
         yield "inferred", f"with the other input, so that both have their measured values; {errors}"
     yield "by law", ", ".join(f"{shown(value)} ({law})" for law, value in result.by_law.items())
-    law, numbers = answer.scene.law.name, answer.laws.get(result.name, {})
+    law, numbers = answer.frame.law.name, answer.laws.get(result.name, {})
     readings = [numbers[key] for key in readings_of(law) if numbers.get(key)]
     if len(readings) == len(readings_of(law)):
         at_displacement, at_hysteresis = (shown(ratio * result.value) for ratio in readings)
@@ -122,30 +122,30 @@ def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, 
         yield "by law", f"{at_displacement} at equal ξ, {at_hysteresis} at equal hysteresis ({title})"
 
 
-def _value_lines(name: str, scene: Scene, form: Format, remark: str) -> list[str]:
+def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str]:
     """Return the symbol and value of an input or a step with a remark beside it, or below a value that is too long."""
-    measure = scene.uncertainties.get(name) or scene[name]
+    measure = frame.uncertainties.get(name) or frame[name]
     value = f"    {NOMENCLATURE[name].symbol} = {amount(name, measure, form)}"
     if len(value) >= _STEP_INDENT:
         return [value, " " * _STEP_INDENT + remark]
     return [f"{value:{_STEP_INDENT}}{remark}"]
 
 
-def _power_law(name: str, scene: Scene) -> str:
+def _power_law(name: str, frame: Frame) -> str:
     """Return the powers of its inputs with which a quantity goes near their values: "R1^0.667 γ1^0.333 E1^-0.333".
 
     None are returned at the edge of a range, where one of them is not known.
     """
     texts = []
-    moduli = {name: scene.stated[name] for name in CONVERTED.values() if name in scene.stated}  # fixed, as ν moves
-    for given in scene.inputs_of(name):
-        value = scene[given]
+    moduli = {name: frame.stated[name] for name in CONVERTED.values() if name in frame.stated}  # fixed, as ν moves
+    for given in frame.inputs_of(name):
+        value = frame[given]
         if 0 < abs(value) < INFINITY:
             factor = _LESS if takes(given, value * _LESS) else 1 / _LESS
-            moved = scene.replace(**{**moduli, given: value * factor}).numbers(name).get(name, 0.0)
-            if not moved * scene[name] > 0:
+            moved = frame.replace(**{**moduli, given: value * factor}).numbers(name).get(name, 0.0)
+            if not moved * frame[name] > 0:
                 return ""
-            power = log(moved / scene[name]) / log(factor)
+            power = log(moved / frame[name]) / log(factor)
             texts += [f"{symbol_of(given)}^{power:.3g}"] if abs(power) > _NO_POWER else []
     return " ".join(texts)
 
@@ -157,12 +157,12 @@ def _formula_of(step: Plan) -> str:
     return re.sub(r"(?<=[^\W\d])1(?![0-9])", "2", formula) if is_of_sphere_2 else formula
 
 
-def _meaning(name: str, scene: Scene) -> str:
+def _meaning(name: str, frame: Frame) -> str:
     """Return the meaning of an input, with the material and file it comes from, or that it was assumed."""
     sentence = NOMENCLATURE[name].sentence
-    for material, _ in scene.data_used([name]):
+    for material, _ in frame.data_used([name]):
         return f"{sentence} ({material.name}, {material.title})"
-    return sentence if name in scene.given else f"{sentence} (assumed)"
+    return sentence if name in frame.given else f"{sentence} (assumed)"
 
 
 # --- Citations --------------------------------------------------------------------------------------------------------
@@ -180,15 +180,15 @@ class Cited:
 
     def __init__(self, answer: Answer) -> None:
         self.names = [result.name for result in answer.results if result.value is not None]
-        formulas = answer.scene.formulas_to(*self.names)
+        formulas = answer.frame.formulas_to(*self.names)
         self.equations = {equation for name in formulas if (equation := NOMENCLATURE[name].equation)}
-        by_maugis = answer.scene.replace(model=BETWEEN)
+        by_maugis = answer.frame.replace(model=BETWEEN)
         rests_on_law = any(has_other_formulas(by_maugis, name) for name in by_maugis.possible(self.names))
         known = references()
-        self.law = [known[answer.scene.law.name]] if rests_on_law else []
+        self.law = [known[answer.frame.law.name]] if rests_on_law else []
         texts = [NOMENCLATURE[name].reference for name in self.names]
         self.conventions = [entry for text in texts for words, entry in known.items() if words in text]
-        used = answer.scene.data_used(answer.inputs)
+        used = answer.frame.data_used(answer.inputs)
         self.data = [entry for material, name in used for entry in material.sources_of(name)]
 
 
@@ -253,7 +253,7 @@ def _computed(answer: Answer, cited: Cited) -> str:
     authors = f"Dominik \\& Tielens{_cite([paper])}"
     equations = f"{cited_equations(cited.equations).replace('. ', '.~', 1)} of " if cited.equations else ""
     ways = [f"{equations}{authors}"]
-    ways += [f"the {answer.scene.law.title} theory{_cite(cited.law)}"] if cited.law else []
+    ways += [f"the {answer.frame.law.title} theory{_cite(cited.law)}"] if cited.law else []
     ways += [f"the conventions of{_cite(cited.conventions)}"] if cited.conventions else []
     names = [name for name in answer.question.headline if name in cited.names] or cited.names
     quantities = as_latex("; ".join(f"{NOMENCLATURE[name].sentence} ({symbol(name)})" for name in names))
@@ -271,7 +271,7 @@ def _values(answer: Answer) -> str:
         quantity = NOMENCLATURE[name]
         lead = "" if quantity.is_word else f"{symbol(name)} = "
         meaning = quantity.sentence + ("; assumed" if name in answer.assumed else "")
-        used = answer.scene.data_used([name])
+        used = answer.frame.data_used([name])
         data = [entry for material, of_material in used for entry in material.sources_of(of_material)]
         texts.append(as_latex(f"{lead}{amount(name, value)} ({meaning})") + _cite(data))
     return f"Values used: {', '.join(texts)}."

@@ -1,4 +1,4 @@
-"""Tables on a terminal, in the width there is: of one scene, and of a list of pairs."""
+"""Tables on a terminal, in the width there is: of one frame, and of a list of pairs."""
 
 from collections.abc import Mapping, Sequence
 from itertools import chain
@@ -88,13 +88,13 @@ def _write_inputs(
         say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
 
 
-# --- One scene --------------------------------------------------------------------------------------------------------
+# --- One frame --------------------------------------------------------------------------------------------------------
 
 
-def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write the inputs of one scene, and its results below each other, beside what may stand in their place."""
+def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
+    """Write the inputs of one frame, and its results below each other, beside what may stand in their place."""
     _write_inputs("", answer.measures, answer.assumed, out, form)
-    law, data = head_of(answer.scene.law.name), "by 1 µm data" if rolled_solid(answer.scene) == SIO2 else "by 5 µm data"
+    law, data = head_of(answer.frame.law.name), "by 1 µm data" if rolled_solid(answer.frame) == SIO2 else "by 5 µm data"
     others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
     if (limit := "pull_off_force_dmt") in answer.question.without_row and limit in answer.values:
         others[head_of("dmt")] = {"pull_off_force": answer.result(limit).measure}
@@ -108,7 +108,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
             continue
         same = None if result.value is None else f"as {law}"
         values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
-        if same and answer.scene.by_law.may_rest_on_spacing(name):
+        if same and answer.frame.by_law.may_rest_on_spacing(name):
             values = [_NEEDS_SPACING if value is None else value for value in values]
         first = next((value for value in values if isinstance(value, float | Uncertain)), 0.0)
         unit = units.get(quantity.unit)

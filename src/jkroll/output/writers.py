@@ -178,7 +178,7 @@ def length(column: Any) -> int:
     return 0 if column is None or isinstance(column, str) else int(column.shape[-1])
 
 
-# --- Rows of scenes ---------------------------------------------------------------------------------------------------
+# --- Rows of frames ---------------------------------------------------------------------------------------------------
 
 
 def written(

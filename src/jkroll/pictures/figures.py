@@ -15,7 +15,7 @@ from ..answers.answer import Answer
 from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..answers.questions import Question
 from ..materials.library import Materials
-from ..model.frame import DEFAULTS, Scene
+from ..model.frame import DEFAULTS, Frame
 from ..model.reasons import BEYOND_PULL_OFF, Failure, NotInLaw
 from ..model.solver import values_of
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
@@ -45,19 +45,19 @@ _NO_LOAD = "⟦P = 0⟧"
 _BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force curves, each with its own colour
 
 
-def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
+def _force(frames: Sequence[Frame], loads: Loads | None) -> Panel:
     """Return force against approach up to one load, with the loads that were given as the ends of its axis.
 
     The branches of one law have a colour each, as have several laws.
     """
-    most = max(0.0, loads.high) if loads else MAX_LOAD * max(scene["pull_off_force"] for scene in scenes)
-    is_one = len(scenes) == 1
+    most = max(0.0, loads.high) if loads else MAX_LOAD * max(frame["pull_off_force"] for frame in frames)
+    is_one = len(frames) == 1
     curves: list[Curve] = []
     points: list[Mark] = []
-    for number, scene in enumerate(scenes):
-        for name, x, y in _branches(scene, most):
+    for number, frame in enumerate(frames):
+        for name, x, y in _branches(frame, most):
             if name not in NAMED:
-                look = (name, x, y, _BRANCHES.index(name)) if is_one else (scene.law.title, x, y, number)
+                look = (name, x, y, _BRANCHES.index(name)) if is_one else (frame.law.title, x, y, number)
                 curves.append(Curve(*look))
             elif is_one:
                 points.append(Mark(_NO_LOAD if name == EQUILIBRIUM else name, x, y))
@@ -70,18 +70,18 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
     x = axis_around("approach_at_load", [curve.x for curve in curves])
     y = axis_around("load", [curve.y for curve in curves], margin=0.08)
     ends = Axis("load", *loads, is_log=False) if loads is not None else y
-    title = "force, Eqs (5) and (6)" if is_one and scenes[0].law.is_default else f"force{_of_law(scenes)}"
+    title = "force, Eqs (5) and (6)" if is_one and frames[0].law.is_default else f"force{_of_law(frames)}"
     return Panel(x, ends, tuple(curves), tuple(points), title)
 
 
-def _branches(scene: Scene, most: float) -> Iterator[tuple[str, Any, Any]]:
+def _branches(frame: Frame, most: float) -> Iterator[tuple[str, Any, Any]]:
     """Iterate over the branches of a force curve up to a load and its named states: name, approaches, loads.
 
     A branch begins at the state before it.
     """
-    path = states(scene, Loads(-inf, most), POINTS)
+    path = states(frame, Loads(-inf, most), POINTS)
     groups = [
-        values_of(scene.replace(**{given: numpy.array([state.value for state in group])}), _FORCE)
+        values_of(frame.replace(**{given: numpy.array([state.value for state in group])}), _FORCE)
         for given, group in groupby(path, key=lambda state: state.given)
     ]
     x, y = (numpy.concatenate([group[name] for group in groups]) for name in _FORCE)
@@ -96,51 +96,51 @@ def _branches(scene: Scene, most: float) -> Iterator[tuple[str, Any, Any]]:
         yield name, x[start : end + 1], y[start : end + 1]
 
 
-def _pressure(scenes: Sequence[Scene], _: Loads | None) -> Panel:
+def _pressure(frames: Sequence[Frame], _: Loads | None) -> Panel:
     """Return the pressure across the contact, which JKR alone has, without load and at pull-off."""
-    (scene,) = scenes
+    (frame,) = frames
     curves = []
     for text, name, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), (PULL_OFF, PULL_OFF, "fixed grips")):
-        state = values_of(scene.replace(load_factor=NAMED[name]), AREA_AND_PRESSURES)
+        state = values_of(frame.replace(load_factor=NAMED[name]), AREA_AND_PRESSURES)
         x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))
-    return pressure_panel(curves, state["hertz_pressure"], f"pressure, Eq (12){_of_law(scenes)}")
+    return pressure_panel(curves, state["hertz_pressure"], f"pressure, Eq (12){_of_law(frames)}")
 
 
-def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
+def _moment(frames: Sequence[Frame], _: Loads | None) -> Panel:
     """Return the moment without load against ξ, up to the ξ at which JKR's leading edge would interpenetrate."""
-    limit = scenes[0].replace(model=DEFAULT_LAW)["displacement_limit"]
+    limit = frames[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
-    if len(scenes) == 1:
-        (scene,) = scenes
-        models = {name: text for name, text in _OF_MOMENTS.items() if not _lacking(scene, name)}
-        lines = [(f"{symbol(name)}: {text}", scene, name) for name, text in models.items()]
-        shift = float(scene["yield_displacement"])
+    if len(frames) == 1:
+        (frame,) = frames
+        models = {name: text for name, text in _OF_MOMENTS.items() if not _lacking(frame, name)}
+        lines = [(f"{symbol(name)}: {text}", frame, name) for name, text in models.items()]
+        shift = float(frame["yield_displacement"])
         if shift <= limit:
-            points = [Mark(f"⟦ξ⟧ = {amount('yield_displacement', shift)}", shift, scene["yield_moment"])]
+            points = [Mark(f"⟦ξ⟧ = {amount('yield_displacement', shift)}", shift, frame["yield_moment"])]
     else:
-        lines = [(scene.law.title, scene, "yield_moment") for scene in scenes]
+        lines = [(frame.law.title, frame, "yield_moment") for frame in frames]
     shifts = numpy.linspace(0, limit, POINTS)
-    first = 3 if len(scenes) == 1 else 0  # a colour that no branch of the force curve beside it has
+    first = 3 if len(frames) == 1 else 0  # a colour that no branch of the force curve beside it has
     curves = [
-        Curve(text, shifts[1:], values_of(scene.replace(yield_displacement=shifts[1:]), [name])[name], number)
-        for number, (text, scene, name) in enumerate(lines, first)
+        Curve(text, shifts[1:], values_of(frame.replace(yield_displacement=shifts[1:]), [name])[name], number)
+        for number, (text, frame, name) in enumerate(lines, first)
     ]
     x = Axis("yield_displacement", 0.0, limit, is_log=False)
     y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], margin=0.0)
     title = f"moment up to ⟦ξ_max⟧ = {amount('yield_displacement', limit, Format(digits=3))}"
-    return Panel(x, y, tuple(curves), tuple(points), title + _of_law(scenes))
+    return Panel(x, y, tuple(curves), tuple(points), title + _of_law(frames))
 
 
-def _of_law(scenes: Sequence[Scene]) -> str:
+def _of_law(frames: Sequence[Frame]) -> str:
     """Return the end of the title of a panel of one law that was chosen."""
-    return f", {scenes[0].law.title}" if len(scenes) == 1 and scenes[0].stated_model is not None else ""
+    return f", {frames[0].law.title}" if len(frames) == 1 and frames[0].stated_model is not None else ""
 
 
-def _lacking(scene: Scene, *names: str) -> NotInLaw | None:
-    """Return the error about quantities that the law of a scene does not have; None if it has them."""
+def _lacking(frame: Frame, *names: str) -> NotInLaw | None:
+    """Return the error about quantities that the law of a frame does not have; None if it has them."""
     try:
-        scene.plans(*names)
+        frame.plans(*names)
     except NotInLaw as error:
         return error
     return None
@@ -149,13 +149,13 @@ def _lacking(scene: Scene, *names: str) -> NotInLaw | None:
 class ContactPanel(NamedTuple):
     """A panel of a contact: the function that draws it, and the quantities in it."""
 
-    draw: Callable[[Sequence[Scene], Loads | None], Panel]
+    draw: Callable[[Sequence[Frame], Loads | None], Panel]
     needed: tuple[str, ...]  # of each law
     further: tuple[str, ...] = ()  # of a single law, as far as it has them
 
-    def missing(self, scenes: Sequence[Scene]) -> list[NotInLaw]:
-        """Return the errors of those scenes whose laws lack what the panel needs."""
-        return [error for scene in scenes if (error := _lacking(scene, *self.needed))]
+    def missing(self, frames: Sequence[Frame]) -> list[NotInLaw]:
+        """Return the errors of those frames whose laws lack what the panel needs."""
+        return [error for frame in frames if (error := _lacking(frame, *self.needed))]
 
 
 PANELS: Mapping[str, ContactPanel] = {
@@ -166,32 +166,32 @@ PANELS: Mapping[str, ContactPanel] = {
 
 
 def curves_of_contact(
-    scenes: Sequence[Scene], loads: Loads | None, panel: str | None
+    frames: Sequence[Frame], loads: Loads | None, panel: str | None
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return the panels of a contact that all its laws have, or one of them, and notes.
 
     First on laws that lack a panel; then what is in doubt, unless several laws can be compared.
     """
-    is_one = len(scenes) == 1
+    is_one = len(frames) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
-    missing = [error for kind in asked for error in kind.missing(scenes)]
-    drawn = [kind for kind in asked if not kind.missing(scenes)]
+    missing = [error for kind in asked for error in kind.missing(frames)]
+    drawn = [kind for kind in asked if not kind.missing(frames)]
     if not drawn:
         raise missing[0]
-    panels = tuple(kind.draw(scenes, loads) for kind in drawn)
+    panels = tuple(kind.draw(frames, loads) for kind in drawn)
     names = [name for kind in drawn for name in (*kind.needed, *(kind.further if is_one else ()))]
     varied = ("load",) if is_one else ("load", "yield_displacement")
     fixed: dict[str, None] = {}
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)
     if is_one:
         about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else WHOLE_CURVE
-        notes |= dict.fromkeys(note.text for note in Answer(about, scenes[0]).doubts())
-    for scene in scenes:
-        held = [name for name in names if not _lacking(scene, name)]
-        unloaded = scene.replace(load=0.0)
+        notes |= dict.fromkeys(note.text for note in Answer(about, frames[0]).doubts())
+    for frame in frames:
+        held = [name for name in names if not _lacking(frame, name)]
+        unloaded = frame.replace(load=0.0)
         inputs = [name for name in unloaded.inputs_of(*held) if name not in varied]
         fixed |= dict.fromkeys(inputs_as_texts(unloaded, inputs))
-        notes |= dict.fromkeys(notes_on(scene, unloaded, inputs, held))
+        notes |= dict.fromkeys(notes_on(frame, unloaded, inputs, held))
     return Picture("", panels, fixed_inputs([*fixed])), tuple(notes)
 
 
@@ -276,10 +276,10 @@ def paper_map(
 ) -> Picture:
     """Return a map of the paper with marked grains. `is_plain`: without the limits of the model."""
     declared = PAPER_MAPS[name]
-    scenes, printed = (("", Scene(declared.given)),), declared.printed if as_printed else ""
+    frames, printed = (("", Frame(declared.given)),), declared.printed if as_printed else ""
     limits = () if is_plain else DRAWN_LIMITS
     drawn, _ = picture_of(
-        PlotRequest(declared.quantity, declared.x, RADII, scenes, marks, materials, limits, printed=printed)
+        PlotRequest(declared.quantity, declared.x, RADII, frames, marks, materials, limits, printed=printed)
     )
     dashed = (f"Dashed in files: Eq ({NOMENCLATURE[printed].equation}), each below its contour.",) if printed else ()
     title, remarks = f"Fig. {name}: {symbol(declared.quantity)}", (*drawn.remarks, declared.remark)
@@ -293,12 +293,12 @@ SPHERES = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is 
 
 def figure_2(materials: Materials) -> Picture:
     """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
-    scene = Scene(SPHERES, materials["quartz"])
+    frame = Frame(SPHERES, materials["quartz"])
     moduli = ("contact_modulus", "reduced_radius")
-    state = values_of(scene, (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment"))
+    state = values_of(frame, (*AREA_AND_PRESSURES, *moduli, "approach_at_load", "yield_moment", "half_circles_moment"))
     pair = {name: state[name] for name in moduli}
     circle = {name: state[name] for name in AREA_AND_PRESSURES}
-    a, shift = state["contact_radius_at_load"], float(scene["yield_displacement"])
+    a, shift = state["contact_radius_at_load"], float(frame["yield_displacement"])
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
     half = angle / 2 + numpy.pi
     outlines = (
@@ -349,7 +349,7 @@ def figure_9(materials: Materials) -> Picture:
     """Return Fig. 9: the pressure of a cylinder on a rigid plane, symmetric and shifted, exact and simplified."""
     quartz = materials["quartz"].properties
     modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
-    radius, shift = SPHERES["radius"], float(Scene(SPHERES).values["yield_displacement"])
+    radius, shift = SPHERES["radius"], float(Frame(SPHERES).values["yield_displacement"])
     size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
     a = float(unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size))
     size["load_constant"] = 0.0
@@ -401,7 +401,7 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
         Curve("DMT", ends, numpy.array([2.0, 2.0]), 2),
         Curve("JKR", ends, numpy.array([1.5, 1.5]), 3),
     )
-    points = tuple(mark_at(text, materials, Scene({}, model="maugis"), _TABOR, _RATIO) for text in marks)
+    points = tuple(mark_at(text, materials, Frame({}, model="maugis"), _TABOR, _RATIO) for text in marks)
     spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
     fit = "Lennard-Jones' by a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧"
     caption = (

@@ -208,11 +208,11 @@ def _mark_edge(axes: Any, which: str, marks: Sequence[tuple[Any, str]]) -> None:
 def _draw_field(axes: Any, panel: Panel, field: Field, style: Style, letters: int) -> tuple[list[Any], Any]:
     """Draw all of a field but the texts inside; return the keys of a legend, and the contours, if there are any."""
     x, y = (axis._replace(size=FINE) for axis in (panel.x, panel.y))
-    across, up, here = x.values(), y.values(), over(field.scene, x, y)
+    across, up, here = x.values(), y.values(), over(field.frame, x, y)
     scale = numpy.ma.log10 if field.is_log else numpy.ma.asarray
 
     def scaled(quantity: str) -> Any:
-        return scale(numpy.ma.masked_invalid(evaluate(field.scene, quantity, x, y)))
+        return scale(numpy.ma.masked_invalid(evaluate(field.frame, quantity, x, y)))
 
     values = scaled(field.quantity)
     mask = numpy.ma.getmaskarray(values)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TextIO
 
 import numpy
 
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..model.solver import values_of
 from ..quantities.formatting import in_units
 from ..quantities.markup import plain
@@ -18,7 +18,7 @@ from ..text import TextColumn, padded, say, say_wrapped, terminal_width, width_o
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 SAME = 1e-9  # relative difference of values that are the same but for rounding
 
-# The axes of figures that are no quantities of a scene.
+# The axes of figures that are no quantities of a frame.
 _OF_FIGURES: Mapping[str, Quantity] = {
     "position_across": Quantity("x", "m", "position from the contact point"),
     "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction"),
@@ -36,10 +36,10 @@ class Axis(NamedTuple):
     high: float
     is_log: bool = True
     size: int = 0  # number of values; 0: the picture's default
-    needs: Mapping[str, float] = MappingProxyType({})  # further inputs of a scene at a value
+    needs: Mapping[str, float] = MappingProxyType({})  # further inputs of a frame at a value
 
     def inputs(self, values: Any) -> dict[str, Any]:
-        """Return the inputs of a scene at values on the axis."""
+        """Return the inputs of a frame at values on the axis."""
         return {**self.needs, self.name: values}
 
     def has(self, values: Any) -> Any:
@@ -88,14 +88,14 @@ class Region(NamedTuple):
     where: str  # empty: everywhere
     sign: str
     hatch: str
-    excess: Callable[[Scene], Any]  # of a scene of arrays
+    excess: Callable[[Frame], Any]  # of a frame of arrays
 
 
 class Field(NamedTuple):
     """A quantity over both axes of a panel."""
 
     quantity: str
-    scene: Scene  # what is the same all over it
+    frame: Frame  # what is the same all over it
     values: Any  # a row for each value of y, at few points; nan where there is no value
     regions: tuple[Region, ...]
     printed: str = ""  # the same quantity as the paper prints it
@@ -167,17 +167,17 @@ def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, m
 # --- Values -----------------------------------------------------------------------------------------------------------
 
 
-def over(scene: Scene, x: Axis, y: Axis | None = None) -> Scene:
-    """Return a scene of arrays along one axis, or over two, with a row for each value of y."""
+def over(frame: Frame, x: Axis, y: Axis | None = None) -> Frame:
+    """Return a frame of arrays along one axis, or over two, with a row for each value of y."""
     if y is None:
-        return scene.replace(**x.inputs(x.values()))
-    return scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
+        return frame.replace(**x.inputs(x.values()))
+    return frame.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
 
 
-def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis | None = None) -> Any:
+def evaluate(frame: Frame, quantity: str, x: Axis, y: Axis | None = None) -> Any:
     """Return a quantity along one axis, or over two; nan where it has no value."""
     shape = (x.size,) if y is None else (y.size, x.size)
-    return numpy.broadcast_to(values_of(over(scene, x, y), [quantity])[quantity], shape)
+    return numpy.broadcast_to(values_of(over(frame, x, y), [quantity])[quantity], shape)
 
 
 def extent(values: Any) -> tuple[float, float]:
@@ -256,9 +256,9 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
     for count in range(COLUMNS, 0, -1):
         x = shown_values(panel.x, count)
         heads, unit_of_x = panel.x.in_words(x.tolist(), DIGITS + 1)
-        scene = field.scene.replace(**panel.x.inputs(x[None, :]), **panel.y.inputs(y[:, None]))
-        values = numpy.broadcast_to(values_of(scene, [field.quantity])[field.quantity], (y.size, x.size))
-        cells, signs = _cells(field, scene, values)
+        frame = field.frame.replace(**panel.x.inputs(x[None, :]), **panel.y.inputs(y[:, None]))
+        values = numpy.broadcast_to(values_of(frame, [field.quantity])[field.quantity], (y.size, x.size))
+        cells, signs = _cells(field, frame, values)
         columns = [
             TextColumn(quantity_of(panel.y.name).symbol, heads_of_y, is_right=False),
             *map(TextColumn, heads, cells),
@@ -275,14 +275,14 @@ def _write_field(panel: Panel, field: Field, out: TextIO) -> None:
     say_texts([*(f"{region.sign} {region.text}" for region in field.regions if region.sign in signs), *gaps], out)
 
 
-def _cells(field: Field, scene: Scene, values: Any) -> tuple[list[list[str]], str]:
+def _cells(field: Field, frame: Frame, values: Any) -> tuple[list[list[str]], str]:
     """Return the columns of the values of a field, with signs where they are in a region, and all these signs."""
     known = numpy.isfinite(values)
     texts, signs = numpy.full((2, *values.shape), "", dtype=object)
     texts[~known] = NO_VALUE
     texts[known], _ = field.in_words(values[known].tolist(), DIGITS)
     for region in field.regions:
-        signs[known & numpy.broadcast_to(region.excess(scene) > 0, values.shape)] += region.sign
+        signs[known & numpy.broadcast_to(region.excess(frame) > 0, values.shape)] += region.sign
     for signs_of_column, texts_of_column in zip(signs.T, texts.T, strict=True):
         if width := max(map(len, signs_of_column)):  # numbers stand below each other, whichever signs they have
             texts_of_column += [f" {sign:{width}}" for sign in signs_of_column]

@@ -11,7 +11,7 @@ from ..answers.answer import advised, equation_of, law_advised
 from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, entering
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
-from ..model.frame import Scene
+from ..model.frame import Frame
 from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
 from ..model.reasons import RESTS_ON_SPACING, Failure, Kind, MissingInput, reason_of
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
@@ -59,7 +59,7 @@ class PlotRequest(NamedTuple):
     quantity: str
     x: Axis
     y: Axis | None
-    scenes: tuple[tuple[str, Scene], ...]  # a curve each, with its label
+    frames: tuple[tuple[str, Frame], ...]  # a curve each, with its label
     marks: Sequence[str]
     materials: Materials
     limits: Sequence[Limit] = LIMITS  # of which those that concern the quantity are drawn or told
@@ -73,14 +73,14 @@ def picture_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
 
 def _map_of(request: PlotRequest, upright: Axis) -> tuple[Picture, tuple[str, ...]]:
     """Return the field of a request, with its limits as regions, and notes on it."""
-    quantity, ((_, scene),) = request.quantity, request.scenes
+    quantity, ((_, frame),) = request.quantity, request.frames
     x, y = (axis._replace(size=axis.size or SIDE) for axis in (request.x, upright))
-    layer = Layer(request, "", scene, [axis._replace(size=SIDE) for axis in (x, y)])
+    layer = Layer(request, "", frame, [axis._replace(size=SIDE) for axis in (x, y)])
     regions = [*layer.regions()]
     drawn = tuple(region for region in regions if region.sign and region.where)
-    field = Field(quantity, scene, layer.values, drawn, request.printed)
-    marks = [mark_at(text, request.materials, scene, x, y) for text in request.marks]
-    of_materials, left_out = _material_marks(request.materials, x, y) if scene.material is None else ([], ())
+    field = Field(quantity, frame, layer.values, drawn, request.printed)
+    marks = [mark_at(text, request.materials, frame, x, y) for text in request.marks]
+    of_materials, left_out = _material_marks(request.materials, x, y) if frame.material is None else ([], ())
     panel = Panel(x, y, marks=(*of_materials, *marks), field=field)
     told = {"": [region for region in regions if region not in drawn]}
     caption, beyond = (*_opening(quantity, [layer]), *left_out), (*_sentences(told),)
@@ -93,16 +93,16 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
     quantity, x = request.quantity, request.x._replace(size=request.x.size or ALONG)
     layers: list[Layer] = []
     errors: dict[str, MissingInput | NoResult] = {}
-    for text, scene in request.scenes:
+    for text, frame in request.frames:
         try:
-            layers.append(Layer(request, text, scene, [x]))
+            layers.append(Layer(request, text, frame, [x]))
         except (MissingInput, NoResult) as error:
             errors[text] = error
     if not layers:
         raise next(iter(errors.values()))
     curves = tuple(Curve(layer.text, x.values(), layer.values, colour) for colour, layer in enumerate(layers))
     y = axis_around(quantity, [curve.y for curve in curves], may_be_log=True)
-    marks = tuple(mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks)
+    marks = tuple(mark_at(text, request.materials, request.frames[0][1], x, y) for text in request.marks)
     farthest = _farthest_off(x, layers[0]) if len(layers) == 1 else ()
     told = {layer.text: [*layer.regions()] for layer in layers}
     caption, beyond = (*_opening(quantity, layers),), (*_sentences(told), *farthest)
@@ -114,20 +114,20 @@ def _curves_of(request: PlotRequest) -> tuple[Picture, tuple[str, ...]]:
 # --- Marks ------------------------------------------------------------------------------------------------------------
 
 
-def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
+def mark_at(text: str, materials: Materials, frame: Frame, x: Axis, y: Axis) -> Mark:
     """Return the mark of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` between two axes."""
-    numbers = _scene_at(text, materials, scene).numbers(x.name, y.name)
+    numbers = _frame_at(text, materials, frame).numbers(x.name, y.name)
     if not numbers or not all(axis.has(numbers.get(axis.name, axis.low)) for axis in (x, y)):
         raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
     return Mark(text, numbers.get(x.name), numbers.get(y.name))
 
 
-def _scene_at(text: str, materials: Materials, scene: Scene) -> Scene:
-    """Return the scene of a grain that is marked."""
+def _frame_at(text: str, materials: Materials, frame: Frame) -> Frame:
+    """Return the frame of a grain that is marked."""
     name, _, radius = text.partition("@")
     material = materials[name] if name else None
     values = {"radius": parse_quantity(radius, "radius")} if radius else {}
-    return Scene({**scene.stated, **values}, material or scene.material, scene.material2, model=scene.stated_model)
+    return Frame({**frame.stated, **values}, material or frame.material, frame.material2, model=frame.stated_model)
 
 
 def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark], tuple[str, ...]]:
@@ -137,7 +137,7 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
     """
     placed, others = [], []
     for material in (material for material in materials.materials.values() if not material.state):
-        numbers = Scene({}, material).numbers(x.name, y.name)
+        numbers = Frame({}, material).numbers(x.name, y.name)
         places = [numbers[axis.name] if axis.has(numbers.get(axis.name, nan)) else None for axis in (x, y)]
         if places == [None, None]:
             others.append(material.name)
@@ -148,54 +148,54 @@ def _material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[list[Mark],
 
 def _about_marks(request: PlotRequest, panel: Panel) -> Iterator[str]:
     """Iterate over the places of marks on an axis, and the values of grains at points, by their own inputs."""
-    quantity, ((_, scene),) = request.quantity, request.scenes
+    quantity, ((_, frame),) = request.quantity, request.frames
     for mark in panel.marks:
         numbers = {axis.name: value for axis, value in ((panel.x, mark.x), (panel.y, mark.y)) if value is not None}
         if len(numbers) == 2:
-            drawn = scene.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
-            numbers = _scene_at(mark.text, request.materials, scene).numbers(quantity) or drawn
+            drawn = frame.replace(**panel.x.inputs(mark.x), **panel.y.inputs(mark.y)).numbers(quantity)
+            numbers = _frame_at(mark.text, request.materials, frame).numbers(quantity) or drawn
             if drawn and not isclose(numbers[quantity], drawn[quantity], rel_tol=SAME):
                 yield f"{mark.text} has other inputs than are fixed here"
         for name, value in numbers.items():
             yield f"{mark.text}: {symbol(name)} = {amount(name, value, _FOUR)}"
 
 
-# --- The quantity of one scene --------------------------------------------------------------------------------------
+# --- The quantity of one frame --------------------------------------------------------------------------------------
 
 
 class Layer:
-    """A quantity of one scene over one axis or two: values, fixed inputs, the limits of the model, and notes.
+    """A quantity of one frame over one axis or two: values, fixed inputs, the limits of the model, and notes.
 
     Raises MissingInput if the quantity cannot be computed, and NoResult if it has no value.
     """
 
-    def __init__(self, request: PlotRequest, text: str, scene: Scene, axes: Sequence[Axis]) -> None:
-        """Evaluate the quantity of a request in a scene; `text`: the label of a curve."""
+    def __init__(self, request: PlotRequest, text: str, frame: Frame, axes: Sequence[Axis]) -> None:
+        """Evaluate the quantity of a request in a frame; `text`: the label of a curve."""
         quantity = request.quantity
-        self.text, self.given, self.quantity, self.axes = text, scene, quantity, axes
+        self.text, self.given, self.quantity, self.axes = text, frame, quantity, axes
         drawn = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
-        self.scene = scene.replace(**drawn)  # at an end: what a quantity needs is the same all along an axis
-        every = _doubts(over(scene, *axes), quantity, request.limits)  # at each point
+        self.frame = frame.replace(**drawn)  # at an end: what a quantity needs is the same all along an axis
+        every = _doubts(over(frame, *axes), quantity, request.limits)  # at each point
         self.doubts = [doubt for doubt in every if doubt.error is None]
         missing = [doubt.error for doubt in every if doubt.error is not None]
         names = [quantity, *(doubt.limit.name for doubt in self.doubts if doubt.limit in DRAWN_LIMITS)]
-        inputs, used = self.scene.inputs_of(*names), self.scene.inputs_of(quantity)
+        inputs, used = self.frame.inputs_of(*names), self.frame.inputs_of(quantity)
         # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
-        shown = [name for name in inputs if name in used or name != "load" or name in self.scene.given]
-        moduli = {} if drawn.keys().isdisjoint(("poisson_ratio", "poisson_ratio2")) else _shear_moduli(scene)
+        shown = [name for name in inputs if name in used or name != "load" or name in self.frame.given]
+        moduli = {} if drawn.keys().isdisjoint(("poisson_ratio", "poisson_ratio2")) else _shear_moduli(frame)
         on_axes = {*map(computed_as, drawn)}
-        self.inputs = inputs_as_texts(self.scene, [moduli.get(name, name) for name in shown if name not in on_axes])
+        self.inputs = inputs_as_texts(self.frame, [moduli.get(name, name) for name in shown if name not in on_axes])
         remark = NOMENCLATURE[quantity].note
         self.unjudged = [f"Limits are not judged: {_without(error)}." for error in missing[:1]]
         self.notes = (
-            *(note.text for note in about_idle(entering(self.scene, names, judges=False)[1])),
-            *notes_on(scene, self.scene, shown, names),
+            *(note.text for note in about_idle(entering(self.frame, names, judges=False)[1])),
+            *notes_on(frame, self.frame, shown, names),
             *([f"{symbol_of(quantity)}: {remark}"] if remark else []),
         )
-        self.values = evaluate(scene, quantity, *axes)
+        self.values = evaluate(frame, quantity, *axes)
         self.known = numpy.isfinite(self.values)
         if not self.known.any():
-            errors = self.scene.errors(self.scene.columns([quantity]))
+            errors = self.frame.errors(self.frame.columns([quantity]))
             reason = "".join(f": {reason_of(quantity, error)}" for error in errors.values())
             raise Failure(Kind("", f"no value anywhere on these axes{reason}"), quantity)
 
@@ -240,9 +240,9 @@ class Layer:
         return f"{symbol(x.name)} = {', '.join(' to '.join(dict.fromkeys(pair)) for pair in ends)}"
 
 
-def _shear_moduli(scene: Scene) -> dict[str, str]:
+def _shear_moduli(frame: Frame) -> dict[str, str]:
     """Return the shear moduli that were given, by the Young's moduli that vary with Poisson's ratio."""
-    return {CONVERTED[name]: name for name in ("shear_modulus", "shear_modulus2") if name in scene.described}
+    return {CONVERTED[name]: name for name in ("shear_modulus", "shear_modulus2") if name in frame.described}
 
 
 def _without(error: JkrollError) -> str:
@@ -250,12 +250,12 @@ def _without(error: JkrollError) -> str:
     return f"{symbol(error.wanted)} {error.reason()}" if isinstance(error, MissingInput) else str(error)
 
 
-def _doubts(here: Scene, quantity: str, limits: Iterable[Limit]) -> list[Doubt]:
+def _doubts(here: Frame, quantity: str, limits: Iterable[Limit]) -> list[Doubt]:
     """Return the limits of a quantity, judged."""
     return doubts(here, here.columns([quantity]), limits)
 
 
-def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
+def _excess_over(limit: Limit, step: float, quantity: str, here: Frame) -> Any:
     """Return how far a limit is exceeded over a step, as the logarithm of a factor that has a place on a map."""
     (doubt,) = _doubts(here, quantity, [limit])
     return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
@@ -264,23 +264,23 @@ def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
 # --- Sentences of a caption -------------------------------------------------------------------------------------------
 
 
-def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
-    """Return the materials of a scene, and inputs with their values."""
-    materials = [scene.material.name] if scene.material is not None else []
-    if scene.material2 is not None:
-        materials.append(f"material2 = {scene.material2.name}")
-    values = ((name, in_words(name, scene[name])) for name in names)
+def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
+    """Return the materials of a frame, and inputs with their values."""
+    materials = [frame.material.name] if frame.material is not None else []
+    if frame.material2 is not None:
+        materials.append(f"material2 = {frame.material2.name}")
+    values = ((name, in_words(name, frame[name])) for name in names)
     return (*materials, *(f"{symbol(name)} = {amount(name, value)}" for name, value in values))
 
 
-def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:
+def notes_on(given: Frame, frame: Frame, inputs: Collection[str], names: Sequence[str]) -> list[str]:
     """Return notes on uncertain inputs, of which a picture has the middle, and on the data behind quantities.
 
-    `given`: the scene as a user gave it, of which `scene` is one point.
+    `given`: the frame as a user gave it, of which `frame` is one point.
     """
     uncertain = {name: measured for name, measured in given.uncertainties.items() if name in inputs}
-    of_point = assumed(scene, inputs, names, has_values=False)
-    notes = *about_middles(uncertain), *about_assumed(of_point), *about_given(scene, names, inputs)
+    of_point = assumed(frame, inputs, names, has_values=False)
+    notes = *about_middles(uncertain), *about_assumed(of_point), *about_given(frame, names, inputs)
     return [note.text for note in dict.fromkeys(notes)]
 
 
@@ -293,8 +293,8 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
     """Iterate over the sentences that every caption begins with: on the quantity, its inputs, and on its values."""
     sentence = NOMENCLATURE[quantity].sentence
     clauses = [f"{sentence[0].upper()}{sentence[1:]}", symbol(quantity)]
-    equations = {equation_of(layer.scene, quantity) for layer in layers}
-    laws = {layer.scene.law.title for layer in layers if layer.scene.stated_model is not None}
+    equations = {equation_of(layer.frame, quantity) for layer in layers}
+    laws = {layer.frame.law.title for layer in layers if layer.frame.stated_model is not None}
     if len(equations) == 1 and (equation := equations.pop()):
         clauses.append(f"Eq ({equation})" if equation.isdigit() else equation)
     if len(laws) == 1:
@@ -305,7 +305,7 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
         if is_flat(layer.values):
             label = f"{layer.text}, the" if layer.text else "The"
             yield f"{label} same everywhere: {symbol(quantity)} = {amount(quantity, extent(layer.values)[0])}."
-    if any(layer.scene.may_rest_on_spacing(quantity) and not layer.known.all() for layer in layers):
+    if any(layer.frame.may_rest_on_spacing(quantity) and not layer.known.all() for layer in layers):
         yield f"No value where it {RESTS_ON_SPACING.words}."
     yield from dict.fromkeys(sentence for layer in layers for sentence in layer.unjudged)
 

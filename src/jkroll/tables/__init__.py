@@ -1,4 +1,4 @@
-"""Tables of scenes in files: rows in, the same rows with their results out. What a row means stands in `rows`."""
+"""Tables of frames in files: rows in, the same rows with their results out. What a row means stands in `rows`."""
 
 import os
 

@@ -289,7 +289,7 @@ class Lookup:
         return remarks
 
     def kinds(self, indices: Indices) -> Indices:
-        """Return a number for each row, which is the same for materials that can be one scene's."""
+        """Return a number for each row, which is the same for materials that can be one frame's."""
         kinds = [*map(_kind, self.known)]
         return numpy.array([*map(kinds.index, kinds)])[indices]
 

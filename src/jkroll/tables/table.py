@@ -12,7 +12,7 @@ import numpy
 
 from ..errors import BadRequest, BadTable, JkrollError
 from ..materials.library import Material, Materials
-from ..model.frame import EXCLUSIVE, Scene
+from ..model.frame import EXCLUSIVE, Frame
 from ..model.reasons import MissingInput, NotInLaw
 from ..model.rows import BAD, SIDES, Numbers, Wanted, groups
 from ..model.uncertainty import Sources, sources_of_results
@@ -78,8 +78,8 @@ class Table:
         self.given = columns.names | self.fixed.keys()
         cells = {name: [row[place].encode() for row in rows] for name, place in self.places.items()}
         sample = TableBlock(self, Records(rows, cells))  # which looks up materials
-        scenes = self._kinds(cells)
-        self.names, named = self._names(scenes)
+        frames = self._kinds(cells)
+        self.names, named = self._names(frames)
         self.sources = self._sources(sample)
         sides = {*SIDES} if asked.uncertainty else {side for each in self.sources for side in each.sides}
         sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
@@ -89,11 +89,11 @@ class Table:
 
             kind = Unknowns
         wanted = kind(self.names, named=named, sides=sides, doubts=asked.doubt)
-        self.wanted = wanted.with_alternatives(scenes, self.names) if asked.alternatives else wanted
+        self.wanted = wanted.with_alternatives(frames, self.names) if asked.alternatives else wanted
         if any(solid and solid.displacement for lookup in self.lookups.values() for solid in lookup.known):
             self.given |= {XI}  # it is not assumed
-        # Of each group of rows a scene, with the quantities that it shows, or that were measured.
-        self.groups = [(scene.filled, [asked.measured]) if asked.infer else (scene, self.names) for scene in scenes]
+        # Of each group of rows a frame, with the quantities that it shows, or that were measured.
+        self.groups = [(frame.filled, [asked.measured]) if asked.infer else (frame, self.names) for frame in frames]
         for text in columns.texts:
             if text.strip() in self.added:
                 raise BadTable(f"header: the table already has a column {quoted(text)}; rename it")
@@ -103,30 +103,30 @@ class Table:
         """The headers of all columns that are added."""
         return [*self.said, *self.wanted.heads(header), *self.wanted.remarks()]
 
-    def scene(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Any:
-        """Return the scene of inputs and of the materials of cells, or the problem of a measured one.
+    def frame(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Any:
+        """Return the frame of inputs and of the materials of cells, or the problem of a measured one.
 
-        Raises an error of the scene.
+        Raises an error of the frame.
         """
         of_row, spheres = {*map(computed_as, given)}, {**self.spheres, **solids}.values()
         fixed = {name: value for name, value in self.fixed.items() if computed_as(name) not in of_row}
         given = {**fixed, **given}
         measured = self.asked.measured
         if not measured:
-            return Scene(given, *spheres, model=self.model)
+            return Frame(given, *spheres, model=self.model)
         if measured not in given:
             raise BadRequest(f"{measured}: the row has no measured value", "no measured value")
         from ..model.inverse import Problem  # for which a table without an unknown does not pay
 
         value = given.pop(measured)
-        return Problem((self.asked.infer,), {measured: value}, Scene(given, *spheres, model=self.model))
+        return Problem((self.asked.infer,), {measured: value}, Frame(given, *spheres, model=self.model))
 
     # --- The columns that are added -----------------------------------------------------------------------------------
 
     def _kinds(self, cells: Mapping[str, Sequence[bytes]]) -> list[Any]:
-        """Return scenes of no rows that together have all inputs.
+        """Return frames of no rows that together have all inputs.
 
-        Of columns that exclude each other, a scene has one. What an input is matters, and not its values.
+        Of columns that exclude each other, a frame has one. What an input is matters, and not its values.
 
         A column of names that are no material's has labels, unless they were meant as materials: without them, there is
         no work of adhesion, or it is not known whether there is.
@@ -144,25 +144,25 @@ class Table:
             solids[column.name] = some
 
         def kinds(solids: Mapping[str, Material | None]) -> list[Any]:
-            return [self.scene(dict.fromkeys(case, _NO_ROWS), solids) for case in cases]
+            return [self.frame(dict.fromkeys(case, _NO_ROWS), solids) for case in cases]
 
-        scenes = kinds(solids | of_labels)
-        if of_labels and (self.asked.infer or scenes[0].missing(["work_of_adhesion"])):
+        frames = kinds(solids | of_labels)
+        if of_labels and (self.asked.infer or frames[0].missing(["work_of_adhesion"])):
             return kinds(solids)  # their rows will say that they are unknown
-        return scenes
+        return frames
 
-    def _names(self, scenes: Sequence[Any]) -> tuple[Sequence[str], Sequence[str]]:
+    def _names(self, frames: Sequence[Any]) -> tuple[Sequence[str], Sequence[str]]:
         """Return the quantities that columns and options allow, and those of them that concern any row."""
         explicit, offered = self.asked.explicit, self.asked.offered
         if self.asked.infer:
-            scenes[0].check()
+            frames[0].check()
             return [self.asked.infer], [self.asked.infer]
         for name in explicit:
             if name in self.given:
                 raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
-            if all(scene.missing([name]) for scene in scenes):
+            if all(frame.missing([name]) for frame in frames):
                 try:
-                    scenes[0].plans(name)
+                    frames[0].plans(name)
                 except NotInLaw:
                     continue  # its column is empty
                 except MissingInput as error:
@@ -171,12 +171,12 @@ class Table:
                     raise
         first, second = self.spheres.values()
         is_of_two = second not in (None, first) or any(NOMENCLATURE[name].sphere == 2 for name in self.given)
-        shown = {name for scene in scenes for name in scene.possible(offered) if scene.shows_to_identical(name)}
+        shown = {name for frame in frames for name in frame.possible(offered) if frame.shows_to_identical(name)}
         shown -= {*self.given, *(name for name in shown if is_of_two and NOMENCLATURE[name].of_identical)}
         possible = [name for name in offered if name in shown]
         names = [*dict.fromkeys((*explicit, *possible))]
         if not names:
-            scenes[0].plans(offered[0])
+            frames[0].plans(offered[0])
             raise BadRequest("--quantities: known of identical spheres only, and the table describes sphere 2")
         # Where some cells are the reason why a quantity has a column, all rows have it.
         of_cells = [name for name in possible if NOMENCLATURE[name].shown_with and not NOMENCLATURE[name].of_identical]
@@ -187,9 +187,9 @@ class Table:
         sources = []
         for group in groups(block):
             with suppress(JkrollError):  # bad rows, which their status will explain
-                scene = block.scene(group.given(group.rows), group.rows)
-                if scene.uncertainties:
-                    sources.append(sources_of_results(scene, self.names))
+                frame = block.frame(group.given(group.rows), group.rows)
+                if frame.uncertainties:
+                    sources.append(sources_of_results(frame, self.names))
         return sources
 
 
@@ -256,16 +256,16 @@ class TableBlock:
         problem = "its error bar lacks a side, and the row has none"
         return {row: BadRequest(f"{name}: {problem}", "half an error bar") for name, row in rows}
 
-    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
-        """Return the scene of the inputs of rows that are alike."""
+    def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the frame of the inputs of rows that are alike."""
         solids = {name: self.table.lookups[name].together(indices[rows]) for name, indices in self.indices.items()}
-        scene = self.table.scene(given, solids)
-        if LABEL in solids.values() and scene.missing(self.table.names):
+        frame = self.table.frame(given, solids)
+        if LABEL in solids.values() and frame.missing(self.table.names):
             raise BadRequest("names are no materials")  # each row by itself says which
-        return scene
+        return frame
 
-    def scene_of(self, row: int) -> Any:
-        """Return the scene of a row by itself. Raises BadRequest, the error of a cell, or one of the scene."""
+    def frame_of(self, row: int) -> Any:
+        """Return the frame of a row by itself. Raises BadRequest, the error of a cell, or one of the frame."""
         if row in self.odd:
             raise self.odd[row]
         if row in self.statistics:
@@ -280,8 +280,8 @@ class TableBlock:
             if (text := column.joined(*(cells[name] for name in column.places))).strip():
                 given[column.name] = column.read(text)
         solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
-        scene = table.scene(given, solids)
-        for name in self.indices if scene.missing(table.names) else ():
+        frame = table.frame(given, solids)
+        for name in self.indices if frame.missing(table.names) else ():
             if error := table.lookups[name].errors.get(self.cells[name][row]):
                 raise error
-        return scene
+        return frame
