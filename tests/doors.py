@@ -4,7 +4,7 @@ import csv
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 from functools import partial
 from itertools import product
 from pathlib import Path
@@ -24,16 +24,15 @@ from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
 from jkroll.model.alternatives import at_least_measured, at_most_measured
 from jkroll.model.frame import Frame
-from jkroll.model.infer import Problems
 from jkroll.model.limits import LIMITS, NOT_JUDGED, Limit
 from jkroll.model.ranges import LEAST
 from jkroll.model.reasons import Failure, NoErrorBar
 from jkroll.model.rows import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
-from jkroll.model.sweep import Sweep
 from jkroll.model.uncertainty import sources_of
-from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
+from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.tables.table import Table
 from questions import Ask, Sheet
+from tuning import computed
 
 ULP = 2.0**-52
 STATED = 60.0  # ulp by which two evaluations may differ, times 1 + κ: an energy of Maugis' law states 30
@@ -95,16 +94,6 @@ def kind_of(key: str) -> str:
 
 
 # --- Doors ------------------------------------------------------------------------------------------------------------
-
-
-@contextmanager
-def computed(*, by_arrays: bool) -> Iterator[None]:
-    """Have rows of lists computed by arrays, a few at a time, or by floats, however many they are."""
-    with ExitStack() as stack:
-        for kind in (Sweep, Problems):
-            stack.enter_context(patch.object(kind, "few", -1 if by_arrays else INFINITY))
-        stack.enter_context(patch.object(jkroll.model.rows, "BLOCK", 5))
-        yield
 
 
 def call_of(words: Sequence[str]) -> Call:

@@ -176,3 +176,31 @@ def test_a_type_checker_knows_all_formulas(tmp_path: Path) -> None:
         "",
     ], out
     assert [int(line.split(":")[1]) for line in out.splitlines() if "error: " in line] == [7, 8, 9, 11]
+
+
+# --- What tests know --------------------------------------------------------------------------------------------------
+
+
+def modules_of_tests(path: Path) -> set[str]:
+    """Return the modules of the program that a file of tests imports, as "model.rows"."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module is not None and node.module.startswith("jkroll"):
+            found |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+        elif isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+    return {name.removeprefix("jkroll.") for name in found}
+
+
+def test_a_test_knows_the_inside_of_one_folder_at_most() -> None:
+    """All else that it imports is public, or a front: what another folder of the program imports too."""
+    names = {".".join(path.relative_to(SOURCE).with_suffix("").parts) for path in MODULES if part(path) != "ground"}
+    fronts = {
+        ".".join(target.split(".")[1:3]) for path in MODULES for target, folder in imports(path).items()
+        if folder not in ("", part(path))
+    }  # fmt: skip
+    tests, inside = Path(__file__).parent, {name for name in names - fronts if not name.endswith("__init__")}
+    known = {path: modules_of_tests(path) & inside for path in tests.rglob("*.py") if path.name != "tuning.py"}
+    folders = {str(path.relative_to(tests)): {name.split(".")[0] for name in each} for path, each in known.items()}
+    assert 10 < len(inside) < len(fronts)
+    assert {name: each for name, each in folders.items() if len(each) > 1} == {}

@@ -11,9 +11,8 @@ import pytest
 from harness import Run
 from jkroll import solve
 from jkroll.errors import BadRequest
-from jkroll.tables import files
-from jkroll.tables import run as command
 from relative import approx
+from tuning import read_in_chunks
 
 QUARTZ = "--gamma 25mJ/m2 --young 54GPa --poisson 0.17 --density 2.6g/cm3"
 ONE_UM = 0.85e-9 / 0.471239, 1.21e-9 / 0.471239  # the ξ of F = 6πγξ for 0.85 and 1.21 nN, γ = 25 mJ/m²
@@ -187,13 +186,13 @@ def test_a_cell_with_an_error_bar_is_no_plain_number(run: Run) -> None:
 # --- Tables and pictures ----------------------------------------------------------------------------------------------
 
 
-def test_rows_of_several_processes_stand_in_their_order(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rows_of_several_processes_stand_in_their_order(run: Run) -> None:
     """F = (3/2)πγR1. The first block of another process takes longest: its cells have error bars."""
-    monkeypatch.setattr(files, "CHUNK", 64)
-    monkeypatch.setattr(command, "ALONE", 1)
     cells = [f"{radius}±1" if 12 <= radius < 30 else f"{radius}" for radius in range(1, 120)]
     Path("in.csv").write_text("\n".join(["R1 (nm)", *cells, ""]), encoding="utf-8")
-    assert run("batch in.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --uncertainty --jobs 2").code == 0
+    with read_in_chunks(64):
+        ran = run("batch in.csv -o out.csv --gamma 25mJ/m2 --quantities pull_off_force --uncertainty --jobs 2")
+    assert ran.code == 0
     found = rows(Path("out.csv").read_text(encoding="utf-8"))
     assert [row["R1 (nm)"] for row in found] == cells
     assert [float(row["pull_off_force [N]"]) / 1.1780972450961724e-10 for row in found] == approx([*range(1, 120)])

@@ -11,8 +11,8 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.model.sweep import Sweep
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from tuning import computed
 
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
@@ -93,13 +93,13 @@ def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_lists_and_tables_end_the_same_meanings(run: Run, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+def test_lists_and_tables_end_the_same_meanings(run: Run, name: str) -> None:
     """By floats and by arrays, with doubts and without, with alternatives, which are not there either."""
     (words, option, values), ended, _, phrase = CALLS[name]
     command, *inputs = words.split()
     floats = [*csv.DictReader(run(f"{words} {option} {values} --csv --alternatives").out.splitlines())]
-    monkeypatch.setattr(Sweep, "few", -1)
-    arrays = [*csv.DictReader(run(f"{words} {option} {values} --csv --alternatives").out.splitlines())]
+    with computed(by_arrays=True):
+        arrays = [*csv.DictReader(run(f"{words} {option} {values} --csv --alternatives").out.splitlines())]
     material = ["--material", inputs.pop(0)] if inputs[0] == "quartz" else []
     radii = [[inputs.pop(0)]] if option else []
     head = {"--speed": "speed", "--young2": "youngs_modulus2", "": "radius"}[option]

@@ -12,6 +12,7 @@ from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.text import say_wrapped
 from relative import approx
+from tuning import computed, tables_on_a_terminal
 
 
 @pytest.mark.parametrize(
@@ -41,11 +42,9 @@ def test_scenes_as_columns_have_a_line_for_each_input_that_differs(run: Run, mon
     assert table[2].split()[-6:] == ["R1", "[nm]", "50", "100", "50", "100"]
 
 
-def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("jkroll.model.sweep.Sweep.most_in_table", 99)
-    monkeypatch.setattr("jkroll.model.rows.BLOCK", 40)
-    for way in (10**9, -1):  # by floats, and by arrays
-        monkeypatch.setattr("jkroll.model.sweep.Sweep.few", way)
+@pytest.mark.parametrize("by_arrays", [False, True])
+def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, *, by_arrays: bool) -> None:
+    with tables_on_a_terminal(99), computed(by_arrays=by_arrays, block=40):
         assert "─" in run("pull-off quartz 1nm:1um:99 --quiet", terminal=True).out
         lines = run("pull-off quartz 1nm:1um:100 --quiet", terminal=True).out.splitlines()
         assert [len(line.split("\t")) for line in lines] == [6] * 101
