@@ -132,9 +132,12 @@ def answer_at_state(question: Question, frame: Frame) -> Answer:
     return Answer(Question(question.headline, names, names), frame)
 
 
-def curve_columns(frames: Sequence[Frame], names: Sequence[str], *, keeps_all: bool = False) -> Wanted:
-    """Return the columns of quantities at states, behind those of the inputs and of the names of the states."""
+def curve_columns(frames: Sequence[Frame], names: Sequence[str], *, doubts: bool, keeps_all: bool) -> Wanted:
+    """Return the columns of quantities at states, behind those of the inputs and of the names of the states.
+
+    `doubts`: whether limits are judged; `keeps_all`: whether numbers without a meaning stay.
+    """
     inputs = {name for frame in frames for name in frame.echo(frame.inputs_used(names))}
     sides = sides_in((frame, names) for frame in frames)
     shown = in_order(inputs.difference(names))
-    return Wanted(names, named=names, inputs=shown, sides=sides, keeps_all=keeps_all)
+    return Wanted(names, named=names, inputs=shown, sides=sides, doubts=doubts, keeps_all=keeps_all)

@@ -258,11 +258,12 @@ def _write_curve(call: Call) -> int:
         every = [*frames]
         return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)
     names = question.quantities
+    is_table = call.kind == "table" and call.target is None
     if call.kind == "bare":
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
     else:
-        wanted = curve_columns(samples, names, keeps_all=keeps)
-    is_table = call.kind == "table" and call.target is None
+        has_notes = is_table and len(sweep) == 1  # which say more of one curve than the codes of its states
+        wanted = curve_columns(samples, names, doubts=not has_notes, keeps_all=keeps)
     size = None if is_table else CURVE_BLOCK
 
     def columns() -> Iterator[Columns]:
