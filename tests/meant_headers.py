@@ -20,7 +20,7 @@ from unicodedata import normalize
 from jkroll.answers.questions import EVERYTHING
 from jkroll.errors import BadTable
 from jkroll.materials.library import known_materials
-from jkroll.quantities.nomenclature import CONVERTED
+from jkroll.quantities.nomenclature import computed_as
 from jkroll.tables.header import understood
 from jkroll.tables.table import Asked
 from jkroll.tables.unread import Supply
@@ -510,7 +510,7 @@ def outcome(header: Header) -> str:
     (column,) = found.inputs
     if not header.name and column.name.startswith("shear_modulus"):
         return PASSED  # it is an input, and none of those that are meant
-    is_meant = CONVERTED.get(column.name, column.name) in {header.name, *header.others} - {""}
+    is_meant = computed_as(column.name) in {header.name, *header.others} - {""}
     factor = column.unit[0] / column.unit[1] if column.unit else 1.0
     factor *= 0.5 if column.name.startswith("diameter") else 1.0
     is_right = is_meant and factor == approx(header.factor, rel=1e-9)

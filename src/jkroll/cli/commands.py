@@ -129,7 +129,7 @@ TABLE = (
     Option("columns", "--column", "Read a column as an input, or, with nothing behind =, as none", "HEADER=INPUT",
         repeats=True),
     Option("infer", "--infer", "Find this input of each row from a measured quantity", "INPUT", group="Measured"),
-    Option("pass_rest", "--pass-rest", "Pass all columns through that are not read"),
+    Option("pass_rest", "--pass-rest", "Pass through all columns that are not read"),
     Option("measured", "--measured", "The quantity whose measured values a column has", "QUANTITY", repeats=True,
         group="Measured"),
     Option("strict", "--strict", "Stop at the first row that fails"),

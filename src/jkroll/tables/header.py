@@ -6,7 +6,6 @@ beside a column of an input, and what says more of it and may not pass.
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from itertools import chain
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -33,7 +32,7 @@ from .reading import (
     symbol_of,
     words_in,
 )
-from .unread import NOT_READ, NOTHING, Supply, judged
+from .unread import NOT_READ, Supply, decided_by, judged
 from .words import MATERIALS, fits, headed, key, unit_for
 
 _NOT_USED = "a value has one column of ±, or two, of minus and plus; a range has those of its ends alone"
@@ -147,14 +146,14 @@ def understood(
     used = {name: parts for name, group in inputs.items() if (parts := _used(name, group))}
     used = {name: parts for name, parts in used.items() if not _is_doubled(name, used, rows)}
     values = [head for parts in used.values() for part, head in parts.items() if part in ("", *_ENDS)]
-    # A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
-    groups = [each for each in EXCLUSIVE if "work_of_adhesion" not in each and not used.keys().isdisjoint(each)]
-    held, known = {*used, *chain(*groups)}, {*used, *given}
+    held, known = {*used, *decided_by(used)}, {*used, *given}
     texts_of = {name: next(iter(parts.values())).text for name, parts in used.items()}
     heads = [_with_suffix(head, {**dict.fromkeys(given, ""), **texts_of}, measured) for head in heads]
     held |= {name for name in CONVERTED for head in heads if head.name == CONVERTED[name] and not head.part}  # E, not G
-    supply = NOTHING if supply_of is None else supply_of(used)
-    heads = [judged(head, [row[head.place] for row in rows], supply) for head in heads]
+    clauses: Mapping[str, str] = {}
+    if supply_of is not None:
+        supply = supply_of(used)
+        heads, clauses = [judged(head, [row[head.place] for row in rows], supply) for head in heads], supply.clauses
     left = [head for head in heads if head.problem and not _may_pass(head, held, known)]
     refused = [] if pass_rest else [*left]
     refused += [head for head in map(_with_problem, values) if head.problem]
@@ -168,8 +167,8 @@ def understood(
         raise _refusal(sorted(refused, key=lambda head: head.place))
     columns = [_column(name, parts) for name, parts in used.items()]
     materials = tuple(column for column in columns if column.name in MATERIALS)
-    clauses = {head.place: clause for head in left if (clause := supply.clauses.get(head.name))}
-    return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials, clauses)
+    passed = {head.place: clauses[head.name] for head in left if head.name in clauses}
+    return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials, passed)
 
 
 def _is_doubled(name: str, used: Mapping[str, Mapping[str, Reading]], rows: Sequence[Sequence[str]]) -> bool:

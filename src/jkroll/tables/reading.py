@@ -280,7 +280,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         if not meaning.names:
             return None  # another quantity
         name, is_shared = meaning.names[0], word in words.SHARED
-        if name == "radius" and not words.ASPERITIES.isdisjoint(tokens_of(split.word)):
+        if name == "radius" and not words.ASPERITIES.isdisjoint(plain_words(split.word)):
             name = "asperity_radius"
         sphere = words.sphere_of(words.tokens_of(split.word))
         name = of_sphere(sphere, name) if sphere else name
@@ -333,15 +333,15 @@ def _doubtful(
 
 def _beside(text: str, word: str) -> set[str]:
     """Return the tokens of a text beside those of a word in it, or behind the first one, if that is its symbol."""
-    tokens = tokens_of(text)
+    tokens = plain_words(text)
     for first, last in combinations(range(len(tokens) + 1), 2):
         if "".join(tokens[first:last]) == word:
             return {*tokens[:first], *tokens[last:]}
     return {*tokens[1:]}
 
 
-def tokens_of(text: str) -> list[str]:
-    """Return the words in a text, in small letters."""
+def plain_words(text: str) -> list[str]:
+    """Return the words in a text, in small letters; of numbers, 1 and 2 behind a word alone."""
     parted = re.sub(_ACRONYM, " ", _CUT.sub(" ", ascii_text(text).replace("'", "")))
     return re.findall(r"[a-z]+[12]?", parted.casefold())
 
@@ -354,7 +354,7 @@ def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, b
     letters = key(text)
     if letters in known:
         return letters, False
-    tokens = tokens_of(text)
+    tokens = plain_words(text)
     if words.OTHERS.isdisjoint(tokens):
         runs = ("".join(tokens[first:last]) for first, last in combinations(range(len(tokens) + 1), 2))
         if every := sorted((run for run in runs if run in known), key=len):
@@ -383,7 +383,7 @@ def is_told(split: Split, name: str) -> bool:
     units = [each.unit for each in (split, *splits_of(split.unit)) if each.unit not in _SUFFIXES]
     unit = max(filter(is_in_table, units), key=len, default="")
     is_of_other = bool(unit) and not fits(unit, name)
-    return is_of_other or name in MATERIALS or not {*words.LABELS, *words.OTHERS}.isdisjoint(tokens_of(split.unit))
+    return is_of_other or name in MATERIALS or not {*words.LABELS, *words.OTHERS}.isdisjoint(plain_words(split.unit))
 
 
 def stems_of(text: str) -> set[str]:

@@ -17,7 +17,7 @@ from ..model.frame import DEFAULTS, EXCLUSIVE
 from ..model.plan import depends_on, formula_of
 from ..quantities.formatting import amount, symbol_of
 from ..quantities.laws import DEFAULT_LAW, LAWS, routes_anywhere
-from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, OPTION_WORDS, PROPERTIES, of_sphere
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, computed_as, of_sphere
 from ..quantities.synonyms import QUANTITY_SYNONYMS
 from ..quantities.units import is_in_table
 from ..quantities.values import QuantityError, value_of
@@ -41,6 +41,7 @@ _OF_PARTS = (
 )
 _OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}
 NOT_READ = "not read, and "  # what stands in for it, behind
+_POWERS = {"sq": "2", "cu": "3"}
 _MOST_MEANT = 3  # inputs among which a user chooses
 
 
@@ -60,15 +61,12 @@ class Supply(NamedTuple):
 
         `columns`: the inputs that columns give; `options`: the texts that options give, by input.
         """
-        columns = {*columns, *(CONVERTED[name] for name in columns if name in CONVERTED)}
+        columns = {*columns, *map(computed_as, columns)}
         law = options.get("model", DEFAULT_LAW).casefold()
         needed = depends_on(tuple(names), (law if law in LAWS else DEFAULT_LAW,))
         left = [name for name in INPUTS if name in needed and name not in columns]
         free = [group for group in (*EXCLUSIVE, *_OF_MODULI) if not any(name in columns for name in group)]
-        # A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
-        decided = [group for group in EXCLUSIVE if "work_of_adhesion" not in group]
-        decided += _OF_MODULI if "contact_modulus" in columns else ()
-        others = {name for group in decided if not {*group}.isdisjoint(columns) for name in group}
+        others = decided_by(columns) | {name for pair, name in _OF_MODULI if pair in columns}
         clauses: dict[str, str] = {}
         for name in left:
             first = of_sphere(1, name)
@@ -93,13 +91,19 @@ class Supply(NamedTuple):
         return cls(replaced | clauses, clauses, solids, known)
 
 
-NOTHING = Supply({}, (), (), Materials([]))
+def decided_by(columns: Collection[str]) -> set[str]:
+    """Return the inputs on which the columns of others decide.
+
+    A load decides on the approach, and radii on the reduced one; but γ leaves w of two solids open.
+    """
+    groups = (group for group in EXCLUSIVE if "work_of_adhesion" not in group and not {*group}.isdisjoint(columns))
+    return {name for group in groups for name in group}
 
 
 def _supplier(name: str, columns: Collection[str], options: Mapping[str, str], known: Materials) -> str:
     """Return the words for what supplies an input that no column gives; "" for nothing, or sphere 1."""
     if name in options:
-        return f"{NOMENCLATURE[name].option or 'that of an option:'} {shown(options[name])}"
+        return f"{NOMENCLATURE[name].option or f'--{name}'} {shown(options[name])}"
     sphere = NOMENCLATURE[name].sphere
     solid = of_sphere(sphere, "material") if sphere else ""
     first = of_sphere(1, name)
@@ -120,28 +124,16 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
 
     `cells`: the first ones.
     """
-    if head.name or head.problem or head.part or head.is_stated or supply is NOTHING:
+    if head.name or head.problem or head.part or head.is_stated:
         return head
     cells = [cell.strip() for cell in cells if not has_no_value(cell)]
     if cells and not any(map(is_number, cells)) and (reading := _of_solids(head, cells, supply)):
         return reading
     text = normalized(head.text)
-    split = _with_unit(text)
-    units = {unit: _unit(split, name) for unit, name in _OF_EACH_UNIT.items()}
-    candidates = {name: unit for name in supply.clauses if (unit := units.get(NOMENCLATURE[name].unit, ""))}
+    split, candidates = _candidates(text, cells, supply)
     if not candidates:
-        candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
+        return head
     tokens = tokens_of(split.word)
-    if _is_result(split):
-        return head
-    spheres = {0, sphere_of(tokens) or 1, sphere_of(tokens) or 2}
-    candidates = {
-        name: unit
-        for name, unit in candidates.items()
-        if NOMENCLATURE[name].sphere in spheres and _points_to(tokens, name)
-    }
-    if not candidates:
-        return head
     names, is_told = _likeliest(tokens, [*candidates], supply)
     clauses = dict.fromkeys(supply.clauses[name] for name in names or candidates)
     problem = f"{NOT_READ}{'; '.join([*clauses][:_MOST_MEANT])}"
@@ -152,6 +144,21 @@ def judged(head: Reading, cells: Sequence[str], supply: Supply) -> Reading:
     meant = names if is_told and has_units and not split.unit else meant
     first = names[0] if names else next(iter(candidates))
     return head._replace(name=first, problem=problem, meant=meant[:_MOST_MEANT], names=names or [*candidates])
+
+
+def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split, Mapping[str, str]]:
+    """Return the word and the unit of a header, and the supplied inputs that it may be, each with its unit."""
+    split = _with_unit(text)
+    units = {unit: _unit(split, name) for unit, name in _OF_EACH_UNIT.items()}
+    candidates = {name: unit for name in supply.clauses if (unit := units.get(NOMENCLATURE[name].unit, ""))}
+    if not candidates:
+        candidates, split = dict.fromkeys(_without_unit(text, cells, supply), ""), Split(text, "")
+    if _is_result(split):
+        return split, {}
+    tokens = tokens_of(split.word)
+    spheres = {0, sphere_of(tokens) or 1, sphere_of(tokens) or 2}
+    possible = (name for name in candidates if NOMENCLATURE[name].sphere in spheres and _points_to(tokens, name))
+    return split, {name: candidates[name] for name in possible}
 
 
 @lru_cache(maxsize=5000)
@@ -183,7 +190,7 @@ def _of_solids(head: Reading, cells: Sequence[str], supply: Supply) -> Reading |
     """Return a column whose cells name known materials, which may be those of a sphere; None for another one."""
     tokens = tokens_of(normalized(head.text))
     is_label = not words.LABELS.isdisjoint({*tokens} - {"name", "names"})
-    if is_label or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)) or not supply.solids:
+    if not supply.solids or is_label or not all(_is_material(cell, supply.known) for cell in dict.fromkeys(cells)):
         return None
     sphere = sphere_of(tokens)
     names = [MATERIALS[sphere - 1]] if sphere and MATERIALS[sphere - 1] in supply.solids else [*supply.solids]
@@ -226,9 +233,6 @@ def _plain(text: str) -> str:
     )
 
 
-_POWERS = {"sq": "2", "cu": "3"}
-
-
 def _is_unit(split: Split) -> bool:
     if not split.is_explicit and len(split.unit) == 1 and (split.unit not in "mNJ" or len(split.word) < 3):
         return False  # an index
@@ -268,7 +272,7 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
         return unit not in words.COMMON_UNITS
     symbols, stems = words.POINTERS[first]
     joined = map("".join, pairwise(tokens))  # F_n, cut-off
-    bare = {*tokens, *joined, *(re.sub("[12]$", "", token) for token in tokens)}
+    bare = {*tokens, *joined, *(_bare(token) for token in tokens)}
     return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in tokens)
 
 
@@ -291,8 +295,13 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
 def _score(tokens: Sequence[str], name: str) -> int:
     """Return how many words of a header are those of an input, or begin like them."""
     first = of_sphere(1, name)
-    symbols, vocabulary = [re.sub("[12]$", "", token) for token in tokens_of(symbol_of(first))], _vocabulary(first)
-    return sum(_is_one_of(re.sub("[12]$", "", token), symbols, vocabulary) for token in tokens)
+    symbols, vocabulary = [_bare(token) for token in tokens_of(symbol_of(first))], _vocabulary(first)
+    return sum(_is_one_of(_bare(token), symbols, vocabulary) for token in tokens)
+
+
+def _bare(token: str) -> str:
+    """Return a word of a header without the number of a sphere."""
+    return re.sub("[12]$", "", token)
 
 
 def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]) -> bool:

@@ -377,7 +377,7 @@ def headed(name: str, unit_text: str = "UNIT") -> str:
 # Spellings of units that are not read, as a column of them may be an input.
 UNITS_OF_OTHERS = {"a": "angstrom", "ang": "angstrom", "mum": "um", "sec": "s", "n/m2": "Pa", "n/mm2": "MPa"}
 # Beside a word they make it a multiple or a part of the quantity.
-SENSES = {*"half double twice fwhm hwhm squared square square inv times per ratio rel relative change rate".split()}
+SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a word must point to an input.
 COMMON_UNITS = ("m", "N", "s", "1")
 # For inputs in these units: symbols, and parts of words, which point to them.
