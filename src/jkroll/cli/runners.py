@@ -354,7 +354,7 @@ def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:
 
 
 def run_batch(call: Call) -> int:
-    """Convert a table of frames; return the exit code."""
+    """Convert a table; return the exit code."""
     from ..tables.run import Job, run
     from ..tables.table import Asked
 

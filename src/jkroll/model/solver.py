@@ -34,11 +34,11 @@ def solve(
     model: str | None = None,
     **given: Any,
 ) -> Any:
-    """Compute quantities of the nomenclature from whatever is known of the frame.
+    """Compute quantities of the nomenclature from whatever is known of the scene.
 
     Bare numbers: what was assumed, which limits of the model do not hold, and what a material's source says of its
     values is left out, and so is the uncertainty that a shipped material states. `jkroll.answer` has them, for one
-    frame.
+    scene.
 
     Parameters
     ----------

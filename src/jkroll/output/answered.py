@@ -183,7 +183,7 @@ class Exceeded:
 
 
 class Answered:
-    """The answer to a question about one frame.
+    """The answer to a question about one scene.
 
     `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
     not hold, `alternatives` what may stand in place of the values, `notes` the other sentences. `as_dict()` is the

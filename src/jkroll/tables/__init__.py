@@ -1,4 +1,4 @@
-"""Tables of frames in files: rows in, the same rows with their results out. What a row means stands in `rows`."""
+"""Tables in files: rows in, the same rows with their results out. What a row means stands in `model.rows`."""
 
 import os
 
