@@ -154,9 +154,9 @@ def error_bars(
     The frame may be a problem, whose quantities are the unknowns. A quantity that has no finite value in any row, or on
     which no source has an influence, is left out. `sources`: by default all that enter the quantities.
     """
-    middle = made_of(frame)
+    middle, names = made_of(frame), [*names]
     columns = {name: column for name, column in middle.columns(names).items() if not column.is_empty}
-    entering = (sources or sources_of_results(middle, [*columns])).entering
+    entering = (sources or sources_of_results(middle, names)).entering
     if not (entering and columns):
         return {}
     edges = edges_of(entering)
