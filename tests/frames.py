@@ -1,12 +1,14 @@
 """What a frame answers, in the form in which tests ask for it."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
 from operator import or_
 from typing import Any
 
 from jkroll.model import alternatives, limits
 from jkroll.model.frame import Frame
+from jkroll.model.inverse import Inverse
+from jkroll.model.search import Solution
 
 
 def outcomes(scene: Frame, names: Iterable[str]) -> dict[str, Any]:
@@ -31,3 +33,11 @@ def factor_of_law(scene: Frame, names: Iterable[str]) -> Any:
 def bits(scene: Frame, names: Sequence[str]) -> Any:
     """Return the codes of the limits of quantities as bits, of every row."""
     return reduce(or_, (doubt.bits for doubt in doubts(scene, names)), 0)
+
+
+def solved(unknowns: Sequence[str], measured: Mapping[str, Any], known: Frame) -> Solution:
+    """Return what is found of unknowns; raise the reason why no row has any."""
+    inverse = Inverse(unknowns, measured, known)
+    for name in inverse.unknowns:
+        inverse[name]
+    return inverse.solution

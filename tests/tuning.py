@@ -7,9 +7,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from unittest.mock import patch
 
-from jkroll.model import rows
-from jkroll.model.infer import Problems
-from jkroll.model.sweep import Sweep
+from jkroll.model import rows, sweep
 from jkroll.quantities.nomenclature import INFINITY
 from jkroll.tables import files, run
 
@@ -18,8 +16,9 @@ from jkroll.tables import files, run
 def computed(*, by_arrays: bool, block: int = 5) -> Iterator[None]:
     """Compute rows of lists as arrays, `block` at a time, or as numbers, however many they are."""
     with ExitStack() as stack:
-        for sweep in (Sweep, Problems):
-            stack.enter_context(patch.object(sweep, "few", -1 if by_arrays else INFINITY))
+        for kind in ("COMPUTED", "SEARCHED"):
+            sizes = getattr(sweep, kind)._replace(few=-1 if by_arrays else INFINITY)
+            stack.enter_context(patch.object(sweep, kind, sizes))
         stack.enter_context(patch.object(rows, "BLOCK", block))
         yield
 
@@ -27,7 +26,7 @@ def computed(*, by_arrays: bool, block: int = 5) -> Iterator[None]:
 @contextmanager
 def tables_on_a_terminal(most: int) -> Iterator[None]:
     """Show at most some rows as a table, and more of them as lines."""
-    with patch.object(Sweep, "most_in_table", most):
+    with patch.object(sweep, "COMPUTED", sweep.COMPUTED._replace(most_in_table=most)):
         yield
 
 

@@ -11,11 +11,14 @@ import numpy
 import pytest
 
 import jkroll
+from frames import solved
 from harness import Run
 from jkroll import Interval, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest, NoResult
 from jkroll.model.frame import Frame
-from jkroll.model.inverse import Problem, Solution
+from jkroll.model.inverse import Inverse
+from jkroll.model.search import Solution
+from jkroll.model.uncertainty import sources_of_results
 from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Undetermined
 from jkroll.quantities.values import parse_quantity
 from relative import approx
@@ -35,7 +38,7 @@ PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf}
 
 def solution(name: str, quantity: str, measured: float, scene: Frame) -> Solution:
     """Return the solution for one unknown."""
-    return Problem((name,), {quantity: measured}, scene).solution
+    return solved((name,), {quantity: measured}, scene)
 
 
 @pytest.mark.parametrize(("name", "quantity"), [(name, each) for name, every in PAIRS.items() for each in every])
@@ -280,8 +283,9 @@ def test_each_source_enters_an_inferred_value_once() -> None:
     given = {
         name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {"radius": 1e-6, "density": 2e3}.items()
     }
-    problem = Problem(("surface_energy",), {"pull_off_force": Interval(1e-7, 9e-8, 1.1e-7)}, Frame(given))
-    assert [source.names for source in problem.sources().entering] == [("pull_off_force",), ("radius", "radius2")]
+    inverse = Inverse(("surface_energy",), {"pull_off_force": Interval(1e-7, 9e-8, 1.1e-7)}, Frame(given))
+    sources = sources_of_results(inverse, ["surface_energy"]).entering
+    assert [source.names for source in sources] == [("radius", "radius2"), ("pull_off_force",)]
 
 
 def test_the_laws_of_attraction_stand_beside_each_other(run: Run) -> None:

@@ -9,11 +9,12 @@ from typing import Any
 import numpy
 import pytest
 
+from frames import solved
 from jkroll import infer, known_materials
 from jkroll.errors import NoResult
 from jkroll.model.frame import Frame
-from jkroll.model.inverse import Problem, Solution
 from jkroll.model.reasons import MissingInput, NotInLaw
+from jkroll.model.search import Solution
 from jkroll.model.unsolved import SIZES, NoSolution, SeveralSolutions
 from jkroll.quantities.laws import LAWS
 from relative import approx
@@ -46,7 +47,7 @@ COUNT = 6
 
 def solution(name: str, quantity: str, measured: float, scene: Frame) -> Solution:
     """Return the solution for one unknown."""
-    return Problem((name,), {quantity: measured}, scene).solution
+    return solved((name,), {quantity: measured}, scene)
 
 
 def by_itself(name: str, quantity: str, measured: float, scene: Frame) -> Solution | NoResult:
@@ -63,7 +64,7 @@ def assert_as_each_by_itself(
     """Compare values, to rounding errors times their condition, and reasons; return what each has by itself."""
     ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as is promised
     rows = [scene.replace(**{each: float(one[row]) for each, one in arrays.items()}) for row in range(len(measured))]
-    found = Problem((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays)).solution
+    found = solved((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays))
     expected = [by_itself(name, quantity, level, row) for level, row in zip(measured, rows, strict=True)]
     for place, other in enumerate(expected):
         if isinstance(other, Solution):
@@ -85,7 +86,7 @@ def test_every_input_is_here() -> None:
 def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
     scene = Frame({**QUARTZ, "radius": 1e-7}, model="dmt")
     with pytest.raises(NotInLaw, match="which DMT does not have"):
-        Problem(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene).solution  # noqa: B018
+        solved(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene)
 
 
 FAST = {("surface_energy", "jkr"), ("surface_energy", "maugis"), ("load", "jkr"), ("shear_strength", "jkr")}

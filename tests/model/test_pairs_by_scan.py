@@ -10,7 +10,7 @@ import pytest
 from frames import outcomes
 from jkroll.errors import JkrollError
 from jkroll.model.frame import Frame
-from jkroll.model.inverse import Problem
+from jkroll.model.inverse import Inverse
 from jkroll.model.unsolved import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
 from jkroll.quantities.laws import LAWS
 from scenes import log_uniform
@@ -78,8 +78,8 @@ def is_near(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
 def solved(names: tuple[str, ...], measured: dict[str, float], scene: Frame) -> list[tuple[float, ...]] | None:
     """Return the pairs that the program names; None where it refuses the problem as not separated."""
     try:
-        solved = Problem(names, measured, scene).solved
-        return [tuple(solved[name] for name in names)]
+        inverse = Inverse(names, measured, scene)
+        return [tuple(inverse[name] for name in names)]
     except SeveralSolutions as error:
         return [tuple(pair.values()) for pair in error.values]
     except NoSolution:

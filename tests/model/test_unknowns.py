@@ -10,12 +10,13 @@ from typing import Any
 import numpy
 import pytest
 
+from frames import solved
 from harness import Run
 from jkroll import Interval, JkrollError, Measured, infer, known_materials
 from jkroll.errors import BadRequest
 from jkroll.model.frame import Frame
-from jkroll.model.inverse import Problem, Solution
 from jkroll.model.reasons import Failure, MissingInput
+from jkroll.model.search import Solution
 from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Unseparated
 from jkroll.quantities.formatting import amount
 from relative import approx
@@ -28,7 +29,7 @@ MEASURED = {"pull_off_force": 3e-7, "stiffness": 1e3}
 def found(
     names: tuple[str, ...], measured: dict[str, float], given: dict[str, Any], model: str | None = None
 ) -> Solution:
-    return Problem(names, measured, Frame(given, model=model)).solution
+    return solved(names, measured, Frame(given, model=model))
 
 
 # --- By hand ----------------------------------------------------------------------------------------------------------
@@ -90,7 +91,7 @@ def test_a_measured_approach_of_0_is_as_good_as_another(radius: float) -> None:
 def test_both_spheres_of_one_material_are_inferred_together() -> None:
     quartz, iron = (known_materials()[name] for name in ("quartz", "iron"))
     alone, twice, other = (
-        Problem(NAMES, MEASURED, Frame({"radius": 2e-6}, quartz, second)).solution for second in (None, quartz, iron)
+        solved(NAMES, MEASURED, Frame({"radius": 2e-6}, quartz, second)) for second in (None, quartz, iron)
     )
     assert alone.values == twice.values
     scene = Frame({"radius": 2e-6, **other.values}, quartz, iron)
@@ -282,7 +283,7 @@ COMMAND = f"{WORDS} --measured pull_off_force=300nN --measured stiffness=1kN/m"
 
 def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
     measured = {"pull_off_force": numpy.array([[3e-7], [4e-7]]), "stiffness": numpy.array([1e3, 1e12])}
-    failures = Problem(NAMES, measured, Frame(PLANE)).solution.failures
+    failures = solved(NAMES, measured, Frame(PLANE)).failures
     assert {failures[row].__traceback__ for row in (1, 3)} == {None}  # it would hold all that was computed
     both = infer(["gamma", "young"], measured=measured, **PLANE)
     alone = infer(["gamma", "young"], measured={"pull_off_force": 4e-7, "stiffness": 1e3}, **PLANE)

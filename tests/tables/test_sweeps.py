@@ -13,9 +13,8 @@ import pytest
 
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.model.infer import Problems
+from jkroll.model import sweep as sweeps
 from jkroll.model.plan import formula_of
-from jkroll.model.sweep import Sweep
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.text import spelled
@@ -46,8 +45,9 @@ def table(text: str) -> list[list[str]]:
 
 def by(way: str, patch: pytest.MonkeyPatch) -> None:
     """Have rows computed one by one with floats, or as arrays, whatever their number."""
-    for kind in (Sweep, Problems):
-        patch.setattr(kind, "few", {"floats": 10**9, "arrays": -1}[way])
+    for kind in ("COMPUTED", "SEARCHED"):
+        few = {"floats": 10**9, "arrays": -1}[way]
+        patch.setattr(sweeps, kind, getattr(sweeps, kind)._replace(few=few))
 
 
 def in_both_ways(run: Run, monkeypatch: pytest.MonkeyPatch, *words: str) -> list[Ran]:

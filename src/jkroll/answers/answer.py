@@ -1,7 +1,9 @@
 """The answer of a command for one frame: its results, the inputs as understood, limits and notes."""
 
 from collections.abc import Collection, Mapping, Sequence
+from copy import copy
 from functools import cached_property
+from math import isfinite
 from types import MappingProxyType
 from typing import Any
 
@@ -46,7 +48,6 @@ from ..model.reasons import (
     HELD_BY_MAUGIS,
     OF_IDENTICAL_SPHERES,
     Failure,
-    MissingInput,
     reason_of,
 )
 from ..model.results import ROW, Results, has_code
@@ -55,6 +56,7 @@ from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle
+from .inferred import about_law, about_roughness, by_each_law, proofs
 from .notes import (
     Kind,
     Note,
@@ -175,12 +177,15 @@ def readings_of(law: str) -> tuple[str, str]:
 class Answer(Results):
     """The results of a command for one frame, with all that is to be said of them."""
 
-    condition: float | None = None  # of two inferred inputs together
-
     def __init__(self, question: Question, frame: Frame, *, keeps_all: bool = False) -> None:
         """Compute the quantities of a question as far as the frame allows."""
         super().__init__(frame, frame.shown(question.quantities, question.named), keeps_all=keeps_all)
         self.question = question
+
+    @property
+    def condition(self) -> float | None:
+        """The condition number of two inferred inputs together."""
+        return self.described.solution.condition if self.described.unknowns[1:] and self.failure is None else None
 
     @cached_property
     def reasons(self) -> Mapping[str, JkrollError]:
@@ -193,14 +198,15 @@ class Answer(Results):
         return {name: error for name, error in self.reasons.items() if not has_code(error)}
 
     @property
-    def row(self) -> Results:
-        """The results as a row of columns."""
-        return self
-
-    @property
     def explained(self) -> "Answer":
-        """The answer with all that `--explain` derives."""
-        return self
+        """The answer with all that `--explain` derives: of inferred values the measured quantities, too."""
+        measured = tuple(name for name in self.judged if name not in self.computed)
+        if not measured or self.failure is not None:
+            return self
+        explained, forward = copy(self), Answer(Question(measured, measured, measured), self.frame)
+        forward.bars = {}  # they are those of the unknowns
+        explained.results = (*self.results, *forward.results)
+        return explained
 
     @property
     def has_no_headline(self) -> bool:
@@ -229,12 +235,18 @@ class Answer(Results):
 
     def result(self, name: str) -> Result:
         """Return a result. One without a value has no source: the definition of JKR is not what it lacks."""
-        law = "" if self.frame.law.is_default else self.frame.law.name
+        unknowns = self.described.unknowns
+        law = "" if self.frame.law.is_default or name in unknowns else self.frame.law.name
         if name in self.reasons:
             return without_value(name, self.reasons[name], law)
         of_law = equation_of(self.frame, name) if law and has_other_formulas(self.frame, name) else ""
         error, bar = model_error(name, self.frame), self.bar(name)
-        return Result(name, self.values[name], error=error, bar=bar, law=law if of_law else "", of_law=of_law)
+        result = Result(name, self.values[name], error=error, bar=bar, law=law if of_law else "", of_law=of_law)
+        if name in unknowns:
+            growth = self.described.solution.growths[name]
+            result.growth = growth if isfinite(growth) else None
+            result.by_law = {law: middle(values[name]) for law, values in self.alternatives.items()}
+        return result
 
     def bar(self, name: str) -> ErrorBar | None:
         """Return the error bar of a result; None without one."""
@@ -248,7 +260,7 @@ class Answer(Results):
         One has its error bar, and a rolling quantity both readings: at equal displacement, and at equal hysteresis.
         """
         frame, law = self.frame, self.frame.law.name
-        if frame.missing(["tabor_parameter"]):
+        if self.described.unknowns or frame.missing(["tabor_parameter"]):
             return {}
         values = self.others.get(other_law(law), {})
         ours = {name: self.values[name] for name in values if self.values.get(name)}
@@ -282,7 +294,7 @@ class Answer(Results):
 
         None stands for a result that the other law lacks.
         """
-        if not self.values:
+        if not self.values or self.described.unknowns:
             return {}
         meant = [name for name in self.computed if name not in self.ended]
         names_of = names_with_alternatives([self.frame], meant)
@@ -292,7 +304,12 @@ class Answer(Results):
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
-        """Those of these values that matter: by the other law where it moves a result, and by measured forces."""
+        """Those of these values that matter: by the other law where it moves a result, and by measured forces.
+
+        Of inferred values they are those by each law that has the measured quantities by other formulas.
+        """
+        if self.described.unknowns:
+            return by_each_law(self.described) if self.values and not self.ended else {}
         is_shown = self.frame.law.name == BETWEEN or any(doubt.limit is LAW for doubt in self.exceeded)
         return {kind: values for kind, values in self.others.items() if is_shown or kind not in LAWS}
 
@@ -337,6 +354,10 @@ class Answer(Results):
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
+        if self.described.unknowns and doubt.is_exceeded and doubt.limit is LAW and BETWEEN in self.alternatives:
+            return about_law(doubt, self)
+        if self.described.unknowns and doubt.code == "rough-matters":
+            return about_roughness(self)
         frame, known = self.frame, [name for name in self.values if name not in self.ended]
         headline = [name for name in known if name in self.question.headline]
         if doubt.limit is LAW and doubt.is_exceeded:
@@ -348,28 +369,38 @@ class Answer(Results):
 
     @cached_property
     def _entering(self) -> tuple[set[str], list[str]]:
-        return entering(self.frame, [*self.columns])
+        return entering(self.frame, [*self.judged])
 
     @cached_property
     def assumed(self) -> Mapping[str, str]:
         """The assumptions, each with the option that sets it, by name; the atomic spacing if it enters a limit."""
-        return assumed(self.frame, self._entering[0], self._possible, has_values=True)
+        texts = assumed(self.frame, self._entering[0], self._possible, has_values=True)
+        return {name: text for name, text in texts.items() if name not in self.judged}
 
     @property
     def _possible(self) -> list[str]:
-        return [name for name in self.columns if not isinstance(self.reasons.get(name), MissingInput)]
+        return self.frame.possible(self.judged)
+
+    @property
+    def _valued(self) -> list[str]:
+        """The quantities that are judged and have a value."""
+        columns = self.judged if self.keeps_all else self.judged_meant
+        return [name for name, column in columns.items() if not column.is_empty]
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
+        if self.described.unknowns and self.failure is not None:
+            return ()
         inputs, idle = self._entering
         every = (
+            *(proofs(self) if self.described.unknowns and self.values else ()),
             *about_assumed(self.assumed),
             *about_missing({**self.lacking, **self.open_bars()}),
             *about_left_out(self.sources),
             *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
-            *about_values(self.frame, [*self.values], [*self.values, *self.ended]),
+            *about_values(self.frame, self._valued, [*self._valued, *self.ended]),
             *about_limits(self.validity, "more" if self.lacking else "remark"),  # where results say what is missing
             *about_lost_contacts(self),
         )

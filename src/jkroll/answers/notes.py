@@ -204,11 +204,11 @@ def about_left_out(*every: Sources | None) -> list[Note]:
 
 def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
     """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
-    has_spread = answer.sources is not None and "load" in answer.frame.inputs_used([*answer.computed])
+    has_spread = answer.sources is not None and "load" in answer.described.inputs_used([*answer.computed])
     forces = answer.frame.numbers("load", "pull_off_force") if has_spread else {}
     if len(forces) < 2 or answer.open_bars():
         return
-    bars = error_bars(answer.frame, forces, sources=answer.sources).values()
+    bars = error_bars(answer.described, forces, sources=answer.sources).values()
     spread = hypot(*(bar.sides["minus"] for bar in bars if "minus" in bar.sides))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
     if part >= _LOST:

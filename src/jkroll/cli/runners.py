@@ -4,11 +4,11 @@ Each imports by itself what only it hands a call to, so that a call pays for its
 """
 
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from functools import reduce
 from itertools import islice
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from ..answers.notes import Group, assumed_in, lines_of, notes_on_rows
 from ..answers.questions import EVERYTHING, QUESTIONS, Question, quantities_named, quantity_named, question_about
@@ -46,25 +46,26 @@ def run_question(call: Call) -> int:
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
 
+    return answer_rows(call, call.sweep, question, form)
+
+
+def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> int:
+    """Write what is asked, as rows or as answers; return the exit code."""
+
     def answer(row: Frame) -> "Answer":
         from ..answers.answer import Answer  # of which rows that are written with fewer words need nothing
 
         return Answer(question, row, keeps_all=keeps_all(call))
 
-    return write(call, call.sweep, question, form, answer)
-
-
-def write(call: Call, sweep: Sweep, question: Question, form: Format, answer: "Callable[[Any], Answer]") -> int:
-    """Write what is asked, as rows or as answers; return the exit code. `answer`: returns that of a row."""
-    count = len(sweep)
+    count, sizes = len(sweep), sweep.sizes_of_kind
     single = answer(next(sweep.frames())) if count == 1 else None
     if single is not None and call.kind != "explain" and single.failure is not None and single.has_no_headline:
         raise single.failure
     is_one = single is not None and call.kind in ("plain", "table") and call.target is None
     if not is_one and call.kind not in ("json", "explain", "cite"):
         return _write_rows(call, sweep, question, form, single)
-    if count > sweep.most_answers:
-        raise BadRequest(f"--{call.kind}: {count} pairs are more than {sweep.most_answers}; --csv writes any number")
+    if count > sizes.most_answers:
+        raise BadRequest(f"--{call.kind}: {count} pairs are more than {sizes.most_answers}; --csv writes any number")
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # what is wrong with rows is raised before one is written
     return _write_answers(call, map(answer, sweep.frames()) if single is None else [single], count, form)
@@ -99,7 +100,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
     """Write a row for each frame; return the exit code. `single`: the answer of the only one."""
     from ..model.rows import of_single_row
 
-    is_shown = call.kind == "table" and call.target is None and len(sweep) <= sweep.most_in_table
+    is_shown = call.kind == "table" and call.target is None and len(sweep) <= sweep.sizes_of_kind.most_in_table
     if call.kind == "bare":
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
     else:
@@ -108,7 +109,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
             wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
         elif is_shown and len(sweep.models) == 1 and not call.measured:
             wanted = wanted.with_alternatives(sweep.kinds, question.headline)
-    blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single.row)]
+    blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single)]
     single = None if call.quiet else single
     return _write_columns(call, wanted, [*sweep.noted(wanted)], blocks, form, is_table=is_shown, single=single)
 
@@ -318,23 +319,16 @@ def run_export(call: Call) -> int:
 
 def run_infer(call: Call) -> int:
     """Find inputs for every frame and measured value; return the exit code."""
-    from ..answers.inferred import Inferred
-    from ..model.infer import Problems
-    from ..model.inverse import Problem
     from ..model.unsolved import SIZES, inputs_named
 
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    names = inputs_named(call.subject.split(","))
+    names = tuple(inputs_named(call.subject.split(",")))
     if call.alternatives:
         raise BadRequest("infer writes no --alternatives; --json has the values by each law")
     check_format(call)
-    problems = Problems(names, _measured(call, names), call.sweep)
-
-    def answer(problem: Problem) -> Inferred:
-        return Inferred(problem, keeps_all=keeps_all(call))
-
-    return write(call, problems, Question(tuple(names), tuple(names), tuple(names)), call.form(names), answer)
+    sweep = call.sweep.seeking(names, _measured(call, names))
+    return answer_rows(call, sweep, Question(names, names, names), call.form(names))
 
 
 def _measured(call: Call, names: Sequence[str]) -> dict[str, list[Spread]]:

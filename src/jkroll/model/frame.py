@@ -110,6 +110,8 @@ class Frame:
     """
 
     few = 800  # places of uncertain inputs that numbers compute in the time of importing numpy: up to three ranges
+    unknowns: Sequence[str] = ()  # inputs that are found from what was measured
+    solution: Any = None  # of these
 
     def __init__(
         self,
@@ -189,6 +191,23 @@ class Frame:
         frame = Frame(given, self.material, self.material2, model=model, moved=moved, state=state)
         frame._shared = {**self._shared}
         return frame
+
+    @property
+    def filled(self) -> "Frame":
+        """The frame with placeholders for inputs that are not found yet, from which it can be planned."""
+        return self
+
+    @property
+    def found(self) -> "Frame":
+        """The frame in which all inputs have values."""
+        return self
+
+    def check(self) -> None:
+        """Raise the error of a search that has no result, whatever was measured: of an `Inverse` frame."""
+
+    def judged(self, names: Iterable[str]) -> Sequence[str]:
+        """Return the quantities by whose limits some are judged: these."""
+        return [*names]
 
     def under(self, law: str) -> "Frame":
         """Return the frame under another law.
@@ -317,7 +336,8 @@ class Frame:
 
     def possible(self, names: Iterable[str]) -> list[str]:
         """Return those of some quantities to which the frame's inputs lead."""
-        return [name for name in names if self.plan(name).is_possible]
+        missing = {*self.missing(names := [*names])}
+        return [name for name in names if name not in missing]
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""

@@ -221,6 +221,14 @@ class Failure(NoResult):
         return self.kind.words.format(value, *limits)
 
 
+def number_of(error: JkrollError) -> int:
+    """Return the number of the reason that an error gives."""
+    if isinstance(error, MissingInput):
+        return reason(NOT_IN_LAW if isinstance(error, NotInLaw) else MISSING)
+    kind, step = getattr(error, "kind", NO_DOUBLE), error.args[1] if isinstance(error, Failure) else ""
+    return reason(kind, step)
+
+
 class NoErrorBar(NoResult):
     """Error raised where a value has no error bar, as there is no value at an end of an input."""
 

@@ -8,6 +8,7 @@ from ..errors import JkrollError
 from ..physics.elementary import where
 from ..quantities.nomenclature import NOMENCLATURE
 from .column import Column, at_row
+from .frame import Frame
 from .limits import (
     BITS,
     ENDING,
@@ -33,9 +34,14 @@ class Results:
     A result has no value where a limit ends its meaning, unless bare numbers are wanted.
     """
 
-    def __init__(self, frame: Any, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
-        """`computed`: the columns; `keeps_all`: whether values without a meaning stay, as bare numbers do."""
-        self.frame, self.computed, self.keeps_all = frame, computed, keeps_all
+    def __init__(self, described: Frame, computed: Mapping[str, Column], *, keeps_all: bool = False) -> None:
+        """`computed`: the columns; `keeps_all`: whether values without a meaning stay, as bare numbers do.
+
+        Error bars are those of the frame that was `described`, limits are judged on the one in which all inputs have
+        values: for the results, or for the measured quantities from which these were found.
+        """
+        self.described, self.computed, self.keeps_all = described, computed, keeps_all
+        self.frame = described.found
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 
@@ -47,7 +53,24 @@ class Results:
     @cached_property
     def meant(self) -> Mapping[str, Column]:
         """The columns without values that have no meaning."""
-        return {name: self.without_meaning(name, column, [name]) for name, column in self.computed.items()}
+        return {
+            name: self.without_meaning(name, column, self.described.judged([name]))
+            for name, column in self.computed.items()
+        }
+
+    @cached_property
+    def judged(self) -> Mapping[str, Column]:
+        """The columns by whose limits those of the results are judged."""
+        names = self.described.judged(self.computed)
+        return {name: self.computed[name] if name in self.computed else self.frame.column(name) for name in names}
+
+    @cached_property
+    def judged_meant(self) -> Mapping[str, Column]:
+        """The same without values that have no meaning."""
+        return {
+            name: self.meant[name] if name in self.meant else self.without_meaning(name, column, [name])
+            for name, column in self.judged.items()
+        }
 
     def without_meaning(self, name: str, column: Column, touching: Iterable[str]) -> Column:
         """Return a column with a reason in rows where a limit ends the meaning of some quantities."""
@@ -77,7 +100,7 @@ class Results:
 
     def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the inputs that were stated or enter quantities, as they were understood, with their error bars."""
-        inputs: dict[str, Any] = self.frame.echo(self.frame.inputs_used(names))
+        inputs = self.described.echo(self.described.inputs_used(names))
         if self.sources is not None:
             inputs |= {name: given for name, given in self.sources.given.items() if name in inputs}
         return inputs
@@ -88,14 +111,14 @@ class Results:
 
         Raises a JkrollError for sources that do not go together.
         """
-        return sources_of_results(self.frame, [*self.computed]) if self.frame.uncertainties else None
+        return sources_of_results(self.described, [*self.computed]) if self.described.uncertainties else None
 
     @cached_property
     def bars(self) -> Mapping[str, ErrorBar]:
         """The error bars of values that have some, in some row."""
         if self.sources is None:
             return {}
-        bars = error_bars(self.frame, self.values, sources=self.sources)
+        bars = error_bars(self.described, self.values, sources=self.sources)
         return {name: bar.without(self.columns[name].reasons != 0) for name, bar in bars.items()}
 
     # --- Limits of the model ------------------------------------------------------------------------------------------
@@ -103,12 +126,12 @@ class Results:
     @cached_property
     def ending(self) -> Sequence[Doubt]:
         """The limits that end the meaning of results, judged for all values."""
-        return doubts(self.frame, {n: column for n, column in self.computed.items() if not column.is_empty}, ENDING)
+        return doubts(self.frame, {n: column for n, column in self.judged.items() if not column.is_empty}, ENDING)
 
     @cached_property
     def validity(self) -> Sequence[Doubt]:
         """The limits of the model, judged for the values with a meaning, or with the reason why not."""
-        known = {name: column for name, column in self.meant.items() if not column.is_empty}
+        known = {name: column for name, column in self.judged_meant.items() if not column.is_empty}
         unjudged = [doubt for doubt in self.inexact(self._resting) if doubt.error is not None]
         return [*self.ending, *self.inexact(known), *unjudged]
 
@@ -121,14 +144,15 @@ class Results:
         """The columns that have no value in some rows, as they rest on the atomic spacing, which was not given."""
         return {
             name: column
-            for name, column in self.computed.items()
+            for name, column in self.judged.items()
             if self.frame.may_rest_on_spacing(name) and _has(column.reasons == reason(RESTS_ON_SPACING, name))
         }
 
     @property
     def bits(self) -> Any:
         """The codes of the limits that do not hold as bits, by row; UNCHECKED is one of them."""
-        has_meaning = {name: column.reasons == 0 for name, column in self.meant.items() if not column.is_empty}
+        every = self.judged_meant.items()
+        has_meaning = {name: column.reasons == 0 for name, column in every if not column.is_empty}
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
         rests = {name: column.reasons == reason(RESTS_ON_SPACING, name) for name, column in self._resting.items()}
         unjudged = bits_of(self.frame, rests, self.inexact(self._resting)) & NOT_JUDGED
@@ -141,7 +165,7 @@ class Results:
 
     @property
     def _bits_of_ending(self) -> Any:
-        has_value = {name: column.reasons == 0 for name, column in self.computed.items() if not column.is_empty}
+        has_value = {name: column.reasons == 0 for name, column in self.judged.items() if not column.is_empty}
         return bits_of(self.frame, has_value, self.ending)
 
     # --- Reasons ------------------------------------------------------------------------------------------------------
@@ -153,13 +177,12 @@ class Results:
         """
         if all(at_row(column.reasons, row) == reason(HIDDEN) for column in self.columns.values()):
             return {ROW: Failure(OF_IDENTICAL_SPHERES)}
-        errors: dict[str, JkrollError] = self.frame.errors(self.columns, row)
-        return errors
+        return self.described.errors(self.columns, row)
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
         """Return why values have no error bar in a row, as there is no value at an end of an input."""
         return {
-            name: no_error_bar(self.frame, name, bar, row, sources=self.sources)
+            name: no_error_bar(self.described, name, bar, row, sources=self.sources)
             for name, bar in self.bars.items()
             if at_row(bar.place, row)
         }

@@ -111,7 +111,7 @@ class Wanted:
 
     # --- Results ------------------------------------------------------------------------------------------------------
 
-    def results(self, frame: Any) -> Results:
+    def results(self, frame: Frame) -> Results:
         """Return the results of a frame."""
         return Results(frame, frame.shown(self.names, self.named), keeps_all=self.keeps_all)
 
@@ -126,7 +126,7 @@ class Wanted:
             for name, each in of_kind.items()
         }
 
-    def places(self, frame: Any) -> int:
+    def places(self, frame: Frame) -> int:
         """Return the number of places of uncertain inputs at which rows are computed for their error bars."""
         return number_of_places(frame, self.names) if self.sides is not None and frame.uncertainties else 1
 
@@ -142,7 +142,7 @@ class Wanted:
         return BadRequest(f"{listed(results.sources.given)}: {problem}", "error bars left out")
 
 
-def sides_in(kinds: Iterable[tuple[Any, Sequence[str]]]) -> set[str]:
+def sides_in(kinds: Iterable[tuple[Frame, Sequence[str]]]) -> set[str]:
     """Return the sides of the uncertainties that enter quantities; `kinds`: frames with the quantities of each.
 
     Raises a JkrollError for sources that do not go together.

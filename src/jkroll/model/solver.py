@@ -154,8 +154,8 @@ def refuse_arrays(described: Mapping[str, Any]) -> None:
             raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays without uncertainty")
 
 
-def with_uncertainties(frame: Any, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
-    """Return values of a frame or a problem with their error bars; raise a Failure with the reason why one has none."""
+def with_uncertainties(frame: Frame, described: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
+    """Return values of a frame with their error bars; raise a Failure with the reason why one has none."""
     refuse_arrays(described)
     bars = error_bars(frame, values)
     for name, bar in bars.items():

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from itertools import accumulate, chain, product
 from math import prod
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, computed_as, of_sphere
@@ -18,27 +18,59 @@ from .frame import FOLLOWS, Frame
 from .plan import in_order
 from .reasons import OF_IDENTICAL_SPHERES, Failure
 from .rows import BLOCK, Columns, Indices, Numbers, Wanted, evaluated, sides_in
+from .unsolved import already_given
 
 Pair = tuple[Material | None, Material | None]
 _MODULI_OF_TWO_KINDS = ({"shear_modulus", "youngs_modulus2"}, {"youngs_modulus", "shear_modulus2"})
 
 
+class Sizes(NamedTuple):
+    """The numbers of rows from which on a call works in another way."""
+
+    most_answers: int  # that are written one by one
+    most_in_table: int  # rows of a table on a terminal
+    few: int  # rows that take about as long one by one as to import numpy and orjson
+
+
+COMPUTED = Sizes(1_000_000, 10_000, 300)
+SEARCHED = Sizes(10_000, 500, 10)  # a search takes milliseconds, and numpy
+
+
 class Sweep:
     """The rows of a call."""
 
-    most_answers = 1_000_000  # that are written one by one
-    most_in_table = 10_000  # rows of a table on a terminal
-    few = 300  # rows that take about as long one by one as to import numpy and orjson
-
     def __init__(
-        self, pairs: Sequence[Pair], spreads: Mapping[str, Sequence[Spread]], models: Sequence[str | None]
+        self,
+        pairs: Sequence[Pair],
+        spreads: Mapping[str, Sequence[Spread]],
+        models: Sequence[str | None],
+        unknowns: Sequence[str] = (),
+        measured: Sequence[str] = (),
     ) -> None:
-        """`spreads`: the lists and ranges of each input, by name."""
+        """`spreads`: the lists and ranges of each input, by name, and of each quantity that was `measured`."""
         self.pairs, self.spreads, self.models = pairs, spreads, models
+        self.unknowns, self.measured = unknowns, measured
 
-    def frame(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Any:
+    def seeking(self, unknowns: Sequence[str], measured: Mapping[str, Sequence[Spread]]) -> "Sweep":
+        """Return the rows with measured values, by which inputs are found. Raises a BadRequest."""
+        for name in measured.keys() & self.spreads.keys():
+            raise already_given(name)
+        return Sweep(self.pairs, {**self.spreads, **measured}, self.models, unknowns, [*measured])
+
+    @property
+    def sizes_of_kind(self) -> Sizes:
+        """The numbers of rows from which on the call works in another way."""
+        return SEARCHED if self.unknowns else COMPUTED
+
+    def frame(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Frame:
         """Return a row of inputs, of the materials of its spheres, and of a law."""
-        return Frame(given, *spheres, model=model)
+        if not self.unknowns:
+            return Frame(given, *spheres, model=model)
+        from .inverse import Inverse  # which imports numpy
+
+        others = {name: value for name, value in given.items() if name not in self.measured}
+        known = Frame(others, *spheres, model=model)
+        return Inverse(self.unknowns, {name: given[name] for name in self.measured}, known)
 
     @cached_property
     def starts(self) -> dict[str, list[int]]:
@@ -61,7 +93,7 @@ class Sweep:
         """Return the number of rows."""
         return prod(self.sizes)
 
-    def row(self, place: int) -> Any:
+    def row(self, place: int) -> Frame:
         """Return a row as a frame of numbers."""
         place, law = divmod(place, len(self.models))
         given = {}
@@ -70,14 +102,14 @@ class Sweep:
             given[name] = self.value(name, of_input)
         return self.frame({name: given[name] for name in self.spreads}, *self.pairs[place], model=self.models[law])
 
-    def frames(self) -> Iterator[Any]:
+    def frames(self) -> Iterator[Frame]:
         """Iterate over the rows as frames of numbers."""
         return map(self.row, range(len(self)))
 
     # --- What is wanted -----------------------------------------------------------------------------------------------
 
     @cached_property
-    def kinds(self) -> list[Any]:
+    def kinds(self) -> list[Frame]:
         """A frame for each pair of materials, each law and each kind of values: all rows of a kind have one plan."""
         of_inputs = [_of_each_kind(name, spreads) for name, spreads in self.spreads.items()]
         rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
@@ -107,7 +139,7 @@ class Sweep:
 
     def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:
         """Return a frame of each kind of rows, with the quantities that it shows."""
-        return [(frame, self.shown(frame, wanted.names, wanted.named)) for frame in self.kinds]
+        return [(frame.filled, frame.judged(self.shown(frame, wanted.names, wanted.named))) for frame in self.kinds]
 
     def shown(self, frame: Frame, quantities: Sequence[str], named: Collection[str]) -> list[str]:
         """Return those of some quantities that were asked for by name, or that concern some row of a kind."""
@@ -138,7 +170,7 @@ class Sweep:
     def columns(self, wanted: Wanted) -> Iterator[Columns]:
         """Iterate over the columns of the rows, block by block."""
         size = len(self)
-        if size <= self.few:
+        if size <= self.sizes_of_kind.few:
             columns = Columns(wanted, size, few=True)
             for row, frame in enumerate(self.frames()):
                 columns.put(row, wanted.results(frame))

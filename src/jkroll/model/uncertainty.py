@@ -54,8 +54,8 @@ class Sources(NamedTuple):
         return {side for source in self.entering for side in source.given.sides}
 
 
-def sources_of(frame: Frame, used: Collection[str], measured: Sequence[Source] = ()) -> Sources:
-    """Return the sources that enter quantities, given the inputs that these depend on, and measured values if any.
+def sources_of(frame: Frame, used: Collection[str]) -> Sources:
+    """Return the sources that enter quantities, given the inputs that these depend on.
 
     A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice.
     All must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
@@ -67,7 +67,7 @@ def sources_of(frame: Frame, used: Collection[str], measured: Sequence[Source] =
         names_of.setdefault(of_solids.get(name, name), []).append(name)
     if "radius" in names_of and "radius2" not in frame.given:
         names_of["radius"].append("radius2")
-    given = [*measured, *(Source(tuple(names), frame.uncertainties[names[0]]) for names in names_of.values())]
+    given = [Source(tuple(names), frame.uncertainties[names[0]]) for names in names_of.values()]
     given = [source for source in given if not set(used).isdisjoint(source.names)]
     stated = [source for source in given if source.names[0] not in of_solids]
     of_materials = [source for source in given if source.names[0] in of_solids]
@@ -87,11 +87,8 @@ def sources_of(frame: Frame, used: Collection[str], measured: Sequence[Source] =
     return Sources(entering, [source for source in of_materials if not isinstance(source.given, kind)])
 
 
-def sources_of_results(frame: Any, names: Sequence[str]) -> Sources:
-    """Return the sources that enter quantities of a frame, as far as it allows them, or the unknowns of a problem."""
-    if not isinstance(frame, Frame):
-        sources: Sources = frame.sources()
-        return sources
+def sources_of_results(frame: Frame, names: Sequence[str]) -> Sources:
+    """Return the sources that enter quantities of a frame, as far as it allows them."""
     return sources_of(frame, frame.inputs_of(*frame.possible(names)))
 
 
@@ -126,7 +123,7 @@ class ErrorBar(NamedTuple):
         return dict(sorted(shares.items(), key=lambda share: -share[1]))
 
 
-def number_of_places(frame: Any, names: Sequence[str]) -> int:
+def number_of_places(frame: Frame, names: Sequence[str]) -> int:
     """Return the number of places to which the sources of quantities are moved.
 
     Raises a JkrollError for sources that do not go together.
@@ -138,21 +135,21 @@ def number_of_places(frame: Any, names: Sequence[str]) -> int:
     return len(sources) * ((STEPS + 1) << (len(sources) - 1) if is_range else 2)
 
 
-MadeOf = Callable[[Any], Any]  # makes a frame of another one
+MadeOf = Callable[[Frame], Frame]  # makes a frame of another one
 
 
-def itself(frame: Any) -> Any:
+def itself(frame: Frame) -> Frame:
     """Return a frame as it is."""
     return frame
 
 
 def error_bars(
-    frame: Any, names: Iterable[str], made_of: MadeOf = itself, sources: Sources | None = None
+    frame: Frame, names: Iterable[str], made_of: MadeOf = itself, sources: Sources | None = None
 ) -> dict[str, ErrorBar]:
     """Return the error bars of quantities of a frame, or of one that is made of it.
 
-    The frame may be a problem, whose quantities are the unknowns. A quantity that has no finite value in any row, or on
-    which no source has an influence, is left out. `sources`: by default all that enter the quantities.
+    A quantity that has no finite value in any row, or on which no source has an influence, is left out. `sources`: by
+    default all that enter the quantities.
     """
     middle, names = made_of(frame), [*names]
     columns = {name: column for name, column in middle.columns(names).items() if not column.is_empty}
@@ -166,7 +163,7 @@ def error_bars(
 
 
 def no_error_bar(
-    frame: Any, name: str, bar: ErrorBar, row: int = 0, made_of: MadeOf = itself, sources: Sources | None = None
+    frame: Frame, name: str, bar: ErrorBar, row: int = 0, made_of: MadeOf = itself, sources: Sources | None = None
 ) -> NoErrorBar:
     """Return why a row has no error bar: the reason why its quantity has no value at a place of the sources."""
     entering = (sources or sources_of_results(made_of(frame), [name])).entering
@@ -177,7 +174,7 @@ def no_error_bar(
 
 
 def _at_places(
-    frame: Any, places: Sequence[Mapping[str, Any]], made_of: MadeOf, names: Sequence[str]
+    frame: Frame, places: Sequence[Mapping[str, Any]], made_of: MadeOf, names: Sequence[str]
 ) -> dict[str, Column]:
     """Return quantities at places of the sources, which are the first axis of their columns.
 

@@ -7,10 +7,10 @@ from ..errors import BadRequest, NoResult
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import listed, quoted
-from .reasons import MAX_DIGITS
+from .reasons import MAX_DIGITS, Kind, register
 
 if TYPE_CHECKING:
-    from .inverse import Problem
+    from .search import Problem
 
 # The inputs that can be unknown, with the sizes among which they are looked for first. A load may have either sign.
 SIZES = {
@@ -32,6 +32,12 @@ SIZES = {
 
 class Unsolved(NoResult):
     """Error raised where no one value of the unknowns gives the measured values. The kinds of it say why."""
+
+    kind: Kind  # of the reason, whose words are those of the error
+
+    def __init_subclass__(cls) -> None:
+        """Let each kind of error have reasons in columns."""
+        cls.kind = register(Kind(cls.phrase, cls.phrase))
 
     def __init__(self, problem: "Problem", text: str, span: Sequence[float] = ()) -> None:
         """`span`: of the measured quantity, or of the unknown."""

@@ -195,7 +195,7 @@ class Answered:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the question and the frame; the rest is computed anew."""
-        return _answered, (self._answer.question, self._answer.frame)
+        return _answered, (self._answer.question, self._answer.described)
 
     @cached_property
     def values(self) -> Mapping[str, Result]:

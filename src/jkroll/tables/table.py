@@ -83,17 +83,12 @@ class Table:
         self.sources = self._sources(sample)
         sides = {*SIDES} if asked.uncertainty else {side for each in self.sources for side in each.sides}
         sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
-        kind = Wanted
-        if asked.infer:
-            from ..model.infer import Unknowns
-
-            kind = Unknowns
-        wanted = kind(self.names, named=named, sides=sides, doubts=asked.doubt)
+        wanted = Wanted(self.names, named=named, sides=sides, doubts=asked.doubt)
         self.wanted = wanted.with_alternatives(frames, self.names) if asked.alternatives else wanted
         if any(solid and solid.displacement for lookup in self.lookups.values() for solid in lookup.known):
             self.given |= {XI}  # it is not assumed
         # Of each group of rows a frame, with the quantities that it shows, or that were measured.
-        self.groups = [(frame.filled, [asked.measured]) if asked.infer else (frame, self.names) for frame in frames]
+        self.groups = [(frame.filled, frame.judged(self.names)) for frame in frames]
         for text in columns.texts:
             if text.strip() in self.added:
                 raise BadTable(f"header: the table already has a column {quoted(text)}; rename it")
@@ -103,8 +98,8 @@ class Table:
         """The headers of all columns that are added."""
         return [*self.said, *self.wanted.heads(header), *self.wanted.remarks()]
 
-    def frame(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Any:
-        """Return the frame of inputs and of the materials of cells, or the problem of a measured one.
+    def frame(self, given: Mapping[str, Any], solids: Mapping[str, Material | None]) -> Frame:
+        """Return the frame of inputs and of the materials of cells, of which one may be sought.
 
         Raises an error of the frame.
         """
@@ -116,14 +111,14 @@ class Table:
             return Frame(given, *spheres, model=self.model)
         if measured not in given:
             raise BadRequest(f"{measured}: the row has no measured value", "no measured value")
-        from ..model.inverse import Problem  # for which a table without an unknown does not pay
+        from ..model.inverse import Inverse  # for which a table without an unknown does not pay
 
         value = given.pop(measured)
-        return Problem((self.asked.infer,), {measured: value}, Frame(given, *spheres, model=self.model))
+        return Inverse([self.asked.infer], {measured: value}, Frame(given, *spheres, model=self.model))
 
     # --- The columns that are added -----------------------------------------------------------------------------------
 
-    def _kinds(self, cells: Mapping[str, Sequence[bytes]]) -> list[Any]:
+    def _kinds(self, cells: Mapping[str, Sequence[bytes]]) -> list[Frame]:
         """Return frames of no rows that together have all inputs.
 
         Of columns that exclude each other, a frame has one. What an input is matters, and not its values.
@@ -143,7 +138,7 @@ class Table:
             of_labels |= {column.name: LABEL} if texts and texts <= self.lookups[column.name].errors.keys() else {}
             solids[column.name] = some
 
-        def kinds(solids: Mapping[str, Material | None]) -> list[Any]:
+        def kinds(solids: Mapping[str, Material | None]) -> list[Frame]:
             return [self.frame(dict.fromkeys(case, _NO_ROWS), solids) for case in cases]
 
         frames = kinds(solids | of_labels)
@@ -151,7 +146,7 @@ class Table:
             return kinds(solids)  # their rows will say that they are unknown
         return frames
 
-    def _names(self, frames: Sequence[Any]) -> tuple[Sequence[str], Sequence[str]]:
+    def _names(self, frames: Sequence[Frame]) -> tuple[Sequence[str], Sequence[str]]:
         """Return the quantities that columns and options allow, and those of them that concern any row."""
         explicit, offered = self.asked.explicit, self.asked.offered
         if self.asked.infer:
