@@ -56,7 +56,7 @@ from ..quantities.formatting import amount, in_words, span
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle
-from .inferred import about_law, about_roughness, by_each_law, proofs
+from .inferred import about_limit, by_each_law, proofs
 from .notes import (
     Kind,
     Note,
@@ -260,7 +260,7 @@ class Answer(Results):
         One has its error bar, and a rolling quantity both readings: at equal displacement, and at equal hysteresis.
         """
         frame, law = self.frame, self.frame.law.name
-        if self.described.unknowns or frame.missing(["tabor_parameter"]):
+        if frame.missing(["tabor_parameter"]):
             return {}
         values = self.others.get(other_law(law), {})
         ours = {name: self.values[name] for name in values if self.values.get(name)}
@@ -354,10 +354,8 @@ class Answer(Results):
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
-        if self.described.unknowns and doubt.is_exceeded and doubt.limit is LAW and BETWEEN in self.alternatives:
-            return about_law(doubt, self)
-        if self.described.unknowns and doubt.code == "rough-matters":
-            return about_roughness(self)
+        if self.described.unknowns:
+            return about_limit(doubt, self)
         frame, known = self.frame, [name for name in self.values if name not in self.ended]
         headline = [name for name in known if name in self.question.headline]
         if doubt.limit is LAW and doubt.is_exceeded:
@@ -390,11 +388,9 @@ class Answer(Results):
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
-        if self.described.unknowns and self.failure is not None:
-            return ()
         inputs, idle = self._entering
         every = (
-            *(proofs(self) if self.described.unknowns and self.values else ()),
+            *proofs(self),
             *about_assumed(self.assumed),
             *about_missing({**self.lacking, **self.open_bars()}),
             *about_left_out(self.sources),

@@ -1,11 +1,11 @@
-"""What is said of inferred values: their proof, what of the materials is not used, and values by other laws."""
+"""Sentences on inferred values: their proof, what of the materials is not used, and values by other laws."""
 
 from collections.abc import Iterator
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from ..model.frame import Frame
-from ..model.limits import Doubt
+from ..model.limits import LAW, Doubt
 from ..model.reasons import MissingInput
 from ..model.uncertainty import error_bars
 from ..model.unsolved import SIZES, equal, sizes_in_words
@@ -38,28 +38,25 @@ def by_each_law(frame: Frame) -> dict[str, dict[str, Any]]:
     return by_law
 
 
-def about_law(doubt: Doubt, answer: "Answer") -> str:
-    """Return the values of the unknowns by Maugis' law, where another law is not exact."""
-    values = {name: middle(value) for name, value in answer.alternatives[BETWEEN].items()}
-    symbols = symbols_of(answer)
-    told = listed(f"{symbols[name]} = {span(name, value, value)}" for name, value in values.items())
+def about_limit(doubt: Doubt, answer: "Answer") -> str:
+    """Return what follows from a limit: where the law is not exact, the values of the unknowns by Maugis' law."""
+    symbols = {name: symbol_among(name, {*answer.inputs, *answer.assumed}) for name in answer.described.unknowns}
+    unknowns = listed(symbols.values())
+    if doubt.code == "rough-matters":
+        return f"{unknowns}: for smooth spheres; rough ones give an effective value, of this size alone"
+    if not (doubt.is_exceeded and doubt.limit is LAW):
+        return doubt.text
+    values = answer.alternatives.get(BETWEEN, {})
+    told = [f"{symbols[name]} = {span(name, middle(value), middle(value))}" for name, value in values.items()]
+    found = listed(told) if told else f"no {unknowns} gives this"
     better = f"by Maugis' law, better here than {answer.frame.law.title}"
-    return f"{told} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
-
-
-def about_roughness(answer: "Answer") -> str:
-    """Return what is found from a force between rough spheres."""
-    symbols = listed(symbols_of(answer).values())
-    return f"{symbols}: for smooth spheres; rough ones give an effective value, of this size alone"
-
-
-def symbols_of(answer: "Answer") -> dict[str, str]:
-    """Return the symbols of the unknowns, as they stand beside inputs."""
-    return {name: symbol_among(name, {*answer.inputs, *answer.assumed}) for name in answer.described.unknowns}
+    return f"{found} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
 
 
 def proofs(answer: "Answer") -> Iterator[Note]:
-    """Iterate over what is unusual, what of the materials is not used, and the proof of the values."""
+    """Iterate over what is unusual in inferred values, what of the materials is not used, and their proof."""
+    if not answer.described.unknowns or not answer.values:
+        return
     frame, values = answer.frame, answer.values
     forward = frame.numbers(*answer.judged)
     used = frame.data_used(frame.inputs_of(*forward))
