@@ -17,6 +17,7 @@ from jkroll import Interval, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest, NoResult
 from jkroll.model.frame import Frame
 from jkroll.model.inverse import Inverse
+from jkroll.model.reasons import kind_and_step
 from jkroll.model.search import Solution
 from jkroll.model.uncertainty import sources_of_results
 from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Undetermined
@@ -477,3 +478,23 @@ def test_what_was_measured_is_not_assumed(run: Run) -> None:
     said = run("infer adhesion_hysteresis quartz 100nm --measured xi=300pm", terminal=True).out
     assert "ξ = 300 pm\nassumed: no load" in said
     assert "200 pm" not in said
+
+
+def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
+    """In the row of a force that no surface energy gives, and in no other."""
+    measured = {"pull_off_force": numpy.array([1e-7, -1.0, 2e-7])}
+    inverse = Inverse(["surface_energy"], measured, Frame({**PLANE, "youngs_modulus": 5e10, "poisson_ratio": 0.2}))
+    columns = inverse.columns(["surface_energy", "pull_off_force", "contact_radius"])
+    for name, column in columns.items():
+        assert [kind.phrase if kind else "" for kind, _ in map(kind_and_step, column.reasons.tolist())] == [
+            "", "no value gives it", ""
+        ], name  # fmt: skip
+        assert "no value gives pull_off_force = -1 N" in str(inverse.error(name, int(column.reasons[1]), 1))
+    assert columns["surface_energy"].values[::2] == approx([1e-7 / (3 * math.pi * 2e-6), 2e-7 / (3 * math.pi * 2e-6)])
+    assert columns["pull_off_force"].values[::2] == approx(measured["pull_off_force"][::2])
+
+
+def test_a_value_that_maugis_law_does_not_have_is_not_told(run: Run) -> None:
+    words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
+    assert "no E gives this by Maugis' law, better here than JKR" in run(words).err
+    assert "no value gives yield_force = 100 pN" in run(f"{words} --model maugis").err
