@@ -115,7 +115,7 @@ def of_list(ask: Ask, *, by_arrays: bool, alternatives: bool = False) -> Rows:
     with computed(by_arrays=by_arrays):
         wanted = sweep.wanted(question.quantities, question.named)
         if alternatives:
-            wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
+            wanted = wanted.with_alternatives(sweep.groups, wanted.names)
         rows = rows_of([*sweep.columns(wanted)])
     if by_arrays:
         return rows
@@ -303,7 +303,7 @@ def is_at_its_end(scene: Frame) -> bool:
         for wanted in ("contact_radius_at_load", "load_at_factor", "edge_ratio", "load_maugis"):
             around = [scene.replace(**{name: each}) for each in (value - step, value + step)]
             found = [outcomes(each, (wanted,))[wanted] for each in around]
-            if len({isinstance(outcome, Failure) and not outcome.kind.has_contact for outcome in found}) > 1:
+            if len({isinstance(outcome, Failure) and not outcome.cause.has_contact for outcome in found}) > 1:
                 return True
     return False
 

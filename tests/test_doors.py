@@ -420,7 +420,7 @@ def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
 
 def _reason(error: JkrollError, scene: Frame) -> str:
     """Return an error without what it begins with: a prompt has the command, or the option, in place of a name."""
-    if isinstance(error, Failure) and error.kind == BEYOND_PULL_OFF:
+    if isinstance(error, Failure) and error.cause == BEYOND_PULL_OFF:
         error = with_force_by_maugis(error, scene)
     return str(getattr(error, "reason", error.__str__)())
 
@@ -665,9 +665,9 @@ def _is_of_another(outcome: Any, name: str) -> bool:
 
 def _is_of_all_rows(error: JkrollError) -> bool:
     """Return whether an error is one of all rows of a kind: an input is missing, or their spheres are not identical."""
-    return isinstance(error, MissingInput) or (isinstance(error, Failure) and error.kind == OF_IDENTICAL_SPHERES)
+    return isinstance(error, MissingInput) or (isinstance(error, Failure) and error.cause == OF_IDENTICAL_SPHERES)
 
 
 def _is_infinite(outcome: object) -> bool:
     """Return whether a value is infinite where a number is to be written."""
-    return isinstance(outcome, Failure) and outcome.kind == INFINITE
+    return isinstance(outcome, Failure) and outcome.cause == INFINITE

@@ -24,9 +24,9 @@ class JkrollError(Exception):
         return _unpickled, (type(self), self.args, vars(self))
 
 
-def _unpickled(kind: type[JkrollError], arguments: tuple[Any, ...], attributes: Mapping[str, Any]) -> JkrollError:
+def _unpickled(cls: type[JkrollError], arguments: tuple[Any, ...], attributes: Mapping[str, Any]) -> JkrollError:
     """Return an error of a kind with its attributes."""
-    error = kind.__new__(kind, *arguments)
+    error = cls.__new__(cls, *arguments)
     vars(error).update(attributes)
     return error
 

@@ -158,4 +158,4 @@ def test_another_process_computes_and_answers() -> None:
         assert pool.apply(str, [answered]) == str(answered)
         error = raised(pool.apply, jkroll.solve, ["load_margin"], {**scene, "load": -1.0})
         assert "breaks this contact" in str(error)
-        assert error.kind == BEYOND_PULL_OFF
+        assert error.cause == BEYOND_PULL_OFF

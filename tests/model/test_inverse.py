@@ -17,7 +17,7 @@ from jkroll import Interval, Measured, infer, known_materials, solve
 from jkroll.errors import BadRequest, NoResult
 from jkroll.model.frame import Frame
 from jkroll.model.inverse import Inverse
-from jkroll.model.reasons import kind_and_step
+from jkroll.model.reasons import cause_and_step
 from jkroll.model.search import Solution
 from jkroll.model.uncertainty import sources_of_results
 from jkroll.model.unsolved import NoDependence, NoSolution, SeveralSolutions, Undetermined
@@ -486,7 +486,7 @@ def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
     inverse = Inverse(["surface_energy"], measured, Frame({**PLANE, "youngs_modulus": 5e10, "poisson_ratio": 0.2}))
     columns = inverse.columns(["surface_energy", "pull_off_force", "contact_radius"])
     for name, column in columns.items():
-        assert [kind.phrase if kind else "" for kind, _ in map(kind_and_step, column.reasons.tolist())] == [
+        assert [cause.phrase if cause else "" for cause, _ in map(cause_and_step, column.reasons.tolist())] == [
             "", "no value gives it", ""
         ], name  # fmt: skip
         assert "no value gives pull_off_force = -1 N" in str(inverse.error(name, int(column.reasons[1]), 1))

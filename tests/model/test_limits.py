@@ -201,7 +201,7 @@ def test_two_rigid_bodies_have_no_jkr_contact(given: dict[str, Any]) -> None:
             assert value > 0
         elif name not in ("load", "n_roll_after_impact", "yield_force_fixed_load"):
             assert isinstance(value, Failure), name
-            assert value.kind == TWO_RIGID_BODIES
+            assert value.cause == TWO_RIGID_BODIES
 
 
 def test_one_rigid_body_or_an_unknown_modulus_is_no_reason() -> None:

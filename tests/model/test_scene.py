@@ -35,7 +35,7 @@ def test_answers_and_their_limits_are_the_same_one_by_one() -> None:
 def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
     scene = Frame({**QUARTZ, "radius2": float("inf"), "load": -1.0}).replace(density=1e-30)
     values = outcomes(scene, ("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
-    kinds = {name: value.kind if isinstance(value, Failure) else type(value) for name, value in values.items()}
+    kinds = {name: value.cause if isinstance(value, Failure) else type(value) for name, value in values.items()}
     assert kinds == {
         "r_min": NO_CHAIN, "pull_off_force": float, "yield_force": BEYOND_PULL_OFF, "n_grav": BEYOND_PULL_OFF,
         "mass": float,
@@ -52,7 +52,7 @@ def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
     values = outcomes(Frame(tiny, model="maugis"), ("pull_off_force", "sticking_energy", "sticking_speed"))
     assert isinstance(values["pull_off_force"], float)
     for name in ("sticking_energy", "sticking_speed"):
-        assert values[name].kind == NO_DOUBLE
+        assert values[name].cause == NO_DOUBLE
         assert "sticking_energy_maugis: no value that a double can hold" in str(values[name])
 
 

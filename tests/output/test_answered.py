@@ -87,7 +87,7 @@ def test_what_has_no_answer_is_an_error() -> None:
 # --- The codes of reasons ---------------------------------------------------------------------------------------------
 
 
-KINDS = [kind for kind in (*vars(reasons).values(), *ENDS.values()) if isinstance(kind, reasons.Kind)]
+KINDS = [kind for kind in (*vars(reasons).values(), *ENDS.values()) if isinstance(kind, reasons.Cause)]
 UNSOLVED = unsolved.Unsolved.__subclasses__()
 
 

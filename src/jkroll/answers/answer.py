@@ -58,8 +58,8 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle
 from .inferred import about_limit, by_each_law, proofs
 from .notes import (
-    Kind,
     Note,
+    Severity,
     about_assumed,
     about_given,
     about_idle,
@@ -290,7 +290,7 @@ class Answer(Results):
 
     @cached_property
     def others(self) -> Mapping[str, Mapping[str, Any]]:
-        """Values that may stand in place of the results, by kind: the name of the other law, or DATA.
+        """Values that may stand in place of the results, by the name of the other law, or by DATA.
 
         None stands for a result that the other law lacks.
         """
@@ -300,7 +300,7 @@ class Answer(Results):
         names_of = names_with_alternatives([self.frame], meant)
         names_of[other_law(self.frame.law.name)] += self.frame.by_law.missing(meant)
         every = alternatives_of(self.frame, names_of)
-        return {kind: {name: each.measure for name, each in of_kind.items()} for kind, of_kind in every.items()}
+        return {by: {name: each.measure for name, each in of_by.items()} for by, of_by in every.items()}
 
     @cached_property
     def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
@@ -311,7 +311,7 @@ class Answer(Results):
         if self.described.unknowns:
             return by_each_law(self.described) if self.values and not self.ended else {}
         is_shown = self.frame.law.name == BETWEEN or any(doubt.limit is LAW for doubt in self.exceeded)
-        return {kind: values for kind, values in self.others.items() if is_shown or kind not in LAWS}
+        return {by: values for by, values in self.others.items() if is_shown or by not in LAWS}
 
     def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
         """Return the limits that end no meaning, with that of an assumed displacement."""
@@ -321,8 +321,8 @@ class Answer(Results):
         """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
         notes = []
         for doubt in self.exceeded:
-            kind: Kind = "caveat" if doubt.limit.is_told else "more"
-            notes.append(Note("warning" if doubt.limit.ends_meaning else kind, self.about(doubt)))
+            severity: Severity = "caveat" if doubt.limit.is_told else "more"
+            notes.append(Note("warning" if doubt.limit.ends_meaning else severity, self.about(doubt)))
         return notes
 
     @property
@@ -411,8 +411,8 @@ class Answer(Results):
     def failure(self) -> JkrollError | None:
         """The reason why there is no result, or no contact."""
         for error in self.reasons.values():
-            if isinstance(error, Failure) and not error.kind.has_contact:
-                return with_force_by_maugis(error, self.frame) if error.kind == BEYOND_PULL_OFF else error
+            if isinstance(error, Failure) and not error.cause.has_contact:
+                return with_force_by_maugis(error, self.frame) if error.cause == BEYOND_PULL_OFF else error
         if self.values or self.ended:  # what has no meaning is an answer
             return None
         return next(iter(self.reasons.values()), Failure(OF_IDENTICAL_SPHERES))

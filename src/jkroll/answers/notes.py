@@ -31,21 +31,21 @@ if TYPE_CHECKING:
     from .answer import Answer
 
 # A warning is of a number without a meaning; a caveat may change what a reader does; a remark is less; what was assumed
-# stands above results; "more" is in explanations alone. Of one kind, notes stand in the order in which they are made.
-Kind = Literal["warning", "caveat", "remark", "assumed", "more"]
-_KINDS = get_args(Kind)
+# stands above results; "more" is in explanations alone. Of one severity they stand in the order in which they are made.
+Severity = Literal["warning", "caveat", "remark", "assumed", "more"]
+_SEVERITIES = get_args(Severity)
 
 
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Kind
+    severity: Severity
     text: str
 
     @property
     def line(self) -> str:
         """The sentence as a line by itself."""
-        return f"{'warning' if self.kind == 'warning' else 'note'}: {self.text}"
+        return f"{'warning' if self.severity == 'warning' else 'note'}: {self.text}"
 
 
 _RULES = {  # by which quantities follow that could have been given
@@ -112,8 +112,8 @@ def about_given(frame: Frame, names: Sequence[str], inputs: Collection[str]) -> 
         yield Note("caveat", f"{bounds}: --work-of-adhesion")
     for material, name in frame.data_used(inputs):
         if name in material.notes:  # of a property with an origin they say what is against it
-            kind: Kind = "caveat" if name in material.origins else "more"
-            yield Note(kind, f"{symbol_among(name, ())} of {material.name}: {material.notes[name]}")
+            severity: Severity = "caveat" if name in material.origins else "more"
+            yield Note(severity, f"{symbol_among(name, ())} of {material.name}: {material.notes[name]}")
 
 
 def about_idle(names: Sequence[str]) -> list[Note]:
@@ -183,10 +183,11 @@ def about_displacement(frame: Frame, solid: str) -> str:
 # --- What is missing --------------------------------------------------------------------------------------------------
 
 
-def about_limits(every: Iterable[Doubt], kind: Kind = "remark") -> list[Note]:
+def about_limits(every: Iterable[Doubt], severity: Severity = "remark") -> list[Note]:
     """Return notes on the codes that could not be judged, of each limit the first, by the inputs that they need."""
     errors = {next(iter(doubt.limit.codes.values())): doubt.error for doubt in every if doubt.error is not None}
-    return [Note(kind, f"not checked: {first_of(codes, _MAX_CODES)}: {reason}") for codes, reason in grouped(errors)]
+    texts = (f"not checked: {first_of(codes, _MAX_CODES)}: {reason}" for codes, reason in grouped(errors))
+    return [Note(severity, text) for text in texts]
 
 
 def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
@@ -195,7 +196,7 @@ def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
 
 
 def about_left_out(*every: Sources | None) -> list[Note]:
-    """Return the note on sources that enter no error bar, as others are of another kind, if there are some."""
+    """Return the note on sources that enter no error bar, as ± and ranges do not go together, if there are some."""
     left_out = (source for sources in every if sources is not None for source in sources.left_out)
     symbols = dict.fromkeys(symbol_of(source.names[0]) for source in left_out)
     text = f"error bars leave out {', '.join(symbols)}: ± and ranges do not go together"
@@ -227,16 +228,16 @@ def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
 
     `reported`: the bits of the doubts to report; `where`: where to read more of them.
     """
-    kinds: tuple[tuple[Kind, str, int, int], ...] = (
+    severities: tuple[tuple[Severity, str, int, int], ...] = (
         ("warning", "numbers have no meaning", reported & ENDING_MEANING, 2),  # with what these codes mean
         ("remark", "doubts", reported & ~ENDING_MEANING, _MAX_CODES),
     )
-    for kind, lead, bits, most in kinds:
+    for severity, lead, bits, most in severities:
         counts = tally.counted(bits)
         texts = [f"{code} {rows}" + (f" ({MEANINGS[code]})" if code in MEANINGS else "") for code, rows in counts]
         if texts:
             rows = f"{tally.with_doubts(bits)} of {tally.rows} rows"
-            yield Note(kind, f"{lead} in {rows} ({where}): {first_of(texts, most)}")
+            yield Note(severity, f"{lead} in {rows} ({where}): {first_of(texts, most)}")
     for number, first, words in tally.gaps.values():
         others = f", likewise {number - 1} more" if number > 1 else ""
         yield Note("caveat", f"{words}: row {first}{others}")
@@ -283,7 +284,7 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     They are what was assumed unless a head has it, warnings, and the first of the other notes; warnings alone if
     `quiet`.
     """
-    texts = {kind: [note.text for note in notes if note.kind == kind] for kind in _KINDS}
+    texts = {severity: [note.text for note in notes if note.severity == severity] for severity in _SEVERITIES}
     lines = [f"warning: {'; '.join(texts['warning'])}"] if texts["warning"] else []
     if quiet:
         return lines
@@ -295,7 +296,7 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
 
 def every_line(answer: "Answer") -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    return [note.line for note in sorted(answer.sentences, key=lambda note: _KINDS.index(note.kind))]
+    return [note.line for note in sorted(answer.sentences, key=lambda note: _SEVERITIES.index(note.severity))]
 
 
 def _first_clauses(text: str) -> str:

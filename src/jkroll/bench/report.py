@@ -404,17 +404,17 @@ others  median and largest error in ulp/(1 + κ) in a region of points, κ the c
 """
 
 
-def write_bench(out: TextIO, kind: str, size: Size) -> list[Row]:
+def write_bench(out: TextIO, output: str, size: Size) -> list[Row]:
     """Measure everything, write it in a format, and return it. A table for readers has a part for each quantity."""
-    if kind != "table":
+    if output != "table":
         rows = [*measure(size)]
-        write_records(HEADS, map(_in_full, rows), kind, out)
+        write_records(HEADS, map(_in_full, rows), output, out)
         return rows
     say(f"{machine()}\n{LEGEND}", out)
     rows = []
     for quantity, ways in groupby(measure(size), lambda row: row.quantity):
         rows += (of_quantity := [*ways])
-        write_records((quantity, "ns", "× cbrt", *REGIONS), map(_in_short, of_quantity), kind, out)
+        write_records((quantity, "ns", "× cbrt", *REGIONS), map(_in_short, of_quantity), output, out)
         say("", out)
     return rows
 

@@ -147,7 +147,7 @@ class Call:
         text = self.values.get("load")
         if text is not None and (text.startswith(":") or text.endswith(":")):
             lacking = "lower" if text.startswith(":") else "upper"
-            pull_off = amount("load", -self.sweep.kinds[0]["pull_off_force"])
+            pull_off = amount("load", -self.sweep.groups[0]["pull_off_force"])
             remedy = f"write both, as in -5nN:20nN (an example); pull-off is at {pull_off}"
             raise QuantityError("load", text, f"has no {lacking} end", remedy)
         return None if text is None else loads_of(text)
@@ -198,7 +198,7 @@ class Call:
     # --- Format of the output -----------------------------------------------------------------------------------------
 
     @cached_property
-    def kind(self) -> str:
+    def output(self) -> str:
         """The name of the output format: the one that was chosen, else a table on a terminal and plain lines in a pipe.
 
         A name of the output file that ends in .json chooses JSON.
@@ -242,7 +242,7 @@ class Call:
                 both = f"{quoted(units[fitting[0]][0])} and {quoted(text)}"
                 raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
             units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
-        return Format(units, self.digits, self.typed if self.kind == "table" else {})
+        return Format(units, self.digits, self.typed if self.output == "table" else {})
 
 
 OPTIONS = frozenset(Call.__annotations__)  # names of options that are no inputs

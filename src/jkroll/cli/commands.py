@@ -217,8 +217,8 @@ class Command:
     ) -> None:  # fmt: skip
         self.name, self.sentence, self.words, self.options = name, sentence, words, options
         self.runner, self.example, self.job = runner, example, job
-        self.kinds = tuple(word.strip("[].") for word in words.split())  # MATERIAL, RADIUS and so on, by rising place
-        self.most_words = INFINITY if "[" in words else len(self.kinds)  # any where some can be left out
+        self.placeholders = tuple(word.strip("[].") for word in words.split())  # MATERIAL, RADIUS and so on
+        self.most_words = INFINITY if "[" in words else len(self.placeholders)  # any where some can be left out
         self.has_subject = words != "" and not words.startswith("[")  # the first word says what the command is about
 
     def flags(self) -> dict[str, Option]:

@@ -30,9 +30,9 @@ def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
     `path`: of the file that `flag` names, if there is one.
     """
     inches_of(call.width)
-    for kind, word, known in (("style", call.style, STYLES), ("panel", call.panel, PANELS)):
+    for option, word, known in (("style", call.style, STYLES), ("panel", call.panel, PANELS)):
         if word is not None and word not in known:
-            raise BadRequest(f"--{kind}: {quoted(word)} is not a {kind}; there are {listed(known)}")
+            raise BadRequest(f"--{option}: {quoted(word)} is not a {option}; there are {listed(known)}")
     if path is None:
         looks = {"--width": call.width, "--style": call.style, "--no-caption": call.uncaptioned}
         if given := [option for option, value in looks.items() if value]:
@@ -92,8 +92,8 @@ def draw_contact(call: Call) -> int:
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
-    if call.kind not in ("table", "plain"):
-        raise BadRequest(f"{flag} and --{call.kind} exclude each other")
+    if call.output not in ("table", "plain"):
+        raise BadRequest(f"{flag} and --{call.output} exclude each other")
     for name in ("quantities", "to", "digits", "no_doubt"):  # of numbers
         if getattr(call, name):
             raise BadRequest(f"{flag} and --{name.replace('_', '-')} exclude each other")

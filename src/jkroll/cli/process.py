@@ -153,7 +153,7 @@ def _action(command: Command, words: Sequence[str]) -> Action:
     end = words.index("--") if "--" in words else len(words)
     if any(flag in words[:end] for flag in HELP.flags):
         return partial(_print_help, command.name)
-    by_name = [option for kind, option in NAMED.items() if kind in command.kinds]
+    by_name = [option for placeholder, option in NAMED.items() if placeholder in command.placeholders]
     arguments, options = _read(words[:end], {option.flag: option for option in by_name} | command.flags(), command)
     arguments += words[end + 1 :]
     arguments += [options.pop(option.name) for option in by_name if option.name in options]
@@ -181,19 +181,19 @@ def _read(
     words: Iterable[str], flags: Mapping[str, Option], command: Command | None = None
 ) -> tuple[list[str], dict[str, Any]]:
     """Return the words without the options, and the values of the options by name."""
-    kinds = command.kinds if command else ()
+    placeholders = command.placeholders if command else ()
     arguments: list[str] = []
     given: dict[str, Any] = {}
     rest = deque(words)
     while rest:
         word = rest.popleft()
         name, has_value, _ = word.partition("=")
-        if "RADIUS" in kinds and has_value and not word.startswith("-") and _option(f"--{name}", flags):
+        if "RADIUS" in placeholders and has_value and not word.startswith("-") and _option(f"--{name}", flags):
             word = f"--{word}"  # gamma=25mJ/m2
-        elif word[:1] in _DASHES and word[1:2].isalpha() and "IN" not in kinds:
+        elif word[:1] in _DASHES and word[1:2].isalpha() and "IN" not in placeholders:
             raise BadRequest(f"{quoted(word)} begins with a dash; options begin with hyphens: --{word[1:]}")
-        elif not word.startswith("-") or word == "-" or ("IN" in kinds and _is_negative(word)):
-            arguments.append(_with_unit(word, rest) if "RADIUS" in kinds else word)
+        elif not word.startswith("-") or word == "-" or ("IN" in placeholders and _is_negative(word)):
+            arguments.append(_with_unit(word, rest) if "RADIUS" in placeholders else word)
             continue
         flag, value = _split(word, flags)
         meant = SYNONYMS.get(f"{flag} {rest[0] if value is None and rest else value}")  # --format json

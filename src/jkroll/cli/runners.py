@@ -42,7 +42,7 @@ def run_question(call: Call) -> int:
     question = question_of(call, QUESTIONS[call.command])
     form = call.form(question.quantities)
     for name in question.named:
-        frame = call.sweep.kinds[0]
+        frame = call.sweep.groups[0]
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
 
@@ -59,13 +59,13 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
 
     count, sizes = len(sweep), sweep.sizes_of_kind
     single = answer(next(sweep.frames())) if count == 1 else None
-    if single is not None and call.kind != "explain" and single.failure is not None and single.has_no_headline:
+    if single is not None and call.output != "explain" and single.failure is not None and single.has_no_headline:
         raise single.failure
-    is_one = single is not None and call.kind in ("plain", "table") and call.target is None
-    if not is_one and call.kind not in ("json", "explain", "cite"):
+    is_one = single is not None and call.output in ("plain", "table") and call.target is None
+    if not is_one and call.output not in ("json", "explain", "cite"):
         return _write_rows(call, sweep, question, form, single)
     if count > sizes.most_answers:
-        raise BadRequest(f"--{call.kind}: {count} pairs are more than {sizes.most_answers}; --csv writes any number")
+        raise BadRequest(f"--{call.output}: {count} pairs are more than {sizes.most_answers}; --csv writes any number")
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # what is wrong with rows is raised before one is written
     return _write_answers(call, map(answer, sweep.frames()) if single is None else [single], count, form)
@@ -73,13 +73,13 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
 
 def keeps_all(call: Call) -> bool:
     """Return whether numbers without a meaning stay: in bare and plain lines, which have no place for a reason."""
-    return call.kind in ("bare", "plain") and call.target is None
+    return call.output in ("bare", "plain") and call.target is None
 
 
 def check_format(call: Call) -> None:
     """Raise BadRequest for an output format that does not go with other options."""
-    if call.alternatives and (call.kind in ("bare", "explain", "cite") or call.curve):
-        raise BadRequest(f"--alternatives and --{'curve' if call.curve else call.kind} exclude each other")
+    if call.alternatives and (call.output in ("bare", "explain", "cite") or call.curve):
+        raise BadRequest(f"--alternatives and --{'curve' if call.curve else call.output} exclude each other")
     if call.tex and not call.cite:
         raise BadRequest("--tex goes with --cite")
     if call.names_picture:
@@ -90,7 +90,7 @@ def check_format(call: Call) -> None:
 def question_of(call: Call, usual: Question) -> Question:
     """Return the question about the quantities that `--quantities` lists, or the usual one; bare, its headline."""
     question = usual if call.quantities is None else question_about(call.quantities)
-    return Question(question.headline, question.headline, question.named) if call.kind == "bare" else question
+    return Question(question.headline, question.headline, question.named) if call.output == "bare" else question
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
@@ -100,15 +100,15 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
     """Write a row for each frame; return the exit code. `single`: the answer of the only one."""
     from ..model.rows import of_single_row
 
-    is_shown = call.kind == "table" and call.target is None and len(sweep) <= sweep.sizes_of_kind.most_in_table
-    if call.kind == "bare":
+    is_shown = call.output == "table" and call.target is None and len(sweep) <= sweep.sizes_of_kind.most_in_table
+    if call.output == "bare":
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
     else:
         wanted = sweep.wanted(question.quantities, question.named, keeps_all=keeps_all(call))
         if call.alternatives:
-            wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
+            wanted = wanted.with_alternatives(sweep.groups, wanted.names)
         elif is_shown and len(sweep.models) == 1 and not call.measured:
-            wanted = wanted.with_alternatives(sweep.kinds, question.headline)
+            wanted = wanted.with_alternatives(sweep.groups, question.headline)
     blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single)]
     single = None if call.quiet else single
     return _write_columns(call, wanted, [*sweep.noted(wanted)], blocks, form, is_table=is_shown, single=single)
@@ -138,7 +138,7 @@ def _write_columns(
     else:
         from ..output.writers import WRITERS, written
 
-        writer = WRITERS["plain" if call.kind == "table" else call.kind]
+        writer = WRITERS["plain" if call.output == "table" else call.output]
         for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
             sys.stdout.write(text.decode())
         sys.stdout.flush()
@@ -176,15 +176,15 @@ def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Fo
             yield answer
 
     with _output(call.target) as out:
-        if call.kind == "json":
+        if call.output == "json":
             from ..output.answered import write_json
 
             write_json(watched(), count, out, form)
-        elif call.kind == "explain":
+        elif call.output == "explain":
             from ..output.sources import write_explanation
 
             write_explanation((answer.explained for answer in watched()), out, form)
-        elif call.kind == "cite":
+        elif call.output == "cite":
             from ..output.sources import write_citations, write_methods
 
             write_sources = write_methods if call.tex else write_citations
@@ -206,7 +206,7 @@ def _output(target: str | None) -> AbstractContextManager[TextIO]:
 
 def _write_answer(call: Call, answer: "Answer", out: TextIO, form: Format) -> None:
     """Write a single answer as text, and its notes."""
-    is_table = call.kind == "table"
+    is_table = call.output == "table"
     if is_table:
         from ..output.table import frame_table
 
@@ -216,7 +216,7 @@ def _write_answer(call: Call, answer: "Answer", out: TextIO, form: Format) -> No
 
         write_plain(answer, out, form, alternatives=call.alternatives)
     out.flush()
-    if not (call.quiet and call.kind == "bare"):
+    if not (call.quiet and call.output == "bare"):
         for line in lines_of(answer.sentences, has_head=is_table, quiet=call.quiet):
             say_wrapped(line, sys.stderr)
 
@@ -244,23 +244,23 @@ def _write_curve(call: Call) -> int:
     from ..model.rows import Columns, Wanted
 
     check_format(call)
-    if call.kind in ("explain", "cite"):
-        raise BadRequest(f"--curve and --{call.kind} exclude each other")
+    if call.output in ("explain", "cite"):
+        raise BadRequest(f"--curve and --{call.output} exclude each other")
     question = question_of(call, FORCE_CURVE)
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
     keeps = keeps_all(call)
-    samples = [frame for frame in sweep.kinds for frame in frames_of_curve(frame, loads)]
+    samples = [frame for frame in sweep.groups for frame in frames_of_curve(frame, loads)]
     failures = (answer_at_state(question, frame).failure for frame in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
     frames = (frame for frame in sweep.frames() for frame in frames_of_curve(frame, loads))
-    if call.kind == "json":
+    if call.output == "json":
         every = [*frames]
         return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)
     names = question.quantities
-    is_table = call.kind == "table" and call.target is None
-    if call.kind == "bare":
+    is_table = call.output == "table" and call.target is None
+    if call.output == "bare":
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
     else:
         has_notes = is_table and len(sweep) == 1  # which say more of one curve than the codes of its states
@@ -274,7 +274,7 @@ def _write_curve(call: Call) -> int:
                 columns.put(row, wanted.results(frame))
             yield columns
 
-    curves = [Answer(WHOLE_CURVE, frame) for frame in sweep.kinds]
+    curves = [Answer(WHOLE_CURVE, frame) for frame in sweep.groups]
     groups = [(curve.frame, [*curve.columns]) for curve in curves]
     single = curves[0] if len(sweep) == 1 and not call.quiet else None
     return _write_columns(call, wanted, groups, columns(), form, is_table=is_table, single=single)
@@ -396,7 +396,7 @@ def run_materials(call: Call) -> int:
     """List the materials, or those that have some words, or show some in full; return the exit code."""
     from ..output.catalogue import write_materials
 
-    kind, materials = call.kind, call.materials
+    output, materials = call.output, call.materials
     text = " ".join(call.words)
     lists_all = text.casefold() in ("", "all")
     try:
@@ -408,7 +408,7 @@ def run_materials(call: Call) -> int:
         named, chosen = [], materials_with(call.words, materials.materials.values())
         if not chosen:
             raise
-    write_materials(chosen, sys.stdout, kind, named=bool(named))
+    write_materials(chosen, sys.stdout, output, named=bool(named))
     sys.stdout.flush()
     mistakes = materials.mistakes if lists_all else []
     for mistake in mistakes:
@@ -421,16 +421,16 @@ def run_quantities(call: Call) -> int:
     from ..output.catalogue import write_quantities
     from ..output.manual import Hits, hits_of, quantities_meant, write_hits
 
-    kind = call.kind
+    output = call.output
     names = quantities_meant(call.words)
     hits = Hits([], names, []) if names else hits_of(call.words, call.materials.materials.values())
     if hits.quantities:
-        write_quantities(hits.quantities, sys.stdout, kind)
-    elif any(hits) and kind in ("table", "plain"):
+        write_quantities(hits.quantities, sys.stdout, output)
+    elif any(hits) and output in ("table", "plain"):
         write_hits(call.words, hits, sys.stdout)
     else:
         raise UnknownQuantity(" ".join(call.words))
-    if kind == "table" and hits.quantities and hits.sections:
+    if output == "table" and hits.quantities and hits.sections:
         say_wrapped(f"in the manual: jkroll guide {' '.join(call.words)}", sys.stdout)
     return 0
 
@@ -465,7 +465,7 @@ def run_bench(call: Call) -> int:
     check_picture(call, call.plot, "--plot")
     from ..bench.report import FULL, QUICK, picture_of_bench, write_bench
 
-    rows = write_bench(sys.stdout, call.kind, QUICK if call.quick else FULL)
+    rows = write_bench(sys.stdout, call.output, QUICK if call.quick else FULL)
     if call.plot is not None:
         draw_into(call.plot, picture_of_bench(rows), call)
     return 0

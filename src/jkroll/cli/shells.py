@@ -54,7 +54,7 @@ class _Command(TyperCommand):
         """Return the words and options."""
         if not self.params:
             command = COMMANDS[str(self.name)]
-            count, completed = 1 if command.most_words == 1 else -1, _completed(command.kinds)
+            count, completed = 1 if command.most_words == 1 else -1, _completed(command.placeholders)
             words = TyperArgument(param_decls=["words"], nargs=count, metavar=command.words, autocompletion=completed)
             self.params = [*([words] if command.words else []), *map(_option, (*command.options(), HELP))]
         return self.params
@@ -89,29 +89,30 @@ for _quantity in NOMENCLATURE.values():
         _UNITS.setdefault(_quantity.unit, {})[_quantity.example.lstrip("0123456789.e-")] = None
 
 
-def _completed(kinds: Sequence[str]) -> Callable[[object, object, str], list[str]]:
-    """Return what completes a begun word of the first of some kinds, or, once a word may stand before it, of any.
+def _completed(placeholders: Sequence[str]) -> Callable[[object, object, str], list[str]]:
+    """Return what completes a begun word: the first placeholder or, once a word may stand before it, any of them.
 
     Typer drops what begins otherwise. Nothing is offered that a shell could run: typer quotes too little for zsh.
     """
 
     def complete(_context: object, _words: object, begun: str) -> list[str]:
-        candidates = [text for kind in (kinds if begun else kinds[:1]) for text in _candidates(kind, begun)]
+        open_ones = placeholders if begun else placeholders[:1]
+        candidates = [text for placeholder in open_ones for text in _candidates(placeholder, begun)]
         return [text for text in candidates if all(letter.isalnum() or letter in "_-−.+,@=:/" for letter in text)]
 
     return complete
 
 
-def _candidates(kind: str, begun: str) -> Iterable[str]:
-    """Return words of a kind, or values of an option: names, which may stand in a list, or a number with each unit."""
+def _candidates(placeholder: str, begun: str) -> Iterable[str]:
+    """Return words for a placeholder or values of an option: names, which may form a list, or numbers with units."""
     head, comma, word = begun.rpartition(",")
-    if kind in _NAMES:
-        return [head + comma + name for name in _NAMES[kind](word)]
-    name = "radius" if kind == "RADIUS" else kind
+    if placeholder in _NAMES:
+        return [head + comma + name for name in _NAMES[placeholder](word)]
+    name = "radius" if placeholder == "RADIUS" else placeholder
     if name not in NOMENCLATURE:
         return []
     if not begun:
-        return [] if kind == "RADIUS" else [NOMENCLATURE[name].example]
+        return [] if placeholder == "RADIUS" else [NOMENCLATURE[name].example]
     number = begun[: len(begun) - len(begun.lstrip("0123456789.-+−"))]
     return [number + unit for unit in _UNITS.get(NOMENCLATURE[name].unit, ()) if number]
 
@@ -133,7 +134,7 @@ _RESULTS = [  # the quantities that a formula gives, without variants and withou
     for name, quantity in NOMENCLATURE.items()
     if not (quantity.is_word or quantity.variant_of) and (quantity.equation or quantity.range is ANY)
 ]
-# The names that a begun word may become, by its kind, or by the name of the option whose value it is.
+# The names that a begun word may become, by its placeholder, or by the name of the option whose value it is.
 _NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
     **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
     **dict.fromkeys(("QUANTITY", "NAME", "quantities"), lambda _: _RESULTS),

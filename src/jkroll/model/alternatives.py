@@ -58,7 +58,7 @@ def at_other_reading(frame: Frame, other: Frame) -> Frame | None:
 
 def has_other_formulas(frame: Frame, name: str, law: str = DEFAULT_LAW) -> bool:
     """Return whether a law has a quantity by other formulas than a frame, or does not have it."""
-    return frame.plan(name).steps.keys() != plan_for(name, *frame.kind[:2], law).steps.keys()
+    return frame.plan(name).steps.keys() != plan_for(name, *frame.plan_key[:2], law).steps.keys()
 
 
 def moved_by_law(frame: Frame, names: Iterable[str]) -> list[str]:
@@ -195,13 +195,13 @@ def factor_of_data(frame: Frame, _: Mapping[str, Column]) -> Any:
 
 # --- What may stand in place of results -------------------------------------------------------------------------------
 
-DATA = "data"  # the kind of an alternative by measured forces; one by another law has the law's name
+DATA = "data"  # stands for alternatives by measured forces; those by another law have its name
 
 
 def names_with_alternatives(frames: Sequence[Frame], names: Sequence[str]) -> dict[str, list[str]]:
-    """Return the quantities that have alternatives, by kind: the name of the other law, and DATA.
+    """Return the quantities that have alternatives, by the name of the other law, and by DATA.
 
-    `frames`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
+    `frames`: one of each group of rows. Of several laws, the other one is that which holds between them.
     """
     others = {other_law(frame.law.name) for frame in frames}
     law = others.pop() if len(others) == 1 else BETWEEN
@@ -233,9 +233,9 @@ class Alternative(NamedTuple):
 
 
 def alternatives_of(frame: Frame, names_of: Mapping[str, Sequence[str]]) -> dict[str, dict[str, Alternative]]:
-    """Return by kind and quantity what may stand in place of results, with error bars if the frame is uncertain.
+    """Return what may stand in place of results, by law or DATA and by quantity, with error bars if the frame has some.
 
-    `names_of`: the quantities of each kind. A kind that a frame does not have is left out.
+    `names_of`: the quantities of each. A law, or data, that a frame does not have is left out.
     """
     law, every = other_law(frame.law.name), {}
     if moved := names_of.get(law):

@@ -41,12 +41,12 @@ from .reasons import (
     NOT_IN_LAW,
     RESTS_ON_SPACING,
     TWO_RIGID_BODIES,
+    Cause,
     Failure,
-    Kind,
     MissingInput,
     NotInLaw,
+    cause_and_step,
     failure_of,
-    kind_and_step,
     reason,
     reason_for,
 )
@@ -163,7 +163,7 @@ class Frame:
             self.sources |= dict.fromkeys(values.keys() - self.values.keys(), source)
             self.values = {**values, **self.values}
         self.known = frozenset(self.values)
-        self.kind = (self.known, material2 is not None, self.law.name)  # on which plans depend
+        self.plan_key = (self.known, material2 is not None, self.law.name)  # on which plans depend
         self.reasons: dict[str, Any] = {}  # why values are nan, of those results that have such cells
         self.steps: dict[str, Plan] = {}  # that made these results
         # Arrays that were computed, with their reasons, by a step and the identities of its arguments. These are kept
@@ -318,7 +318,7 @@ class Frame:
 
     def plan(self, name: str) -> Plan:
         """Return the plan of a quantity; one without a formula if the frame's inputs do not lead to it."""
-        return plan_for(name, *self.kind)
+        return plan_for(name, *self.plan_key)
 
     def plans(self, *names: str) -> list[Plan]:
         """Return the plans of quantities; raise MissingInput for the first to which the inputs do not lead."""
@@ -438,10 +438,10 @@ class Frame:
         """Return whether it does so here, row by row."""
         return self.may_rest_on_spacing(name) and self.column("transition_parameter").values < 1
 
-    def drop(self, name: str, kind: Kind) -> None:
+    def drop(self, name: str, cause: Cause) -> None:
         """Take a reason in place of the value of a quantity."""
         step = self.plan(name)
-        self.values[step.name], self.reasons[step.name], self.steps[step.name] = nan, reason(kind, name), step
+        self.values[step.name], self.reasons[step.name], self.steps[step.name] = nan, reason(cause, name), step
 
     def _take(self, step: Plan) -> None:
         """Compute a step; with arrays, only where it was not computed of the same arguments before."""
@@ -487,11 +487,11 @@ class Frame:
 
     def error(self, name: str, number: int, row: int = 0) -> JkrollError:
         """Return the reason why a quantity has no value in a row as an error, with the numbers of this row."""
-        kind, step = kind_and_step(number)
-        if kind in (None, MISSING, NOT_IN_LAW):
+        cause, step = cause_and_step(number)
+        if cause in (None, MISSING, NOT_IN_LAW):
             return self.missing_input(name)
-        if not kind.name:
-            return Failure(kind, step)
+        if not cause.name:
+            return Failure(cause, step)
         arguments = self.steps[step].arguments
         return failure_of(number, {parameter: at_row(self.values[each], row) for parameter, each in arguments.items()})
 

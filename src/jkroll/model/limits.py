@@ -14,7 +14,7 @@ from .alternatives import factor_of_data, factor_of_law, is_smooth, rolled_solid
 from .column import Column
 from .frame import Frame
 from .plan import taken_by
-from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, kind_and_step, reason, register
+from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, cause_and_step, reason, register
 
 # --- Limits -----------------------------------------------------------------------------------------------------------
 
@@ -319,11 +319,11 @@ def doubts(frame: Frame, columns: Mapping[str, Column], limits: Iterable[Limit] 
     for limit in concerned:
         values, reasons = column = numbers[limit.name]
         if column.is_empty:
-            kind, _ = kind_and_step(reasons)
-            if kind is MISSING:
+            cause, _ = cause_and_step(reasons)
+            if cause is MISSING:
                 every.append(Doubt(limit, nan, nan, frame.missing_input(limit.name)))
-            elif kind is RESTS_ON_SPACING:
-                every.append(Doubt(limit, nan, nan, Failure(kind, next(iter(limit.codes.values())))))
+            elif cause is RESTS_ON_SPACING:
+                every.append(Doubt(limit, nan, nan, Failure(cause, next(iter(limit.codes.values())))))
             continue
         judged = values if limit.factor is None else where(reasons == 0, limit.factor(frame, columns), nan)
         if limit.where is not None:
@@ -340,7 +340,7 @@ def touched(frame: Frame, names: Collection[str], limits: Iterable[Limit] = LIMI
 
 def concerns(limit: Limit, frame: Frame, names: Collection[str]) -> bool:
     """Return whether a limit touches the results of these names, and applies to them."""
-    if limit.touches.isdisjoint(taken_by(tuple(names), *frame.kind)):
+    if limit.touches.isdisjoint(taken_by(tuple(names), *frame.plan_key)):
         return False
     return limit.applies is None or limit.applies(frame, names)
 

@@ -66,9 +66,9 @@ def plan_for(wanted: str, known: frozenset[str], own_material2: bool, model: str
 
 
 @lru_cache(maxsize=KEPT)
-def taken_by(names: tuple[str, ...], *kind: Any) -> frozenset[str]:
-    """Return some quantities, and the parameters of all formulas that lead to them; `kind`: as for their plans."""
-    plans = [plan_for(name, *kind) for name in names]
+def taken_by(names: tuple[str, ...], *plan_key: Any) -> frozenset[str]:
+    """Return some quantities, and the parameters of all formulas that lead to them; `plan_key`: as for their plans."""
+    plans = [plan_for(name, *plan_key) for name in names]
     return frozenset(names).union(*(step.arguments for plan in plans for step in plan.steps.values()))
 
 

@@ -1,6 +1,6 @@
-"""Reasons why a quantity has no value: their kinds, and the errors and sentences that are made of them.
+"""Reasons why a quantity has no value: their causes, and the errors and sentences that are made of them.
 
-In columns a reason is a whole number, 0 for none, made of its kind and of the step of the calculation that has no
+In columns a reason is a whole number, 0 for none, made of its cause and of the step of the calculation that has no
 value. The numbers of its sentence are those of the row, read from the columns of this step.
 
 Below: for which arguments the physics gives a formula no result.
@@ -94,8 +94,8 @@ def _in_words(names: Iterable[str]) -> str:
     return listed(NOMENCLATURE[name].sentence for name in names)
 
 
-class Kind:
-    """The kind of a reason, with its words."""
+class Cause:
+    """A cause why quantities have no value, with its words."""
 
     def __init__(
         self,
@@ -111,63 +111,65 @@ class Kind:
         self.has_contact = name not in STATE_OR_LOAD  # without one, nothing of the frame is to be trusted
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and vars(other) == vars(self)  # a copy, in another process, is the same kind
+        return type(other) is type(self) and vars(other) == vars(self)  # a copy, in another process, is the same cause
 
     def __hash__(self) -> int:
         return hash(self.words)
 
 
-class EndOfMeaning(Kind):
-    """The kind of a reason why a number has no meaning; bare output and `jkroll.solve` give it."""
+class EndOfMeaning(Cause):
+    """A cause why numbers have no meaning; bare output and `jkroll.solve` give it."""
 
 
-MISSING = Kind("", "an input is missing, which the plan names", code="missing-input")
-NOT_IN_LAW = Kind("", "the law does not have the quantity, as its plan says", code="not-in-law")
-HIDDEN = Kind("", "a quantity of identical spheres, not asked for by name", code="hidden")
-BEYOND_PULL_OFF = Kind("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
-HELD_BY_MAUGIS = Kind(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load")
-BEYOND_FOLD = Kind(
+MISSING = Cause("", "an input is missing, which the plan names", code="missing-input")
+NOT_IN_LAW = Cause("", "the law does not have the quantity, as its plan says", code="not-in-law")
+HIDDEN = Cause("", "a quantity of identical spheres, not asked for by name", code="hidden")
+BEYOND_PULL_OFF = Cause("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
+HELD_BY_MAUGIS = Cause(
+    BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load"
+)
+BEYOND_FOLD = Cause(
     "beyond the fold",
     "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
     "approach_at_load",
 )
-TWO_RIGID_BODIES = Kind("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
-RESTS_ON_SPACING = Kind("needs atomic_spacing", "rests on z0; give --z0 4angstrom")
-OF_IDENTICAL_SPHERES = Kind(
+TWO_RIGID_BODIES = Cause("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
+RESTS_ON_SPACING = Cause("needs atomic_spacing", "rests on z0; give --z0 4angstrom")
+OF_IDENTICAL_SPHERES = Cause(
     "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"
 )
 OF_ANOTHER_PAIR = EndOfMeaning("sphere 2 differs", "it is of identical spheres alone")
-NOT_HELD = Kind(  # between pull-off and the fold, where spheres do not hold together by themselves
+NOT_HELD = Cause(  # between pull-off and the fold, where spheres do not hold together by themselves
     "held by grips alone", "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 )
-NOT_PRESSED = Kind("no load that presses", "needs a load that presses the spheres; give --load 5nN")
-NO_CHAIN = Kind("sphere 2 is a plane", "sphere 2 is a plane; a chain needs two spheres")
-RIGID = Kind("sphere 1 is rigid", "sphere 1 is rigid, and no wave runs around it")
-APART = Kind("no contact circle", "the spheres are bound without touching; there is no contact circle")
-TOO_MUCH_HYSTERESIS = Kind(
+NOT_PRESSED = Cause("no load that presses", "needs a load that presses the spheres; give --load 5nN")
+NO_CHAIN = Cause("sphere 2 is a plane", "sphere 2 is a plane; a chain needs two spheres")
+RIGID = Cause("sphere 1 is rigid", "sphere 1 is rigid, and no wave runs around it")
+APART = Cause("no contact circle", "the spheres are bound without touching; there is no contact circle")
+TOO_MUCH_HYSTERESIS = Cause(
     "hysteresis above work of adhesion",
     "{0} is above the work of adhesion, {1}, of which it is a part",
     "adhesion_hysteresis",
     gt,
 )
-STICKS_ALWAYS = Kind(
+STICKS_ALWAYS = Cause(
     "sticks at every speed",
     "T* = {0} is above {1}: they stick at every speed that this damping can mean",
     "viscosity_number",
     gt,
 )
-NO_POISSON_RATIO = Kind(
+NO_POISSON_RATIO = Cause(
     "Poisson's ratio not positive",
     "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign",
     code="poisson-ratio-not-positive",
 )
-NO_DOUBLE = Kind("no finite value", "no value that a double can hold")
-INFINITE = Kind("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
-NO_STIFFNESS = Kind("", "infinite where fixed grips let go", code="infinite-at-fold")
+NO_DOUBLE = Cause("no finite value", "no value that a double can hold")
+INFINITE = Cause("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
+NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-fold")
 
 
 # In the numbers of reasons, of which 0 is none.
-_KINDS = [
+_CAUSES = [
     None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
     RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
     STICKS_ALWAYS, NO_POISSON_RATIO, NO_DOUBLE, INFINITE, NO_STIFFNESS, OF_ANOTHER_PAIR,
@@ -175,58 +177,58 @@ _KINDS = [
 _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
 
-def register(kind: Kind) -> Kind:
-    """Return a kind, which has reasons from now on."""
-    _KINDS.append(kind)
-    return kind
+def register(cause: Cause) -> Cause:
+    """Return a cause, which has reasons from now on."""
+    _CAUSES.append(cause)
+    return cause
 
 
 @cache
-def reason(kind: Kind, step: str = "") -> int:
+def reason(cause: Cause, step: str = "") -> int:
     """Return the number of a reason; `step`: the quantity without a value, where its formula is the reason."""
-    return _KINDS.index(kind) * len(_STEPS) + _STEPS.index(step)
+    return _CAUSES.index(cause) * len(_STEPS) + _STEPS.index(step)
 
 
-def kind_and_step(number: int) -> tuple[Kind | None, str]:
-    """Return the kind of a reason, and its step."""
-    kind, step = divmod(number, len(_STEPS))
-    return _KINDS[kind], _STEPS[step]
+def cause_and_step(number: int) -> tuple[Cause | None, str]:
+    """Return the cause of a reason, and its step."""
+    cause, step = divmod(number, len(_STEPS))
+    return _CAUSES[cause], _STEPS[step]
 
 
 class Failure(NoResult):
-    """Error raised where a quantity has no value, for a reason of some kind."""
+    """Error raised where a quantity has no value, with the cause."""
 
-    def __init__(self, kind: Kind, name: str = "", numbers: Sequence[float] = ()) -> None:
-        """`name`: the quantity that has no value, unless its kind has one; `numbers`: a value and its limits."""
-        super().__init__(kind, name, tuple(numbers))
-        self.kind, self.name, self.numbers, self.phrase = kind, kind.name or name, tuple(numbers), kind.phrase
+    def __init__(self, cause: Cause, name: str = "", numbers: Sequence[float] = ()) -> None:
+        """`name`: the quantity that has no value, unless its cause has one; `numbers`: a value and its limits."""
+        super().__init__(cause, name, tuple(numbers))
+        self.cause, self.name, self.numbers, self.phrase = cause, cause.name or name, tuple(numbers), cause.phrase
 
     @property
     def code(self) -> str:
-        """The code of its kind."""
-        return self.kind.code
+        """The code of its cause."""
+        return self.cause.code
 
     def reason(self) -> str:
-        """Return the words of its kind, with its numbers: with more digits where a value and its limit look the same.
+        """Return the words of its cause, with its numbers: with more digits where a value and its limit look the same.
 
         A limit is one that may be typed: rounding does not put it beyond what a contact holds.
         """
         if not self.numbers:
-            return self.kind.words
+            return self.cause.words
         for digits in range(DIGITS, MAX_DIGITS + 1):
             value, *limits = (amount(self.name, number, Format(digits=digits)) for number in self.numbers)
             held = (parse_quantity(text, self.name) for text in limits)
             if value != limits[0] and all(map(ge, held, self.numbers[1:])):
                 break
-        return self.kind.words.format(value, *limits)
+        return self.cause.words.format(value, *limits)
 
 
 def number_of(error: JkrollError) -> int:
     """Return the number of the reason that an error gives."""
     if isinstance(error, MissingInput):
         return reason(NOT_IN_LAW if isinstance(error, NotInLaw) else MISSING)
-    kind, step = getattr(error, "kind", NO_DOUBLE), error.args[1] if isinstance(error, Failure) else ""
-    return reason(kind, step)
+    cause, step = getattr(error, "cause", NO_DOUBLE), error.args[1] if isinstance(error, Failure) else ""
+    return reason(cause, step)
 
 
 class NoErrorBar(NoResult):
@@ -275,13 +277,13 @@ def _pull_off_dmt(given: Given) -> Any:
     return -pull_off_force_dmt(work_of_adhesion=given["work_of_adhesion"], reduced_radius=given["reduced_radius"])
 
 
-Rule = tuple[Kind, Callable[[Given], Any]]
+Rule = tuple[Cause, Callable[[Given], Any]]
 
 # Between pull-off and the fold, by the stiffness or by the distance from pull-off.
 _NOT_HELD: Rule = (NOT_HELD, lambda given: (given.get("stiffness", 0) < 0) | (given.get("load_margin", 0) < 0))
 _PARTED: Rule = (BEYOND_FOLD, lambda given: approach_at_fold(approach=given["approach"]))
 
-# By formula, the kind of a reason, and the limit of the value that this kind names, or whether it is the reason.
+# By formula, the cause of a reason, and the limit of the value that this cause names, or whether it is the reason.
 RULES: Mapping[str, Rule] = {
     "load_margin": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force"]),
     "edge_ratio_at_load": (BEYOND_PULL_OFF, lambda given: -given["pull_off_force_maugis"]),
@@ -309,13 +311,13 @@ def reason_for(step: str, given: Given) -> Any:
     no_double = reason(NO_DOUBLE, step)
     if step not in RULES:
         return no_double
-    kind, rule = RULES[step]
-    applies = kind.is_beyond(given[kind.name], rule(given)) if kind.name else rule(given)
-    return where(applies, reason(kind, step), no_double)
+    cause, rule = RULES[step]
+    applies = cause.is_beyond(given[cause.name], rule(given)) if cause.name else rule(given)
+    return where(applies, reason(cause, step), no_double)
 
 
 def failure_of(number: int, given: Given) -> Failure:
     """Return a reason as an error, with its numbers by the arguments of its step."""
-    kind, step = kind_and_step(number)
-    assert kind is not None
-    return Failure(kind, step, (given[kind.name], RULES[step][1](given)) if kind.name else ())
+    cause, step = cause_and_step(number)
+    assert cause is not None
+    return Failure(cause, step, (given[cause.name], RULES[step][1](given)) if cause.name else ())

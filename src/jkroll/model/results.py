@@ -190,7 +190,7 @@ class Results:
 
 def is_end_of_meaning(error: JkrollError) -> bool:
     """Return whether an error is the reason of a result that has a number without a meaning."""
-    return isinstance(error, Failure) and isinstance(error.kind, EndOfMeaning)
+    return isinstance(error, Failure) and isinstance(error.cause, EndOfMeaning)
 
 
 def has_code(error: JkrollError) -> bool:

@@ -37,13 +37,13 @@ BLOCK = 5 << 10  # rows computed together as arrays: many for the calls of numpy
 AT_ONCE = 1 << 15  # rows times the places of their uncertain inputs, in one frame
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 _MOST = 1 << 62  # of a whole number that an array holds
-BAD = -1  # the kind of a row, or of a cell, of which arrays make no frame
-_EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
+BAD = -1  # the mark of a row, or of a cell, of which arrays make no frame
+_EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # marks of cells
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 _NO_DOUBTS: Counter[int] = Counter()
-_BY = "_by_"  # between a quantity and the kind of what may stand in its place, in a key
+_BY = "_by_"  # in a key, between a quantity and the law or DATA by which another value may stand in its place
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
 Gaps = tuple[int, int, str]  # rows with one status: their number, the first, counted from 1, and its reasons in full
 _NONE: Mapping[str, Any] = {}  # which can be pickled
@@ -59,7 +59,7 @@ class Wanted:
         inputs: Sequence[str] = (),  # that stand before them
         sides: Collection[str] | None = None,  # those of uncertainties that have columns; None: they are not wanted
         doubts: bool = True,  # whether limits are judged
-        # By kind, the name of a law or DATA, the quantities that have columns of what may stand in their place.
+        # By a law or DATA, the quantities that have columns of what may stand in their place.
         alternatives: Mapping[str, Sequence[str]] = _NONE,
         keeps_all: bool = False,  # whether numbers without a meaning stay
     ) -> None:
@@ -69,11 +69,11 @@ class Wanted:
     def with_alternatives(self, frames: Sequence[Frame], names: Collection[str]) -> "Wanted":
         """Return the same quantities, some of them with columns of what may stand in their place.
 
-        `frames`: of each kind of rows.
+        `frames`: of each group of rows.
         """
         names_of = names_with_alternatives(frames, [name for name in self.names if name in names])
         of_law, sides = next(iter(names_of.values())), {*(self.sides or ())}
-        with suppress(JkrollError):  # sources of two kinds give no error bars
+        with suppress(JkrollError):  # ± and ranges together give no error bars
             sides |= sides_in((frame.by_law, of_law) for frame in frames)
         return Wanted(self.names, self.named, self.inputs, sides, self.doubts, names_of, self.keeps_all)
 
@@ -94,7 +94,7 @@ class Wanted:
 
     def alternatives_of(self, name: str) -> dict[str, str]:
         """Return the keys of the columns of what may stand in place of a quantity: "pull_off_force_by_maugis"."""
-        return {kind: f"{name}{_BY}{kind}" for kind, names in self.alternatives.items() if name in names}
+        return {by: f"{name}{_BY}{by}" for by, names in self.alternatives.items() if name in names}
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
@@ -118,12 +118,12 @@ class Wanted:
     def alternatives_to(self, results: Results) -> dict[str, Alternative]:
         """Return what may stand in place of results that have a meaning, by the keys of columns."""
         shown = results.computed
-        names_of = {kind: [name for name in names if name in shown] for kind, names in self.alternatives.items()}
+        names_of = {by: [name for name in names if name in shown] for by, names in self.alternatives.items()}
         every = alternatives_of(results.frame, names_of) if self.alternatives else {}
         return {
-            f"{name}{_BY}{kind}": each.without(results.ended.get(name, False))
-            for kind, of_kind in every.items()
-            for name, each in of_kind.items()
+            f"{name}{_BY}{by}": each.without(results.ended.get(name, False))
+            for by, of_by in every.items()
+            for name, each in of_by.items()
         }
 
     def places(self, frame: Frame) -> int:
@@ -142,12 +142,12 @@ class Wanted:
         return BadRequest(f"{listed(results.sources.given)}: {problem}", "error bars left out")
 
 
-def sides_in(kinds: Iterable[tuple[Frame, Sequence[str]]]) -> set[str]:
-    """Return the sides of the uncertainties that enter quantities; `kinds`: frames with the quantities of each.
+def sides_in(groups: Iterable[tuple[Frame, Sequence[str]]]) -> set[str]:
+    """Return the sides of the uncertainties that enter quantities; `groups`: frames with the quantities of each.
 
     Raises a JkrollError for sources that do not go together.
     """
-    every = (sources_of_results(frame, names) for frame, names in kinds if frame.uncertainties)
+    every = (sources_of_results(frame, names) for frame, names in groups if frame.uncertainties)
     return {side for sources in every for side in sources.sides}
 
 
@@ -370,7 +370,7 @@ class Block(Protocol):
 
     size: int
     numbers: Mapping[str, Numbers]  # by input
-    kinds: Sequence[Any]  # arrays: rows with other whole numbers have other laws or solids, BAD are refused
+    marks: Sequence[Any]  # arrays: rows with other whole numbers have other laws or solids, BAD are refused
 
     def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the frame of rows that are alike. Raises a JkrollError if one of them makes no frame with others."""
@@ -412,24 +412,24 @@ class Group(NamedTuple):
     """Rows of a block that have the same inputs."""
 
     rows: Indices
-    columns: Mapping[str, tuple[Numbers, int]]  # of inputs, with the kind of their cells
+    columns: Mapping[str, tuple[Numbers, int]]  # of inputs, with the mark of their cells
 
     def given(self, rows: Indices) -> dict[str, Any]:
         """Return the inputs of some of the rows."""
-        return {name: _values(column, rows, kind) for name, (column, kind) in self.columns.items()}
+        return {name: _values(column, rows, mark) for name, (column, mark) in self.columns.items()}
 
 
 def groups(block: Block) -> Iterator[Group]:
     """Iterate over rows that have the same inputs, and the same of those from which more follows. BAD rows are left."""
     import numpy
 
-    kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
-    columns = [*kinds.values(), *block.kinds]
+    marks = {name: _marks(name, column) for name, column in block.numbers.items()}
+    columns = [*marks.values(), *block.marks]
     is_bad = reduce(or_, (of_column == BAD for of_column in columns), numpy.zeros(block.size, dtype=bool))
     for rows in alike(numpy.flatnonzero(~is_bad), columns):
         if len(rows):
-            of_cells = {name: int(of_column[rows[0]]) for name, of_column in kinds.items()}
-            yield Group(rows, {name: (block.numbers[name], kind) for name, kind in of_cells.items() if kind != _EMPTY})
+            of_cells = {name: int(of_column[rows[0]]) for name, of_column in marks.items()}
+            yield Group(rows, {name: (block.numbers[name], mark) for name, mark in of_cells.items() if mark != _EMPTY})
 
 
 def alike(rows: Indices, columns: Iterable[Any]) -> Iterator[Indices]:
@@ -456,30 +456,30 @@ def alike(rows: Indices, columns: Iterable[Any]) -> Iterator[Indices]:
         yield rows[keys == key]
 
 
-def _kinds(name: str, column: Numbers) -> Indices:
-    """Return the kind of each cell of a column."""
+def _marks(name: str, column: Numbers) -> Indices:
+    """Return the mark of each cell of a column."""
     import numpy
 
-    kinds = numpy.full(len(column.values), _PLAIN)
-    kinds[~takes(name, column.values)] = BAD
-    kinds[numpy.isnan(column.values)] = _EMPTY
+    marks = numpy.full(len(column.values), _PLAIN)
+    marks[~takes(name, column.values)] = BAD
+    marks[numpy.isnan(column.values)] = _EMPTY
     if name in FOLLOWS:
-        kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
-    kinds[[*column.odd]] = BAD
+        marks[column.values == FOLLOWS[name][0]] = _SPECIAL
+    marks[[*column.odd]] = BAD
     for row, value in column.uncertain.items():
-        if kinds[row] != BAD:
-            kinds[row] = _MEASURED if isinstance(value, Measured) else _INTERVAL
-    return kinds
+        if marks[row] != BAD:
+            marks[row] = _MEASURED if isinstance(value, Measured) else _INTERVAL
+    return marks
 
 
-def _values(column: Numbers, rows: Indices, kind: int) -> Any:
-    """Return the values of cells of one kind: a number where more follows from it, else an array."""
+def _values(column: Numbers, rows: Indices, mark: int) -> Any:
+    """Return the values of cells of one mark: a number where more follows from it, else an array."""
     import numpy
 
     values = column.values if len(rows) == len(column.values) else column.values[rows]
-    if kind == _SPECIAL:
+    if mark == _SPECIAL:
         return float(values[0])
-    if kind == _PLAIN:
+    if mark == _PLAIN:
         return values
     uncertain: list[Any] = [column.uncertain[row] for row in rows.tolist()]
     sides = {side: numpy.array([value.sides[side] for value in uncertain]) for side in uncertain[0].sides}
@@ -492,7 +492,7 @@ def _values(column: Numbers, rows: Indices, kind: int) -> Any:
 def lack(reasons: Reasons) -> JkrollError | None:
     """Return why a row has no contact, or is no frame; None if it has one at the middles of its inputs."""
     for name, error in reasons.items():
-        has_contact = not isinstance(error, Failure) or error.kind.has_contact
+        has_contact = not isinstance(error, Failure) or error.cause.has_contact
         if name == ROW or (not has_contact and name in NOMENCLATURE):
             return error
     return None

@@ -154,7 +154,7 @@ def solved(problem: Problem, start: Any = None) -> Solution:
     values, growths = (dict(zip(problem.unknowns, part, strict=True)) for part in (columns[:count], columns[count:]))
     reasons: Any = 0
     if problem.shape and (lacks := numpy.isnan([*values.values()]).any(axis=0)).any():
-        reasons = numpy.where(lacks, reason(NoSolution.kind), 0)
+        reasons = numpy.where(lacks, reason(NoSolution.cause), 0)
         for row, failure in failures.items():
             reasons.flat[row] = number_of(failure)
     return Solution(values, growths, condition, reasons, failures, places=places)

@@ -191,7 +191,7 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
             has_words = all(isinstance(number, float) and isfinite(number) for number in numbers.values())
             number = reason_for(formula.__name__, numbers) if has_words else 0
             error = failure_of(number, numbers) if number else Failure(NO_DOUBLE, formula.__name__)
-            raise OutsideDomain(error.kind, error.name, error.numbers) from None
+            raise OutsideDomain(error.cause, error.name, error.numbers) from None
         if reader.registry is not None:
             return reader.registry.Quantity(value, units_of(formula)["return"])
         return value

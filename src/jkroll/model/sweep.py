@@ -109,8 +109,8 @@ class Sweep:
     # --- What is wanted -----------------------------------------------------------------------------------------------
 
     @cached_property
-    def kinds(self) -> list[Frame]:
-        """A frame for each pair of materials, each law and each kind of values: all rows of a kind have one plan."""
+    def groups(self) -> list[Frame]:
+        """A frame for each pair of materials, each law and each mark of values: all rows of a group have one plan."""
         of_inputs = [_of_each_kind(name, spreads) for name, spreads in self.spreads.items()]
         rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
         return [self.frame(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
@@ -120,14 +120,14 @@ class Sweep:
 
         `keeps_all`: whether numbers without a meaning stay. Raises a Failure where no quantity concerns a row.
         """
-        shown = {*named, *chain.from_iterable(self.shown(frame, quantities, named) for frame in self.kinds)}
+        shown = {*named, *chain.from_iterable(self.shown(frame, quantities, named) for frame in self.groups)}
         if not shown:
             raise Failure(OF_IDENTICAL_SPHERES)
         names = [name for name in quantities if name in shown]
-        kinds = [(frame, self.shown(frame, names, named)) for frame in self.kinds]
-        inputs = {name for frame, of_kind in kinds for name in frame.echo(frame.inputs_used(of_kind))}
+        groups = [(frame, self.shown(frame, names, named)) for frame in self.groups]
+        inputs = {name for frame, of_group in groups for name in frame.echo(frame.inputs_used(of_group))}
         inputs_shown = in_order(inputs - shown)
-        return Wanted(names, named=named, inputs=inputs_shown, sides=sides_in(kinds), keeps_all=keeps_all)
+        return Wanted(names, named=named, inputs=inputs_shown, sides=sides_in(groups), keeps_all=keeps_all)
 
     def headline(self, quantities: Sequence[str], named: Collection[str], *, doubts: bool) -> Wanted:
         """Return the columns of quantities alone, with all numbers.
@@ -138,11 +138,11 @@ class Sweep:
         return Wanted(quantities, named=shown, doubts=doubts, keeps_all=True)
 
     def noted(self, wanted: Wanted) -> Iterable[tuple[Frame, Sequence[str]]]:
-        """Return a frame of each kind of rows, with the quantities that it shows."""
-        return [(frame.filled, frame.judged(self.shown(frame, wanted.names, wanted.named))) for frame in self.kinds]
+        """Return a frame of each group of rows, with the quantities that it shows."""
+        return [(frame.filled, frame.judged(self.shown(frame, wanted.names, wanted.named))) for frame in self.groups]
 
     def shown(self, frame: Frame, quantities: Sequence[str], named: Collection[str]) -> list[str]:
-        """Return those of some quantities that were asked for by name, or that concern some row of a kind."""
+        """Return those of some quantities that were asked for by name, or that concern some row of a group."""
         shows = frame.shows_to_identical if any(map(self._may_be_alike, self.spreads)) else frame.shows
         return [name for name in quantities if name in named or shows(name)]
 
@@ -185,8 +185,8 @@ def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
     special = FOLLOWS[name][0] if name in FOLLOWS else None
     values: dict[object, Any] = {}
     for spread in spreads:
-        kind = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
-        values.setdefault(kind, spread.uncertainty or spread.low)
+        mark = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
+        values.setdefault(mark, spread.uncertainty or spread.low)
     return [*values.values()]
 
 
@@ -208,7 +208,7 @@ class Lists:
         self.numbers: Mapping[str, Numbers] = {
             name: self._numbers(name, of_input) for name, of_input in of_inputs if name not in self.fixed
         }
-        self.kinds: Sequence[Any] = [pairs, laws]
+        self.marks: Sequence[Any] = [pairs, laws]
 
     def frame(self, given: Mapping[str, Any], rows: Indices) -> Any:
         """Return the frame of the inputs of rows that are alike."""

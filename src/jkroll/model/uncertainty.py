@@ -75,16 +75,16 @@ def sources_of(frame: Frame, used: Collection[str]) -> Sources:
     if len(symbols) > 1:
         mixed = f"{symbols[Measured]} has a standard uncertainty (±) and {symbols[Interval]} a range"
         raise BadRequest(f"{mixed}; give both as ± or both as ranges", "± and range together")
-    kind = Measured if any(isinstance(source.given, Measured) for source in stated or of_materials) else Interval
-    entering = [source for source in (*stated, *of_materials) if isinstance(source.given, kind)]
-    if kind is Interval and len(entering) > MAX_RANGES:
+    of_type = Measured if any(isinstance(source.given, Measured) for source in stated or of_materials) else Interval
+    entering = [source for source in (*stated, *of_materials) if isinstance(source.given, of_type)]
+    if of_type is Interval and len(entering) > MAX_RANGES:
         problem = f"{len(entering)} ranges are more than {MAX_RANGES}; give some of these inputs one value"
         raise BadRequest(problem, "too many ranges")
     names = {name for source in entering for name in source.names}
-    if kind is Interval and XI in names - frame.stated.keys() and not names.isdisjoint(("radius", "radius2")):
+    if of_type is Interval and XI in names - frame.stated.keys() and not names.isdisjoint(("radius", "radius2")):
         remedy = "give --xi, or single radii"
         raise BadRequest(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
-    return Sources(entering, [source for source in of_materials if not isinstance(source.given, kind)])
+    return Sources(entering, [source for source in of_materials if not isinstance(source.given, of_type)])
 
 
 def sources_of_results(frame: Frame, names: Sequence[str]) -> Sources:
@@ -196,18 +196,18 @@ def _at_places(
 
 def _error_bar(column: Column, moved: Column, sources: Sequence[Source], edges: int) -> ErrorBar | None:
     """Return the error bar of a column, from the column at all places on edges; None if there is none."""
-    kind, value, steps = type(sources[0].given), column.values, len(moved.values) // edges
+    of_type, value, steps = type(sources[0].given), column.values, len(moved.values) // edges
     on_edges = _divided(moved.values, steps)
     extents = _divided([(_least(values), _most(values)) for values in on_edges], edges // len(sources))
-    sides, parts = (_range if kind is Interval else _quadrature)(value, extents)
+    sides, parts = (_range if of_type is Interval else _quadrature)(value, extents)
     is_still = reduce(at_least, parts) <= ROUNDING * absolute(value)
     lacks_value = (column.reasons != 0) | (absolute(value) == INFINITY)
     place = where(lacks_value, 0, _first(moved.reasons))
     is_open = is_still | lacks_value | (place != 0)
     if is_open is True:
-        return ErrorBar(kind, {}, place=place) if place else None
+        return ErrorBar(of_type, {}, place=place) if place else None
     of_sources = dict(zip((source.names[0] for source in sources), parts, strict=True))
-    return ErrorBar(kind, {side: where(is_open, nan, end) for side, end in sides.items()}, of_sources, place)
+    return ErrorBar(of_type, {side: where(is_open, nan, end) for side, end in sides.items()}, of_sources, place)
 
 
 def _least(values: Any) -> Any:

@@ -7,7 +7,7 @@ from ..errors import BadRequest, NoResult
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import listed, quoted
-from .reasons import MAX_DIGITS, Kind, register
+from .reasons import MAX_DIGITS, Cause, register
 
 if TYPE_CHECKING:
     from .search import Problem
@@ -33,11 +33,11 @@ SIZES = {
 class Unsolved(NoResult):
     """Error raised where no one value of the unknowns gives the measured values. The kinds of it say why."""
 
-    kind: Kind  # of the reason, whose words are those of the error
+    cause: Cause  # of the reason, whose words are those of the error
 
     def __init_subclass__(cls) -> None:
         """Let each kind of error have reasons in columns."""
-        cls.kind = register(Kind(cls.phrase, cls.phrase))
+        cls.cause = register(Cause(cls.phrase, cls.phrase))
 
     def __init__(self, problem: "Problem", text: str, span: Sequence[float] = ()) -> None:
         """`span`: of the measured quantity, or of the unknown."""

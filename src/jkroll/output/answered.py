@@ -37,7 +37,7 @@ def write_plain(answer: Answer, out: TextIO, form: Format, *, alternatives: bool
         say(f"model {answer.inputs['model']}", out)
     for result in answer.results:
         measures = {result.name: result.measure}
-        measures |= {f"{result.name}_by_{kind}": values.get(result.name) for kind, values in others.items()}
+        measures |= {f"{result.name}_by_{by}": values.get(result.name) for by, values in others.items()}
         write_measure(result.name, measures, out, form)
 
 

@@ -21,29 +21,29 @@ from .writers import Cell, write_records
 _EXACT = Format(digits=DIGITS)  # of values in a table
 
 
-def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, named: bool) -> None:
+def write_materials(chosen: Sequence[Material], out: TextIO, output: str, *, named: bool) -> None:
     """Write materials in a format, a single one that was `named` in full, and several with all their values."""
     is_one = named and len(chosen) == 1
-    if kind == "cite":
+    if output == "cite":
         entries = {entry["key"]: entry for material in chosen for entry in material.references}
         for entry in entries.values():
             say(bibtex(entry), out)
-    elif kind == "json":
+    elif output == "json":
         objects = [material_as_object(material) for material in chosen]
         say(json_text(objects[0] if is_one else objects, out), out)
-    elif is_one and kind == "table":
+    elif is_one and output == "table":
         _write_material(chosen[0], out)
-    elif is_one and kind == "plain":
+    elif is_one and output == "plain":
         _write_lines(chosen[0], out)
-    elif named and kind == "table":
+    elif named and output == "table":
         _write_values(chosen, out)
-    elif kind == "table":
+    elif output == "table":
         _write_list(chosen, out)
     else:
-        _write_rows(chosen, out, kind)
+        _write_rows(chosen, out, output)
 
 
-def _write_rows(chosen: Sequence[Material], out: TextIO, kind: str) -> None:
+def _write_rows(chosen: Sequence[Material], out: TextIO, output: str) -> None:
     """Write a row for each material, with the columns of uncertainties that any of them has."""
     bars = [bar for material in chosen for bar in material.uncertainties.values()]
     columns = Wanted(PROPERTIES, sides={side for bar in bars for side in bar.sides})
@@ -52,7 +52,7 @@ def _write_rows(chosen: Sequence[Material], out: TextIO, kind: str) -> None:
         numbers = numbers_of(material.measures)
         cells: list[Cell] = [in_words(key, numbers[key]) if key in numbers else None for key in columns.keys]
         rows.append([material.name, *cells, material.state or None, _keys(material) or None, material.title])
-    write_records(["material", *columns.heads(header), "state", "references", "source"], rows, kind, out)
+    write_records(["material", *columns.heads(header), "state", "references", "source"], rows, output, out)
 
 
 def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
@@ -163,21 +163,21 @@ _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint",
 _HEADS = ("name", "symbol", "unit", "option", "commands", "equation", "meaning")
 
 
-def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
+def write_quantities(names: Sequence[str], out: TextIO, output: str) -> None:
     """Write a list of quantities in a format, or a single one in full."""
-    if kind == "json":
+    if output == "json":
         objects = [quantity_as_object(name) for name in names]
         say(json_text(objects[0] if len(names) == 1 else objects, out), out)
-    elif kind in ("table", "plain") and len(names) == 1:
+    elif output in ("table", "plain") and len(names) == 1:
         _write_quantity(names[0], out)
-    elif kind == "table":
+    elif output == "table":
         for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names}).items():
             heads = (title, "symbol [unit]", "meaning")
             write_texts(heads, map(_quantity_table_row, members), out)
             say("", out)
     else:
         objects = [{**quantity_as_object(name), "commands": " ".join(commands_of(name))} for name in names]
-        write_records(_HEADS, [[each[head] for head in _HEADS] for each in objects], kind, out)
+        write_records(_HEADS, [[each[head] for head in _HEADS] for each in objects], output, out)
 
 
 def quantity_as_object(name: str) -> dict[str, Any]:

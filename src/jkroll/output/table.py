@@ -95,7 +95,7 @@ def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
     """Write the inputs of one frame, and its results below each other, beside what may stand in their place."""
     _write_inputs("", answer.measures, answer.assumed, out, form)
     law, data = head_of(answer.frame.law.name), "by 1 µm data" if rolled_solid(answer.frame) == SIO2 else "by 5 µm data"
-    others = {data if kind == DATA else head_of(kind): values for kind, values in answer.alternatives.items()}
+    others = {data if by == DATA else head_of(by): values for by, values in answer.alternatives.items()}
     if (limit := "pull_off_force_dmt") in answer.question.without_row and limit in answer.values:
         others[head_of("dmt")] = {"pull_off_force": answer.result(limit).measure}
     rows = [["quantity", "symbol", "unit", law, *others]]
@@ -130,10 +130,10 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     A pair is a column where only that fits the terminal.
     """
     inputs = {name: [in_words(name, value) for value in as_list(each)] for name, each in columns.inputs.items()}
-    kinds = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
-    common = {name: next(iter(values)) for name, values in kinds.items() if len(values) == 1}
+    distinct = {name: {*values} - {None} for name, values in inputs.items()}  # None: does not enter a row
+    common = {name: next(iter(values)) for name, values in distinct.items() if len(values) == 1}
     several = [name for name in inputs if name not in common]
-    number = len(columns) // max(len(kinds.get("model", ())), 1)
+    number = len(columns) // max(len(distinct.get("model", ())), 1)
     count = f"{number} {'states' if 'state' in inputs else 'pairs'}" if number > 1 else ""
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
@@ -160,16 +160,16 @@ def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
     law_matters = any(bits & LAW.bits for bits in columns.counted_doubts)
     symbol = symbol_among(name, columns.inputs)
     values = {symbol: _measures(columns, name)}
-    for kind, key in columns.wanted.alternatives_of(name).items():
+    for by, key in columns.wanted.alternatives_of(name).items():
         others = _measures(columns, key)
-        if kind == DATA and any(value is not None for value in others):
+        if by == DATA and any(value is not None for value in others):
             has_value = [value is not None for value in values[symbol]]
             values[f"{symbol} by data"] = [
                 "no data" if value is None and is_here else value
                 for value, is_here in zip(others, has_value, strict=True)
             ]
-        elif kind == DEFAULT_LAW or (kind in LAWS and law_matters):
-            values[f"{symbol} by {head_of(kind)}"] = others
+        elif by == DEFAULT_LAW or (by in LAWS and law_matters):
+            values[f"{symbol} by {head_of(by)}"] = others
     return values
 
 

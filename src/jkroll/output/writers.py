@@ -239,22 +239,22 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
 Cell = str | float | None
 
 
-def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind: str, out: TextIO) -> None:
+def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], output: str, out: TextIO) -> None:
     """Write records in a format: "table", "plain", "csv" or "json".
 
     A cell without a value is None. It is written as "—", "-", an empty cell or null.
     """
-    if kind == "json":
+    if output == "json":
         say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
-    elif kind == "table":
+    elif output == "table":
         write_texts(heads, [[*map(_text, record)] for record in records], out)
     else:
-        write_columns(heads, [list(column) for column in zip(*records, strict=True)], kind, out)
+        write_columns(heads, [list(column) for column in zip(*records, strict=True)], output, out)
 
 
-def write_columns(heads: Sequence[str], columns: Sequence[Any], kind: str, out: TextIO) -> None:
+def write_columns(heads: Sequence[str], columns: Sequence[Any], output: str, out: TextIO) -> None:
     """Write columns as text in a format whose rows are lines."""
-    writer = WRITERS[kind]
+    writer = WRITERS[output]
     text = writer.header(heads) + (writer.rows(heads, columns) if columns else b"")
     out.write(text.decode())
 

@@ -174,12 +174,12 @@ def curves_of_contact(
     """
     is_one = len(frames) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
-    missing = [error for kind in asked for error in kind.missing(frames)]
-    drawn = [kind for kind in asked if not kind.missing(frames)]
+    missing = [error for panel in asked for error in panel.missing(frames)]
+    drawn = [panel for panel in asked if not panel.missing(frames)]
     if not drawn:
         raise missing[0]
-    panels = tuple(kind.draw(frames, loads) for kind in drawn)
-    names = [name for kind in drawn for name in (*kind.needed, *(kind.further if is_one else ()))]
+    panels = tuple(panel.draw(frames, loads) for panel in drawn)
+    names = [name for panel in drawn for name in (*panel.needed, *(panel.further if is_one else ()))]
     varied = ("load",) if is_one else ("load", "yield_displacement")
     fixed: dict[str, None] = {}
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)

@@ -57,7 +57,7 @@ _UNDATED: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationD
 _GAP = 0.04  # around the parts of a page, in inches
 
 
-def draw(drawn: Picture, kind: str, inches: float | None, style: str, *, has_caption: bool = True) -> bytes:
+def draw(drawn: Picture, file_format: str, inches: float | None, style: str, *, has_caption: bool = True) -> bytes:
     """Return a picture as the content of an SVG, PDF or PNG file of a width in inches, or of the default width."""
     names = [curve.text for panel in drawn.panels for curve in panel.curves]
     names += [mark.text for panel in drawn.panels for mark in panel.marks]
@@ -67,7 +67,7 @@ def draw(drawn: Picture, kind: str, inches: float | None, style: str, *, has_cap
         buffer = BytesIO()
         box = figure.get_tightbbox().padded(_GAP)
         page = Bbox.from_extents(0, box.y0, figure.get_figwidth(), box.y1)
-        figure.savefig(buffer, format=kind, dpi=300, metadata=_UNDATED[kind], bbox_inches=page)
+        figure.savefig(buffer, format=file_format, dpi=300, metadata=_UNDATED[file_format], bbox_inches=page)
     return buffer.getvalue()
 
 

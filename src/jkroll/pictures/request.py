@@ -13,7 +13,7 @@ from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
 from ..model.frame import Frame
 from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
-from ..model.reasons import RESTS_ON_SPACING, Failure, Kind, MissingInput, reason_of
+from ..model.reasons import RESTS_ON_SPACING, Cause, Failure, MissingInput, reason_of
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, computed_as
@@ -197,7 +197,7 @@ class Layer:
         if not self.known.any():
             errors = self.frame.errors(self.frame.columns([quantity]))
             reason = "".join(f": {reason_of(quantity, error)}" for error in errors.values())
-            raise Failure(Kind("", f"no value anywhere on these axes{reason}"), quantity)
+            raise Failure(Cause("", f"no value anywhere on these axes{reason}"), quantity)
 
     def regions(self) -> Iterator[Region]:
         """Iterate over the thresholds that values pass: of a law the last, then the first unless all pass the last."""

@@ -63,10 +63,10 @@ def _expectation(name: str) -> str:
     ('a length such as 1um, or plane', 'a value in N/m')
     """
     quantity = NOMENCLATURE[name]
-    kind = "a number" if quantity.unit == "1" else f"a value in {quantity.unit}"
+    expected = "a number" if quantity.unit == "1" else f"a value in {quantity.unit}"
     if quantity.example:
-        kind = f"{kind_of(dimension_of(quantity.unit))} such as {quantity.example}"
-    return kind + (f", or {quantity.infinity}" if quantity.infinity else "")
+        expected = f"{kind_of(dimension_of(quantity.unit))} such as {quantity.example}"
+    return expected + (f", or {quantity.infinity}" if quantity.infinity else "")
 
 
 # --- Values with an uncertainty ---------------------------------------------------------------------------------------

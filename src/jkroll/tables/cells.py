@@ -288,13 +288,13 @@ class Lookup:
                 remarks.append(f"material {quoted(text)} is {solid.name}")
         return remarks
 
-    def kinds(self, indices: Indices) -> Indices:
+    def marks(self, indices: Indices) -> Indices:
         """Return a number for each row, which is the same for materials that can be one frame's."""
-        kinds = [*map(_kind, self.known)]
-        return numpy.array([*map(kinds.index, kinds)])[indices]
+        marks = [*map(_mark, self.known)]
+        return numpy.array([*map(marks.index, marks)])[indices]
 
     def together(self, indices: Indices) -> Material | None:
-        """Return the materials of rows of one kind as one material, whose properties are arrays.
+        """Return the materials of rows of one mark as one material, whose properties are arrays.
 
         If they are all the same, it is returned as it is.
         """
@@ -309,8 +309,8 @@ class Lookup:
         return LABEL._replace(properties=properties)
 
 
-def _kind(material: Material | None) -> Hashable:
-    """Return the names of the properties of a material; a special one is a kind by itself."""
+def _mark(material: Material | None) -> Hashable:
+    """Return the names of the properties of a material; a special one has a mark of its own."""
     if material is None:
         return None
     return material.key if _is_special(material) else frozenset(material.properties)

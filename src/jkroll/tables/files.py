@@ -53,7 +53,7 @@ from .ndjson import Ndjson
 from .table import Asked, Records, Table
 
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
-KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
+FORMATS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 SEPARATORS = {"csv": ",", "tsv": "\t"}  # unless --delimiter says others
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
 CHUNK = 1 << 21  # bytes read at a time: twice as much memory stays with a process from block to block
@@ -76,7 +76,7 @@ _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 class FileFormat(NamedTuple):
     """A format with its separator, if it has one, and its compression."""
 
-    kind: str
+    name: str
     compression: str = ""
     separator: str = ""
 
@@ -85,14 +85,14 @@ def format_of_name(path: str) -> FileFormat | None:
     """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for x.parquet.gz.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
-    (FileFormat(kind='csv', compression='gzip', separator=','), None)
+    (FileFormat(name='csv', compression='gzip', separator=','), None)
     """
     name, _, end = os.path.basename(path).casefold().rpartition(".")
     compression = COMPRESSIONS.get(end, "")
-    kind = KINDS.get(name.rpartition(".")[2] if compression else end, "")
-    if kind == "parquet" and compression:
+    known = FORMATS.get(name.rpartition(".")[2] if compression else end, "")
+    if known == "parquet" and compression:
         raise BadTable(f"{quoted(path)}: Parquet is compressed in itself; leave out .{end}")
-    return FileFormat(kind, compression, SEPARATORS.get(kind, "")) if kind else None
+    return FileFormat(known, compression, SEPARATORS.get(known, "")) if known else None
 
 
 def input_format(path: str, target: str, stated: str = "", delimiter: str = "") -> FileFormat:
@@ -124,8 +124,8 @@ def _begins_as_dump(path: str) -> bool:
     return False
 
 
-def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
-    """Return the format of the output: that of its name, else `kind` without compression, with a note.
+def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
+    """Return the format of the output: that of its name, else the `usual` one without compression, with a note.
 
     Raises BadRequest for a format that is another program's.
     """
@@ -133,10 +133,10 @@ def output_format(target: str, kind: str, *, quiet: bool) -> FileFormat:
         return form
     name, end = os.path.splitext(target)
     if ending(target) in NOT_WRITTEN:
-        raise BadRequest(f"-o: a table is not written as {ending(target)}; name the file {quoted(f'{name}.{kind}')}")
+        raise BadRequest(f"-o: a table is not written as {ending(target)}; name the file {quoted(f'{name}.{usual}')}")
     if end and not quiet:
-        say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
-    return FileFormat(kind)
+        say(f"note: {quoted(target)} is written as {usual}: its name says no format", sys.stderr)
+    return FileFormat(usual)
 
 
 # --- Compression ------------------------------------------------------------------------------------------------------
@@ -222,7 +222,7 @@ def table_of_lines(
     `excel_safe`: see Delimited.
     """
     is_of_blanks = form.separator == " "
-    lines = Ndjson() if form.kind == "ndjson" else Delimited(form.separator, excel_safe=excel_safe)
+    lines = Ndjson() if form.name == "ndjson" else Delimited(form.separator, excel_safe=excel_safe)
     every = blocks(given.pieces(form.compression), lines.cut)
     first = next(every, b"")
     mark = BOM if first.startswith(BOM) else b""

@@ -248,7 +248,7 @@ class _Cell(NamedTuple):
     """A header and the cell below it, which may be of a row of units."""
 
     name: str  # with the unit
-    kind: str
+    role: str
     meaning: str = ""  # of a stated column whose unit the cell has
 
 
@@ -265,11 +265,11 @@ def with_units(names: Sequence[str], row: Row, stated: Mapping[str, str], measur
     if len(below) != len(names) or any(map(_is_number, below)):  # as most tables have it
         return None
     cells = [_below(name, text, stated, measured) for name, text in zip(names, below, strict=True)]
-    kinds = {cell.kind for cell in cells}
-    if _NO_ROW_OF_UNITS in kinds or kinds.isdisjoint((_A_UNIT, _ANOTHER_UNIT)):
+    roles = {cell.role for cell in cells}
+    if _NO_ROW_OF_UNITS in roles or roles.isdisjoint((_A_UNIT, _ANOTHER_UNIT)):
         return None
     for name, text, cell in zip(names, below, cells, strict=True):
-        if cell.kind == _ANOTHER_UNIT:
+        if cell.role == _ANOTHER_UNIT:
             problem = f"{quoted(name)} stands above {quoted(text.strip())} in the row of units, line {row.number}"
             raise BadTable(f"header: {problem}: make the two agree, or delete the row")
     meanings = {typed(cell.name): cell.meaning for cell in cells if cell.meaning}
@@ -287,18 +287,18 @@ def _below(name: str, text: str, stated: Mapping[str, str], measured: str) -> _C
     is_stated, meaning = typed(name) in stated, stated.get(typed(name), name)
     own, with_unit = reading_of(meaning, measured), reading_of(f"{meaning} [{unit}]", measured)
     if unit == "1" and not with_unit.unit_text:
-        kind = _NO_ROW_OF_UNITS
+        role = _NO_ROW_OF_UNITS
     elif own.unit_text:
         is_same = _is_unit(unit, own)
-        kinds = {True: _A_UNIT, False: _ANOTHER_UNIT, None: _NO_ROW_OF_UNITS}
-        kind = kinds[is_same] if not is_stated else _NEITHER if is_same is None else _A_UNIT
+        roles = {True: _A_UNIT, False: _ANOTHER_UNIT, None: _NO_ROW_OF_UNITS}
+        role = roles[is_same] if not is_stated else _NEITHER if is_same is None else _A_UNIT
     elif meaning.strip() and with_unit.unit_text:
         return _Cell(name, _A_UNIT, f"{meaning} [{unit}]") if is_stated else _Cell(whole, _A_UNIT)
     else:
-        kind = _NO_ROW_OF_UNITS if _is_read(own) else _NEITHER
-        is_of_other = kind == _NEITHER and name.strip() and is_in_table(unit) and not re.search(r"[\[(]", name)
+        role = _NO_ROW_OF_UNITS if _is_read(own) else _NEITHER
+        is_of_other = role == _NEITHER and name.strip() and is_in_table(unit) and not re.search(r"[\[(]", name)
         name = whole if is_of_other and not is_stated else name
-    return _Cell(name, kind)
+    return _Cell(name, role)
 
 
 def _is_number(cell: str) -> bool:

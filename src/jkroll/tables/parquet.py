@@ -129,11 +129,11 @@ class Arrow:
         return Records(batch, cells, {}, range(batch.num_rows), batch.num_rows)
 
 
-def _has_texts(kind: Any) -> bool:
+def _has_texts(type_: Any) -> bool:
     """Return whether the values of a type are texts."""
     types = pyarrow.types
-    kind = kind.value_type if types.is_dictionary(kind) else kind
-    return bool(types.is_string(kind) or types.is_large_string(kind) or types.is_string_view(kind))
+    type_ = type_.value_type if types.is_dictionary(type_) else type_
+    return bool(types.is_string(type_) or types.is_large_string(type_) or types.is_string_view(type_))
 
 
 def _values(column: Any) -> Any:

@@ -174,15 +174,15 @@ def convert_one(path: str, job: Job) -> Tally:
     """Convert a table; return the counts of all of it."""
     asked = job.asked
     given = input_format(path, job.target, job.format, job.delimiter)
-    wanted = output_format(job.target, given.kind, quiet=job.quiet)
-    if wanted.kind != given.kind:
-        name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.kind}")
+    wanted = output_format(job.target, given.name, quiet=job.quiet)
+    if wanted.name != given.name:
+        name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.name}")
         raise BadTable(f"-o: the output has the format of the input; write {name}, and convert it with another program")
     file = Input(path)
     with file.file:
         file.check_output(job.target)
         form: Any
-        if given.kind == "parquet":
+        if given.name == "parquet":
             with missing_extra("parquet"):
                 from .parquet import batches_of
             form, blocks = batches_of(file, job.target, asked)
@@ -393,12 +393,12 @@ def write_file(
 ) -> None:
     """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""
     form = output_format(target, "csv", quiet=quiet)
-    if form.kind == "parquet":
+    if form.name == "parquet":
         with missing_extra("parquet"):
             from .parquet import Batches
         writer: Any = Batches()
     else:
-        writer = WRITERS[form.kind]
+        writer = WRITERS[form.name]
     texts = (compressed(text, form.compression) for text in written(writer, wanted, blocks, units, doubt=doubt))
     with whole_file(target) as stream, writer.sink(stream, next(texts)) as write:
         for text in texts:

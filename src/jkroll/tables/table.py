@@ -138,12 +138,12 @@ class Table:
             of_labels |= {column.name: LABEL} if texts and texts <= self.lookups[column.name].errors.keys() else {}
             solids[column.name] = some
 
-        def kinds(solids: Mapping[str, Material | None]) -> list[Frame]:
+        def frames_of(solids: Mapping[str, Material | None]) -> list[Frame]:
             return [self.frame(dict.fromkeys(case, _NO_ROWS), solids) for case in cases]
 
-        frames = kinds(solids | of_labels)
+        frames = frames_of(solids | of_labels)
         if of_labels and (self.asked.infer or frames[0].missing(["work_of_adhesion"])):
-            return kinds(solids)  # their rows will say that they are unknown
+            return frames_of(solids)  # their rows will say that they are unknown
         return frames
 
     def _names(self, frames: Sequence[Frame]) -> tuple[Sequence[str], Sequence[str]]:
@@ -178,7 +178,7 @@ class Table:
         return names, [*explicit, *of_cells]
 
     def _sources(self, block: "TableBlock") -> list[Sources]:
-        """Return the sources of uncertainty of the quantities in each kind of rows."""
+        """Return the sources of uncertainty of the quantities in each group of rows."""
         sources = []
         for group in groups(block):
             with suppress(JkrollError):  # bad rows, which their status will explain
@@ -240,9 +240,9 @@ class TableBlock:
             for row in rows_of_statistics(self.cells[label], alone=bool(table.asked.infer))
         }
         are_rows[[*self.odd, *self.statistics]] = BAD
-        kinds = [table.lookups[name].kinds(indices) for name, indices in self.indices.items()]
+        marks = [table.lookups[name].marks(indices) for name, indices in self.indices.items()]
         self.size = len(are_rows)
-        self.kinds: Sequence[Any] = [are_rows, *kinds]
+        self.marks: Sequence[Any] = [are_rows, *marks]
 
     @property
     def half_bars(self) -> dict[int, JkrollError]:
