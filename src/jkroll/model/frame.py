@@ -42,6 +42,7 @@ from .reasons import (
     RESTS_ON_SPACING,
     TWO_RIGID_BODIES,
     Cause,
+    EndOfMeaning,
     Failure,
     MissingInput,
     NotInLaw,
@@ -412,7 +413,7 @@ class Frame:
                 if step.name not in self.values:
                     self._take(step)
         column = Column(self.values[plan.name], self.reasons.get(plan.name, 0))
-        if column.is_empty:
+        if column.is_empty or not self.law.by_spacing:
             return column
         return column.without(self.rests_on_spacing(name), reason(RESTS_ON_SPACING, name))
 
@@ -491,7 +492,7 @@ class Frame:
         if cause in (None, MISSING, NOT_IN_LAW):
             return self.missing_input(name)
         if not cause.name:
-            return Failure(cause, step)
+            return Failure(cause, name if isinstance(cause, EndOfMeaning) else step)
         arguments = self.steps[step].arguments
         return failure_of(number, {parameter: at_row(self.values[each], row) for parameter, each in arguments.items()})
 

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
+from math import nan
 from typing import Any
 
 from ..errors import JkrollError
 from ..physics.elementary import where
 from ..quantities.nomenclature import NOMENCLATURE
-from .column import Column, at_row
+from .column import Column, at_row, first_of
 from .frame import Frame
 from .limits import (
     BITS,
@@ -42,6 +43,7 @@ class Results:
         """
         self.described, self.computed, self.keeps_all = described, computed, keeps_all
         self.frame = described.found
+        self._ends: dict[tuple[int, ...], Any] = {}  # reasons, by the limits that end a meaning
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 
@@ -53,10 +55,8 @@ class Results:
     @cached_property
     def meant(self) -> Mapping[str, Column]:
         """The columns without values that have no meaning."""
-        return {
-            name: self.without_meaning(name, column, self.described.judged([name]))
-            for name, column in self.computed.items()
-        }
+        judged = self.described.judged
+        return {name: self.without_meaning(column, judged([name])) for name, column in self.computed.items()}
 
     @cached_property
     def judged(self) -> Mapping[str, Column]:
@@ -68,21 +68,34 @@ class Results:
     def judged_meant(self) -> Mapping[str, Column]:
         """The same without values that have no meaning."""
         return {
-            name: self.meant[name] if name in self.meant else self.without_meaning(name, column, [name])
+            name: self.meant[name] if name in self.meant else self.without_meaning(column, [name])
             for name, column in self.judged.items()
         }
 
-    def without_meaning(self, name: str, column: Column, touching: Iterable[str]) -> Column:
+    def without_meaning(self, column: Column, touching: Iterable[str]) -> Column:
         """Return a column with a reason in rows where a limit ends the meaning of some quantities."""
+        reasons: Any = 0
         for touched in () if column.is_empty else touching:
-            for doubt in () if touched in NUMBERS_OF_LIMITS else self.ending:
-                if concerns(doubt.limit, self.frame, [touched]):
-                    for code in doubt.limit.codes.values():
-                        column = column.without((doubt.bits & BITS[code]) != 0, reason(ENDS[code], name))
+            reasons = first_of(reasons, self._ends_of(touched))
             if NOMENCLATURE[touched].of_identical:
-                is_unlike = where(self.frame.is_identical, False, True)
-                column = column.without(is_unlike, reason(OF_ANOTHER_PAIR, name))
-        return column
+                is_of_another = where(self.frame.is_identical, 0, reason(OF_ANOTHER_PAIR))
+                reasons = first_of(reasons, is_of_another)
+        if isinstance(reasons, int) and not reasons:
+            return column
+        return Column(where(reasons == 0, column.values, nan), first_of(column.reasons, reasons))
+
+    def _ends_of(self, name: str) -> Any:
+        """Return the reasons of rows in which a limit ends the meaning of a quantity, once for the same limits."""
+        ending = () if name in NUMBERS_OF_LIMITS else self.ending
+        concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
+        if concerned not in self._ends:
+            reasons: Any = 0
+            for index in concerned:
+                for code in ending[index].limit.codes.values():
+                    ends = where((ending[index].bits & BITS[code]) != 0, reason(ENDS[code]), 0)
+                    reasons = first_of(reasons, ends)
+            self._ends[concerned] = reasons if isinstance(reasons, int) or reasons.any() else 0
+        return self._ends[concerned]
 
     @cached_property
     def values(self) -> dict[str, Any]:
