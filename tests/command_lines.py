@@ -1,9 +1,11 @@
 """Random command lines, plausible, mistyped and hostile, drawn from the declarations of the commands."""
 
 from random import Random
+from typing import Any
 
 from jkroll.answers.questions import QUESTIONS
-from jkroll.cli.commands import COMMANDS, Option
+from jkroll.cli.commands import COMMANDS
+from jkroll.cli.options import Option
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.units import PLAIN, PREFIXABLE, PREFIXES
 
@@ -132,7 +134,7 @@ def _words(source: Random, name: str) -> list[str]:
     return words.get(name, scene)
 
 
-def _option(source: Random, command: str, option: Option) -> list[str]:
+def _option(source: Random, command: str, option: Option[Any]) -> list[str]:
     if not option.metavar:
         return [option.flag]
     if option.name in NOMENCLATURE:

@@ -12,13 +12,12 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.cli.call import OPTIONS, Call
-from jkroll.cli.commands import COMMANDS, OUTPUT, Option, flags_of
+from jkroll.cli.call import Call
+from jkroll.cli.commands import COMMANDS, OUTPUT, flags_of
+from jkroll.cli.options import EVERY, Option
 from jkroll.cli.process import HINTS, SYNONYMS, read
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.tables.run import Job
-from jkroll.tables.table import Asked
 
 # Lines that ask for the same.
 ALIKE = [
@@ -126,7 +125,7 @@ def test_a_number_that_needs_no_unit_takes_no_word(line: str) -> None:
     assert all(" " not in text for text in (*call.words, *call.inputs.values()))
 
 
-def options_with_values() -> list[tuple[str, Option]]:
+def options_with_values() -> list[tuple[str, Option[Any]]]:
     """Return every option that takes a text, with its command."""
     return [
         (name, option) for name in COMMANDS for option in COMMANDS[name].options() if option.metavar and not option.most
@@ -134,7 +133,7 @@ def options_with_values() -> list[tuple[str, Option]]:
 
 
 @given(st.sampled_from(options_with_values()), st.text(max_size=8))
-def test_a_value_may_be_joined_or_not(taken: tuple[str, Option], text: str) -> None:
+def test_a_value_may_be_joined_or_not(taken: tuple[str, Option[Any]], text: str) -> None:
     command, option = taken
     joined = meaning([command, f"{option.flag}={text}"])
     if not text.startswith("-"):
@@ -163,8 +162,7 @@ def test_a_synonym_stands_for_what_there_is(typed: str) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_option_has_a_place_for_its_value(name: str) -> None:
     for option in COMMANDS[name].options():
-        of_batch = (*Job._fields, *Asked._fields) if name == "batch" else ()
-        assert option.name in {*OPTIONS, *NOMENCLATURE, *of_batch}, option.flag
+        assert option.name in {*NOMENCLATURE, *(known.name for known in EVERY)}, option.flag
 
 
 def test_every_question_has_a_command_that_takes_the_ways_to_write() -> None:

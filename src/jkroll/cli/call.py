@@ -20,48 +20,15 @@ from ..quantities.nomenclature import CONVERTED, NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
 from ..text import ending, quoted, say_wrapped, shown
+from .options import Options
 
 if TYPE_CHECKING:
     from ..answers.curve import Loads
     from .commands import Command
 
 
-class Call:
-    """One call of a command. A command reads those options that it declares."""
-
-    file: str | None = None  # of materials
-    quiet: bool = False
-    # how results are written
-    to: str | None = None
-    digits: int | None = None
-    bare: bool = False
-    json: bool = False
-    csv: bool = False
-    explain: bool = False
-    cite: bool = False
-    tex: bool = False
-    measured: tuple[str, ...] = ()
-    target: str | None = None
-    curve: bool = False
-    # of pictures
-    x: str | None = None
-    y: str | None = None
-    mark: str = ""
-    data: str | None = None
-    width: str | None = None
-    style: str | None = None
-    uncaptioned: bool = False
-    panel: str | None = None
-    as_printed: bool = False
-    plain: bool = False
-    # of tables
-    quantities: str | None = None
-    infer: str = ""
-    no_doubt: bool = False
-    alternatives: bool = False
-    # of the measurements of speed
-    quick: bool = False
-    plot: str | None = None
+class Call(Options):
+    """One call of a command."""
 
     def __init__(self, command: "Command", words: Sequence[str] = (), options: Mapping[str, Any] | None = None) -> None:
         """`options`: values by the names of options, which for inputs are those of the nomenclature."""
@@ -69,15 +36,9 @@ class Call:
         first = 1 if command.has_subject else 0
         self.subject = "".join(words[:first])  # the program, input, quantity, table or figure; empty without one
         self.words = tuple(words[first:])
-        self.inputs: dict[str, str] = {}  # texts by the names of the nomenclature
-        self.settings: dict[str, Any] = {}  # of `batch` alone: fields of its Job and of what it asks
-        for name, value in (options or {}).items():
-            if name in NOMENCLATURE:
-                self.inputs[name] = value
-            elif name in OPTIONS:
-                setattr(self, name, value)
-            else:
-                self.settings[name] = value
+        given = options or {}
+        self.inputs: dict[str, str] = {name: value for name, value in given.items() if name in NOMENCLATURE}
+        super().__init__({name: value for name, value in given.items() if name not in NOMENCLATURE})
 
     # --- Frames -------------------------------------------------------------------------------------------------------
 
@@ -203,9 +164,7 @@ class Call:
 
         A name of the output file that ends in .json chooses JSON.
         """
-        chosen = [name for name in FORMATS if getattr(self, name)]
-        if len(chosen) > 1:
-            raise BadRequest(f"--{chosen[0]} and --{chosen[1]} exclude each other")
+        chosen = [name for name in FORMATS if name in self.given]
         is_json = self.target is not None and ending(self.target) == "json"
         if not chosen:
             usual = "table" if sys.stdout.isatty() else "plain"
@@ -245,7 +204,6 @@ class Call:
         return Format(units, self.digits, self.typed if self.output == "table" else {})
 
 
-OPTIONS = frozenset(Call.__annotations__)  # names of options that are no inputs
 FORMATS = ("bare", "json", "csv", "explain", "cite")
 PICTURES = ("svg", "pdf", "png")
 

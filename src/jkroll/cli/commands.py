@@ -3,165 +3,71 @@
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
+from typing import Any
 
 from ..answers.questions import QUESTIONS
-from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
-from ..text import quoted, terminal_width, wrapped
+from ..text import terminal_width, wrapped
+from .options import HELP, PROGRAM, Option, Options
 
-
-class Option:
-    """An option, by the name of its value in `Call`, in the Job of `batch`, or in the nomenclature.
-
-    Its help stands in a `group`, for an input as the sentence of the nomenclature; a `hidden` one has no text.
-    Without a `metavar` for its value it is a switch. The value is a whole number from 1 to `most`, or a text where that
-    is 0. Where the option `repeats`, it is a tuple.
-    """
-
-    def __init__(
-        self, name: str, flag: str, help: str = "", metavar: str = "", most: int = 0, *,
-        short: str = "", hidden: bool = False, repeats: bool = False, group: str = "Output",
-    ) -> None:  # fmt: skip
-        self.name, self.flag, self.help, self.metavar, self.most = name, flag, help, metavar, most
-        self.short, self.hidden, self.repeats, self.group = short, hidden, repeats, group
-        self.flags = (flag, short) if short else (flag,)  # its spellings
-
-    def read(self, text: str) -> str | int:
-        """Return the value that a text stands for, or raise BadRequest."""
-        if not text and self.name == "target":
-            raise BadRequest(f"{self.flags[-1]}: the name of the output file is empty")
-        if not self.most:
-            return text
-        if text not in map(str, range(1, self.most + 1)):
-            raise BadRequest(f"{self.flag}: {quoted(text, 40)} is not a whole number from 1 to {self.most}")
-        return int(text)
-
-    def sentence(self) -> str:
-        """Return the help text: meaning, range and default."""
-        if self.help:
-            span = f", 1 to {self.most}" if self.most else ""
-            return f"{self.help}{span}."
-        from ..model.frame import DEFAULTS
-        from ..quantities.formatting import amount
-
-        meaning = NOMENCLATURE[self.name].sentence
-        default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
-        return f"{meaning[0].upper()}{meaning[1:]}{default}{_WITH.get(self.name, '')}."
-
-
-def _unseen(option: Option) -> Option:
-    """Return an option of which the help has the name alone."""
-    return Option(option.name, option.flag, option.help, option.metavar, hidden=True)
-
-
-# What goes with an input, or in its place.
-_WITH = {
-    "material2": ", or --gamma2, --young2, --shear-modulus2, --poisson2, --density2",
-    "surface_energy": ", or --work-of-adhesion",
-    "diameter": ", --diameter2 of sphere 2",
-    "youngs_modulus": ", or rigid, with --poisson 0.3",
-    "yield_displacement": (
-        ", decides the answer: jkroll guide measurements; or --adhesion-hysteresis, --hysteresis-fraction"
-    ),
-    "load": ", or --approach",
-    "energy": ", or --energy-ratio, --speed",
-}
-
-MATERIALS = Option("file", "--materials", "Read your own materials as well", "FILE")
-NO_DOUBT = Option("no_doubt", "--no-doubt", "Omit the column of doubts")
-ALTERNATIVES = Option("alternatives", "--alternatives", "Add results by Maugis' law, by measured forces")
-QUIET = Option("quiet", "--quiet", "Suppress notes")
-# Options with one text stand in one line of the help.
-_FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
-_INSTEAD = "Derivation; BibTeX, with --tex for Methods"
 _OUTPUT = (
-    Option("to", "--to", "Units of results, with commas; --digits N", "UNIT"),
-    Option("digits", "--digits", "Significant digits", "N", 17),
-    Option("json", "--json", _FORMAT),
-    Option("csv", "--csv", _FORMAT),
-    Option("bare", "--bare", _FORMAT),
-    Option("target", "-o", "Write a file", "OUT"),
-    _unseen(NO_DOUBT),
-    _unseen(ALTERNATIVES),
-    Option("explain", "--explain", _INSTEAD),
-    Option("cite", "--cite", _INSTEAD),
-    Option("tex", "--tex", "Instead of BibTeX, a paragraph for a Methods section"),
-    MATERIALS,
-    QUIET,
+    Options.to,
+    Options.digits,
+    Options.json,
+    Options.csv,
+    Options.bare,
+    Options.target,
+    Options.no_doubt.but(hidden=True),
+    Options.alternatives.but(hidden=True),
+    Options.explain,
+    Options.cite,
+    Options.tex,
+    Options.file,
+    Options.quiet,
 )
-OUTPUT = (Option("quantities", "--quantities", "Show these quantities instead, with commas", "NAMES"), *_OUTPUT)
-MEASURED = Option("measured", "--measured", "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
-    "QUANTITY=VALUE", repeats=True, group="Measured")  # fmt: skip
-CURVE = Option("curve", "--curve", "Whole force curve; with -o x.svg a picture")
-MARKED = Option("yield_displacement", "--xi", "Displacement that the panel of moments marks", "2angstrom", hidden=True)
-_AS_TEXT = "Output as JSON or CSV"
-JSON = Option("json", "--json", _AS_TEXT)
-CSV = Option("csv", "--csv", _AS_TEXT)
-CITE = Option("cite", "--cite", "Show the BibTeX entries of the data")
-
-_AXIS = "NAME=FROM:TO, with :lin for a linear axis"
-AXES = tuple(Option(name, f"--{name}", _AXIS, "AXIS", group="Axes") for name in ("x", "y"))
-AS_PRINTED = Option("as_printed", "--as-printed", "Add Eq (41) as printed to 6b, dashed")
-STYLE = (
-    Option("width", "--width", "Width of the drawing, 70mm to 1m", "85mm"),
-    Option("style", "--style", "Colours, paper or dark", "dark"),
-)
-UNCAPTIONED = Option("uncaptioned", "--no-caption", "Omit title and caption")
-PANEL = Option("panel", "--panel", "One panel only: force, pressure or moment", "force")
-_OMITTED = "Omit title and caption, or the limits"
-PICTURE = (
-    Option("mark", "--mark", "Mark grains as points, separated by commas", "quartz@100nm"),
-    Option("data", "--data", "Write the numbers as CSV; - is stdout", "FILE"),
-    Option("target", "-o", "Draw a .svg, .pdf or .png file (plot extra)", "FILE"),
-    *STYLE,
-    Option("uncaptioned", "--no-caption", _OMITTED),
-    Option("plain", "--plain", _OMITTED),
-    MATERIALS,
-    QUIET,
-)
-
-TABLE = (
-    Option("target", "--output", "Output file (written atomically)", "OUT", short="-o"),
-    Option("format", "--format", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst", "FORMAT"),
-    Option("delimiter", "--delimiter", "What divides columns: comma, semicolon, bar, tab or blank", "WORD"),
-    Option("quantities", "--quantities",
-        "Quantities to compute, separated by commas; default those of most commands", "NAMES"),
-    Option("columns", "--column", "Read a column as an input, or, with nothing behind =, as none", "HEADER=INPUT",
-        repeats=True),
-    Option("infer", "--infer", "Find this input of each row from a measured quantity", "INPUT", group="Measured"),
-    Option("pass_rest", "--pass-rest", "Pass through all columns that are not read"),
-    Option("measured", "--measured", "The quantity whose measured values a column has", "QUANTITY", repeats=True,
-        group="Measured"),
-    Option("strict", "--strict", "Stop at the first row that fails"),
-    Option("resume", "--resume", "Keep what is newer than its table, of many"),
-    NO_DOUBT,
-    ALTERNATIVES,
-    Option("uncertainty", "--uncertainty", "Add columns of error bars, though the first rows have none"),
-    Option("jobs", "--jobs", "Number of processes (default: one per core, at most 16)", "N", 64),
-    Option("dask", "--dask", "Convert many tables on a Dask cluster", "ADDRESS"),
-    Option("excel_safe", "--excel-safe", "Escape text that a spreadsheet would run"),
-    Option("material", "--material", "Material of rows whose cell is empty; the inputs below work likewise", "NAME"),
+OUTPUT = (Options.quantities, *_OUTPUT)
+_CURVE = (
+    Options.curve,
+    Option(None, "--xi", "Displacement that the panel of moments marks", "2angstrom", name="yield_displacement",
+        hidden=True),
+    *(option.but(hidden=True) for option in (Options.width, Options.style, Options.uncaptioned, Options.panel)),
 )  # fmt: skip
-BENCH = (
-    Option("quick", "--quick", "Measure fewer points"),
-    Option("plot", "--plot", "Draw error against cost (needs the plot extra)", "FILE"),
-    *STYLE,
-    UNCAPTIONED,
-    JSON,
-    CSV,
+_AS_TEXT = "Output as JSON or CSV"
+_LISTED = (Options.json.but(help=_AS_TEXT), Options.csv.but(help=_AS_TEXT))
+_CITE = Options.cite.but(help="Show the BibTeX entries of the data")
+AXES = (Options.x, Options.y)
+PICTURE = (
+    Options.mark,
+    Options.data,
+    Options.target.but(help="Draw a .svg, .pdf or .png file (plot extra)", metavar="FILE"),
+    Options.width,
+    Options.style,
+    Options.uncaptioned.but(help=Options.plain.help),
+    Options.plain,
+    Options.file,
+    Options.quiet,
 )
-
-# The options that every command takes, and those of the program before any command.
-HELP = Option("help", "--help", "Show this message and exit", short="-h")
-VERSION = Option("version", "--version", "Show the version and exit")
-DEBUG = Option("debug", "--debug", "Show where an error comes from")
-PROGRAM = (
-    VERSION,
-    DEBUG,
-    Option("install_completion", "--install-completion", "Install completion for the current shell"),
-    Option("show_completion", "--show-completion", "Print the completion script of the current shell"),
-    HELP,
-)
+TABLE = (
+    Options.target.but(flag="--output", short="-o", help="Output file (written atomically)"),
+    Options.format,
+    Options.delimiter,
+    Options.quantities.but(help="Quantities to compute, separated by commas; default those of most commands"),
+    Options.columns,
+    Options.infer,
+    Options.pass_rest,
+    Options.measured.but(help="The quantity whose measured values a column has", metavar="QUANTITY"),
+    Options.strict,
+    Options.resume,
+    Options.no_doubt,
+    Options.alternatives,
+    Options.uncertainty,
+    Options.jobs,
+    Options.dask,
+    Options.excel_safe,
+    Option(None, "--material", "Material of rows whose cell is empty; the inputs below work likewise", "NAME",
+        name="material"),
+)  # fmt: skip
+BENCH = (Options.quick, Options.plot, Options.width, Options.style, Options.uncaptioned, *_LISTED)
 
 _OF_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "shear_modulus2", "poisson_ratio2", "density2")
 # Inputs that every question takes, as it takes materials.
@@ -174,7 +80,7 @@ _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_T
 
 
 @cache
-def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option, ...]:
+def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
     """Return the options for the inputs that quantities depend on, or for all inputs where any may be asked for.
 
     The properties of a material are taken by every command, but shown only where they are used. Of all inputs, those of
@@ -191,7 +97,7 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option, ...]:
     shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
     shown = shown | {"diameter"} if quantities else shown - {"diameter"}  # a longer help has no line for it
     return tuple(
-        Option(name, quantity.option, metavar=quantity.example, hidden=name not in shown)
+        Option(None, quantity.option, metavar=quantity.example, name=name, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
         if quantity.option
     )
@@ -212,7 +118,7 @@ class Command:
     """
 
     def __init__(
-        self, name: str, sentence: str, words: str, options: Callable[[], tuple[Option, ...]], runner: str,
+        self, name: str, sentence: str, words: str, options: Callable[[], tuple[Option[Any], ...]], runner: str,
         example: str, job: str = OTHERS,
     ) -> None:  # fmt: skip
         self.name, self.sentence, self.words, self.options = name, sentence, words, options
@@ -221,33 +127,33 @@ class Command:
         self.most_words = INFINITY if "[" in words else len(self.placeholders)  # any where some can be left out
         self.has_subject = words != "" and not words.startswith("[")  # the first word says what the command is about
 
-    def flags(self) -> dict[str, Option]:
+    def flags(self) -> dict[str, Option[Any]]:
         """Return the options by their spellings."""
         return {flag: option for option in (*self.options(), HELP) for flag in option.flags}
 
 
-def _options_of_export() -> tuple[Option, ...]:
+def _options_of_export() -> tuple[Option[Any], ...]:
     from ..output.exports import THRESHOLDS, USUAL
 
-    law = Option("model", "--model", "Law of attraction, jkr (the default) or dmt", "dmt")
+    law = Option(None, "--model", "Law of attraction, jkr (the default) or dmt", "dmt", name="model")
     inputs = (option for option in input_options(USUAL + THRESHOLDS) if option.name != law.name)
-    return (*inputs, law, MATERIALS, QUIET)
+    return (*inputs, law, Options.file, Options.quiet)
 
 
-def _options_of_table() -> tuple[Option, ...]:
+def _options_of_table() -> tuple[Option[Any], ...]:
     inputs = (
-        Option(name, quantity.option or "--radius", metavar=quantity.example, hidden=True)
+        Option(None, quantity.option or "--radius", metavar=quantity.example, name=name, hidden=True)
         for name, quantity in NOMENCLATURE.items()
         if quantity.example
     )
-    return (*TABLE, *inputs, MATERIALS, QUIET)
+    return (*TABLE, *inputs, Options.file, Options.quiet)
 
 
 _SCENE = "[MATERIAL] [RADIUS]..."
 
 
 def _question(
-    name: str, job: str, sentence: str, example: str, *others: Option, runner: str = "runners:run_question"
+    name: str, job: str, sentence: str, example: str, *others: Option[Any], runner: str = "runners:run_question"
 ) -> Command:
     """Return the command of a question: it takes inputs, options of its own, and those of the output."""
     quantities = () if name == "report" else QUESTIONS[name].quantities
@@ -262,7 +168,7 @@ _COMMANDS = (
     _question("frequencies", CONTACT, "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane"),
     _question("n-roll", DUST, "Turns of a sphere over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
     _question("contact", CONTACT, "Contact radius, indentation, stiffness and pressure.", "quartz 100nm --load -5nN",
-        CURVE, MARKED, *map(_unseen, (*STYLE, UNCAPTIONED, PANEL)),
+        *_CURVE,
         runner="runners:run_contact"),
     _question("moment", ROLLING, "Moment that starts rolling, by model.", "quartz 100nm --xi 1angstrom"),
     _question("energies", DUST, "Energies and speeds to break, stick and roll, by author.",
@@ -276,7 +182,7 @@ _COMMANDS = (
     Command("export", "Input of LAMMPS, LIGGGHTS, DustSimulation or DustCollider.", "PROGRAM [MATERIAL] [RADIUS]",
         _options_of_export, "runners:run_export", "lammps quartz 100nm --model dmt", DEM),
     Command("infer", "Inputs from measured values.", "INPUT [MATERIAL] [RADIUS]...",
-        lambda: (MEASURED, *input_options(), *_OUTPUT), "runners:run_infer",
+        lambda: (Options.measured, *input_options(), *_OUTPUT), "runners:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN", CONTACT),
     Command("batch", "Results for each row of a table.", "IN",
         _options_of_table, "runners:run_batch", "grains.csv -o forces.csv", ALL),
@@ -284,11 +190,11 @@ _COMMANDS = (
         "QUANTITY [MATERIAL] [RADIUS]...", lambda: (*AXES, *input_options(), *PICTURE), "map:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2"),
     Command("figure", "Draw a figure of the paper from its equations.", "FIGURE",
-        lambda: (AS_PRINTED, *PICTURE), "map:run_figure", "3a --mark quartz@100nm"),
+        lambda: (Options.as_printed, *PICTURE), "map:run_figure", "3a --mark quartz@100nm"),
     Command("materials", "List the known materials, find them by words, or show one in full.", "[MATERIAL]...",
-        lambda: (JSON, CSV, CITE, MATERIALS, QUIET), "runners:run_materials", "quartz"),
+        lambda: (*_LISTED, _CITE, Options.file, Options.quiet), "runners:run_materials", "quartz"),
     Command("quantities", "List quantities, find them by words, or show one in full.", "[NAME]...",
-        lambda: (JSON, CSV), "runners:run_quantities", "tabor"),
+        lambda: _LISTED, "runners:run_quantities", "tabor"),
     Command("guide", "List the pages of the manual, show one, or search it by words.", "[TOPIC]...",
         tuple, "runners:run_guide", "models"),
     Command("verify", "Say where the audit of the paper went.", "", tuple, "runners:run_verify", ""),
@@ -298,7 +204,7 @@ _COMMANDS = (
 COMMANDS: Mapping[str, Command] = {command.name: command for command in _COMMANDS}
 
 
-def flags_of(name: str | None) -> dict[str, Option]:
+def flags_of(name: str | None) -> dict[str, Option[Any]]:
     """Return the options of a command, or of the program before any command, by their spellings."""
     return COMMANDS[name].flags() if name else {flag: option for option in PROGRAM for flag in option.flags}
 
@@ -357,7 +263,7 @@ def _of_command(name: str, width: int) -> list[str]:
     return [*lines, *_indented(f"Example: jkroll {name} {command.example}".rstrip(), width, 2)]
 
 
-def _group(option: Option) -> str:
+def _group(option: Option[Any]) -> str:
     """Return the group in which an option stands."""
     quantity = NOMENCLATURE.get(option.name)
     if quantity is None:
@@ -365,7 +271,7 @@ def _group(option: Option) -> str:
     return "Pair" if quantity.sphere or option.name in (*OF_THE_PAIR, *_WITH_THE_PAIR.split()) else "Assumed"
 
 
-def _rows(options: Iterable[Option]) -> list[Row]:
+def _rows(options: Iterable[Option[Any]]) -> list[Row]:
     """Return options as they are typed, those with one text together, and the text; last hidden ones, without a text.
 
     An option that the text of another one names has no row.

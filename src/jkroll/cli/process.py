@@ -20,7 +20,8 @@ from ..errors import FAILED, BadRequest, JkrollError
 from ..quantities.nomenclature import ALIKE, NOMENCLATURE, as_input, named, nearest
 from ..quantities.synonyms import QUANTITY_SYNONYMS
 from ..text import closest, first_of, quoted, say, say_wrapped, shown
-from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Command, Option, flags_of, help_of
+from .commands import COMMANDS, Action, Command, flags_of, help_of
+from .options import DEBUG, HELP, VERSION, Option
 
 BROKEN_PIPE = 141
 
@@ -61,8 +62,8 @@ HINTS: Mapping[str, str] = {
 }
 # Words of a frame that may be given by name, too.
 NAMED = {
-    "MATERIAL": Option("material", "--material", metavar="quartz"),
-    "RADIUS": Option("radius", "--radius", metavar="100nm"),
+    "MATERIAL": Option(None, "--material", metavar="quartz", name="material"),
+    "RADIUS": Option(None, "--radius", metavar="100nm", name="radius"),
 }
 _DASHES = ("–", "—")  # as word processors make them of hyphens
 
@@ -178,7 +179,7 @@ def _print(text: str) -> int:
 
 
 def _read(
-    words: Iterable[str], flags: Mapping[str, Option], command: Command | None = None
+    words: Iterable[str], flags: Mapping[str, Option[Any]], command: Command | None = None
 ) -> tuple[list[str], dict[str, Any]]:
     """Return the words without the options, and the values of the options by name."""
     placeholders = command.placeholders if command else ()
@@ -217,7 +218,7 @@ def _read(
     return arguments, given
 
 
-def _split(word: str, flags: Mapping[str, Option]) -> tuple[str, str | None]:
+def _split(word: str, flags: Mapping[str, Option[Any]]) -> tuple[str, str | None]:
     """Return the option of a word, and the value that is joined to it, if there is one: --to=nN, -ox.csv."""
     flag, has_value, value = word.partition("=")
     short = flags.get(word[:2])
@@ -226,7 +227,7 @@ def _split(word: str, flags: Mapping[str, Option]) -> tuple[str, str | None]:
     return flag, value if has_value else None
 
 
-def _value(option: Option, value: str | None, rest: deque[str]) -> str:
+def _value(option: Option[Any], value: str | None, rest: deque[str]) -> str:
     """Return the value of an option, which is joined to it or the next of the other words."""
     if value is None:
         following = rest[0] if rest else HELP.flag
@@ -250,7 +251,7 @@ def _is_negative(text: str) -> bool:
     return len(text) > 1 and text[0] == "-" and text[1] in "0123456789."
 
 
-def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
+def _option(flag: str, flags: Mapping[str, Option[Any]]) -> Option[Any] | None:
     """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none."""
     if option := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
         return option
@@ -295,7 +296,7 @@ def _no_such_option(flag: str, command: str | None) -> BadRequest:
     return BadRequest(f"{problem}; see {' '.join(filter(None, ['jkroll', command]))} --help")
 
 
-def _meant(flag: str, flags: Mapping[str, Option]) -> str | None:
+def _meant(flag: str, flags: Mapping[str, Option[Any]]) -> str | None:
     """Return the option that a word stands for, also as others call it, begins or resembles; None if there is none."""
     name = flag.lstrip("-").replace("-", "_").casefold()
     if option := _option(f"--{flag.lstrip('-')}", flags):

@@ -24,6 +24,7 @@ from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
 from .call import Call, message_of
+from .options import Options
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -78,10 +79,6 @@ def keeps_all(call: Call) -> bool:
 
 def check_format(call: Call) -> None:
     """Raise BadRequest for an output format that does not go with other options."""
-    if call.alternatives and (call.output in ("bare", "explain", "cite") or call.curve):
-        raise BadRequest(f"--alternatives and --{'curve' if call.curve else call.output} exclude each other")
-    if call.tex and not call.cite:
-        raise BadRequest("--tex goes with --cite")
     if call.names_picture:
         remedy = "add --curve to contact, or see jkroll map --help"
         raise BadRequest(f"-o: {quoted(call.target or '')} is a picture; {remedy}")
@@ -244,8 +241,6 @@ def _write_curve(call: Call) -> int:
     from ..model.rows import Columns, Wanted
 
     check_format(call)
-    if call.output in ("explain", "cite"):
-        raise BadRequest(f"--curve and --{call.output} exclude each other")
     question = question_of(call, FORCE_CURVE)
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
@@ -354,27 +349,37 @@ def run_batch(call: Call) -> int:
 
     if not call.subject:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
-    if call.settings.keys() >= {"format", "delimiter"}:
-        raise BadRequest("--format and --delimiter exclude each other")
-    for name, value in {"quantities": call.quantities, **call.settings}.items():
-        if isinstance(value, str) and not value.strip():
-            raise BadRequest(f"--{name} is empty")
+    for option in (Options.quantities, Options.format, Options.delimiter, Options.dask):
+        if not call.given.get(option.name, option.name).strip():
+            raise BadRequest(f"{option.flag} is empty")
     infer, measured = _unknown_and_measured(call)
     explicit, offered = quantities_named(call.quantities) if call.quantities else ([], EVERYTHING)
-    settings_of_rows = {name: value for name, value in call.settings.items() if name in Asked._fields}
-    settings_of_files = {name: value for name, value in call.settings.items() if name not in settings_of_rows}
     asked = Asked(
         call.inputs,
         call.materials,
         explicit,
         offered,
+        columns=call.columns,
+        pass_rest=call.pass_rest,
         infer=infer,
         measured=measured,
         doubt=not call.no_doubt,
         alternatives=call.alternatives,
-        **settings_of_rows,
+        uncertainty=call.uncertainty,
     )
-    return run(call.subject, Job(asked, target=call.target or "-", quiet=call.quiet, **settings_of_files))
+    job = Job(
+        asked,
+        target=call.target or "-",
+        format=call.format or "",
+        delimiter=call.delimiter or "",
+        strict=call.strict,
+        resume=call.resume,
+        jobs=call.jobs or 0,
+        excel_safe=call.excel_safe,
+        dask=call.dask or "",
+        quiet=call.quiet,
+    )
+    return run(call.subject, job)
 
 
 def _unknown_and_measured(call: Call) -> tuple[str, str]:
@@ -384,9 +389,6 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
     if not call.infer or "," in call.infer or len(call.measured) != 1:
         example = "--infer gamma --measured pull_off_force"
         raise BadRequest(f"batch infers one input from one quantity, as in {example}; jkroll infer finds two")
-    for option, value in (("quantities", call.quantities), ("alternatives", call.alternatives)):
-        if value:
-            raise BadRequest(f"--infer and --{option} exclude each other")
     from ..model.unsolved import inputs_named
 
     return inputs_named([call.infer])[0], quantity_named(call.measured[0])

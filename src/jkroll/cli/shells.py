@@ -14,7 +14,8 @@ from ..errors import JkrollError
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import ANY, NOMENCLATURE
 from . import process
-from .commands import COMMANDS, DEBUG, HELP, TITLE, VERSION, Option
+from .commands import COMMANDS, TITLE
+from .options import DEBUG, HELP, VERSION, Option
 
 
 def main() -> int:
@@ -60,7 +61,7 @@ class _Command(TyperCommand):
         return self.params
 
 
-def _option(option: Option) -> TyperOption:
+def _option(option: Option[Any]) -> TyperOption:
     """Return an option as typer has it."""
     is_flag = not option.metavar
     return TyperOption(

@@ -1,0 +1,197 @@
+"""The options of the commands, each declared once: its spelling, its help, and the type of its value in a call."""
+
+from collections.abc import Mapping
+from copy import copy
+from typing import Any, Generic, Self, TypeVar, overload
+
+from ..errors import BadRequest
+from ..quantities.nomenclature import NOMENCLATURE
+from ..text import quoted
+
+Value = TypeVar("Value")
+
+# Defaults and alternatives that the help adds to the sentence of an input.
+_WITH = {
+    "material2": ", or --gamma2, --young2, --shear-modulus2, --poisson2, --density2",
+    "surface_energy": ", or --work-of-adhesion",
+    "diameter": ", --diameter2 of sphere 2",
+    "youngs_modulus": ", or rigid, with --poisson 0.3",
+    "yield_displacement": (
+        ", decides the answer: jkroll guide measurements; or --adhesion-hysteresis, --hysteresis-fraction"
+    ),
+    "load": ", or --approach",
+    "energy": ", or --energy-ratio, --speed",
+}
+
+
+class Option(Generic[Value]):
+    """An option of a command: `Options.quiet` is the option, `call.quiet` its value in a call.
+
+    Without a `metavar` for its value it is a switch. The value is a whole number from 1 to `most`, or a text if that is
+    0; a tuple of texts if the option `repeats`. In the help it stands in its `group`; a `hidden` one has no text there,
+    and that of an input, which has no `help` of its own, is the sentence of the nomenclature.
+    """
+
+    def __init__(
+        self, default: Value, flag: str, help: str = "", metavar: str = "", most: int = 0, *, name: str = "",
+        short: str = "", hidden: bool = False, repeats: bool = False, group: str = "Output",
+        needs: str = "", excludes: str = "",
+    ) -> None:  # fmt: skip
+        """`needs`, `excludes`: names of the options that it needs one of, and that it excludes, with blanks."""
+        self.default, self.flag, self.help, self.metavar, self.most = default, flag, help, metavar, most
+        self.name, self.short, self.hidden, self.repeats, self.group = name, short, hidden, repeats, group
+        self.needs, self.excludes = needs.split(), excludes.split()
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    @overload
+    def __get__(self, call: None, owner: type) -> Self: ...
+    @overload
+    def __get__(self, call: "Options", owner: type) -> Value: ...
+    def __get__(self, call: "Options | None", owner: type) -> "Self | Value":
+        return self if call is None else call.given.get(self.name, self.default)
+
+    @property
+    def flags(self) -> tuple[str, ...]:
+        """The spellings."""
+        return (self.flag, self.short) if self.short else (self.flag,)
+
+    def but(self, **changes: Any) -> Self:
+        """Return the option of a command that spells or explains it otherwise."""
+        other = copy(self)
+        vars(other).update(changes)
+        return other
+
+    def read(self, text: str) -> str | int:
+        """Return the value of a text, or raise BadRequest."""
+        if not text and self.name == "target":
+            raise BadRequest(f"{self.flags[-1]}: the name of the output file is empty")
+        if not self.most:
+            return text
+        if text not in map(str, range(1, self.most + 1)):
+            raise BadRequest(f"{self.flag}: {quoted(text, 40)} is not a whole number from 1 to {self.most}")
+        return int(text)
+
+    def sentence(self) -> str:
+        """Return the help text: meaning, range and default."""
+        if self.help:
+            span = f", 1 to {self.most}" if self.most else ""
+            return f"{self.help}{span}."
+        from ..model.frame import DEFAULTS
+        from ..quantities.formatting import amount
+
+        meaning = NOMENCLATURE[self.name].sentence
+        default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
+        return f"{meaning[0].upper()}{meaning[1:]}{default}{_WITH.get(self.name, '')}."
+
+
+def _switch(flag: str, help: str, **others: Any) -> Option[bool]:
+    return Option(False, flag, help, **others)
+
+
+def _text(flag: str, help: str, metavar: str, **others: Any) -> Option[str | None]:
+    return Option(None, flag, help, metavar, **others)
+
+
+def _texts(flag: str, help: str, metavar: str, **others: Any) -> Option[tuple[str, ...]]:
+    return Option((), flag, help, metavar, repeats=True, **others)
+
+
+def _number(flag: str, help: str, metavar: str, most: int) -> Option[int | None]:
+    return Option(None, flag, help, metavar, most)
+
+
+# Options with one text stand in one line of the help.
+_FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
+_INSTEAD = "Derivation; BibTeX, with --tex for Methods"
+_OMITTED = "Omit title and caption, or the limits"
+_AXIS = "NAME=FROM:TO, with :lin for a linear axis"
+
+
+class Options:
+    """The values of the options of a call that are no inputs. A command takes those that it lists."""
+
+    def __init__(self, given: Mapping[str, Any]) -> None:
+        """`given`: values by the names of options. Raises BadRequest for options that do not go together."""
+        self.given = given
+        for option in EVERY:
+            if option.name in given:
+                _check(option, given)
+
+    # Of all
+    file = _text("--materials", "Read your own materials as well", "FILE")
+    quiet = _switch("--quiet", "Suppress notes")
+
+    # Of results
+    quantities = _text("--quantities", "Show these quantities instead, with commas", "NAMES", excludes="infer")
+    to = _text("--to", "Units of results, with commas; --digits N", "UNIT")
+    digits = _number("--digits", "Significant digits", "N", 17)
+    json = _switch("--json", _FORMAT, excludes="bare")
+    csv = _switch("--csv", _FORMAT, excludes="bare json")
+    bare = _switch("--bare", _FORMAT, excludes="alternatives")
+    target = _text("-o", "Write a file", "OUT")
+    no_doubt = _switch("--no-doubt", "Omit the column of doubts")
+    alternatives = _switch("--alternatives", "Add results by Maugis' law, by measured forces", excludes="infer")
+    explain = _switch("--explain", _INSTEAD, excludes="bare json csv alternatives curve")
+    cite = _switch("--cite", _INSTEAD, excludes="bare json csv explain alternatives curve")
+    tex = _switch("--tex", "Instead of BibTeX, a paragraph for a Methods section", needs="cite")
+    measured = _texts("--measured", "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
+        "QUANTITY=VALUE", group="Measured")  # fmt: skip
+    curve = _switch("--curve", "Whole force curve; with -o x.svg a picture", excludes="alternatives")
+
+    # Of pictures
+    x = _text("--x", _AXIS, "AXIS", group="Axes")
+    y = _text("--y", _AXIS, "AXIS", group="Axes")
+    mark = Option("", "--mark", "Mark grains as points, separated by commas", "quartz@100nm")
+    data = _text("--data", "Write the numbers as CSV; - is stdout", "FILE")
+    width = _text("--width", "Width of the drawing, 70mm to 1m", "85mm")
+    style = _text("--style", "Colours, paper or dark", "dark")
+    uncaptioned = _switch("--no-caption", "Omit title and caption")
+    plain = _switch("--plain", _OMITTED)
+    panel = _text("--panel", "One panel only: force, pressure or moment", "force")
+    as_printed = _switch("--as-printed", "Add Eq (41) as printed to 6b, dashed")
+
+    # Of tables
+    format = _text("--format", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst", "FORMAT")
+    delimiter = _text("--delimiter", "What divides columns: comma, semicolon, bar, tab or blank", "WORD",
+        excludes="format")  # fmt: skip
+    columns = _texts("--column", "Read a column as an input, or, with nothing behind =, as none", "HEADER=INPUT")
+    infer = _text("--infer", "Find this input of each row from a measured quantity", "INPUT", group="Measured")
+    pass_rest = _switch("--pass-rest", "Pass through all columns that are not read")
+    strict = _switch("--strict", "Stop at the first row that fails")
+    resume = _switch("--resume", "Keep what is newer than its table, of many")
+    uncertainty = _switch("--uncertainty", "Add columns of error bars, though the first rows have none")
+    jobs = _number("--jobs", "Number of processes (default: one per core, at most 16)", "N", 64)
+    dask = _text("--dask", "Convert many tables on a Dask cluster", "ADDRESS")
+    excel_safe = _switch("--excel-safe", "Escape text that a spreadsheet would run")
+
+    # Of the measurements of speed
+    quick = _switch("--quick", "Measure fewer points")
+    plot = _text("--plot", "Draw error against cost (needs the plot extra)", "FILE")
+
+
+EVERY: list[Option[Any]] = [option for option in vars(Options).values() if isinstance(option, Option)]
+
+
+def _check(option: Option[Any], given: Mapping[str, Any]) -> None:
+    """Raise BadRequest if an option that was given does not go with others."""
+    for name in option.excludes:
+        if name in given:
+            raise BadRequest(f"{vars(Options)[name].flag} and {option.flag} exclude each other")
+    if option.needs and not any(name in given for name in option.needs):
+        needed = " or ".join(vars(Options)[name].flag for name in option.needs)
+        raise BadRequest(f"{option.flag} goes with {needed}")
+
+
+# The options that every command takes, and those of the program before any command.
+HELP = _switch("--help", "Show this message and exit", name="help", short="-h")
+VERSION = _switch("--version", "Show the version and exit", name="version")
+DEBUG = _switch("--debug", "Show where an error comes from", name="debug")
+PROGRAM = (
+    VERSION,
+    DEBUG,
+    _switch("--install-completion", "Install completion for the current shell", name="install_completion"),
+    _switch("--show-completion", "Print the completion script of the current shell", name="show_completion"),
+    HELP,
+)
