@@ -114,13 +114,13 @@ def values(found: Found) -> dict[str, list[Any]]:
     lines.begin(tabbed(found.text) if mark == " " else found.text, stated)
     rows = lines.sample
     header = understood(lines.names, rows, lines.stated)
-    materials = {column.name: [row[column.place] for row in rows] for column in header.materials}
+    materials = {column.name: [row[column.position] for row in rows] for column in header.materials}
     return materials | {column.name: [value(column, row) for row in rows] for column in header.inputs}
 
 
 def value(column: Column, row: Sequence[str]) -> Any:
     """Return the value of an input in a row; an empty text if its cells have none."""
-    text = column.joined(*(row[place] for place in column.places.values()))
+    text = column.joined(*(row[place] for place in column.positions.values()))
     try:
         found = column.read(text) if text else ""
     except QuantityError:

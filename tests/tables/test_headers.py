@@ -421,14 +421,14 @@ PARTS = {
 
 def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
     header = understood(["label", "±", "R1 [nm]", "note", "gamma [mJ/m2]", "+/-"])
-    assert header.places == {"radius": 2, "surface_energy": 4, "surface_energy_both": 5}
+    assert header.positions == {"radius": 2, "surface_energy": 4, "surface_energy_both": 5}
     coded = understood(["gamma [mJ/m2]", "error"], [["25", "E07"]])
     assert not coded.inputs[0].sides
 
 
 def test_the_word_of_what_was_measured_is_that_of_no_other_column() -> None:
     header = understood(["R1 [um]", "F [old]", "x (y)"], [], {"F [old]": "pull_off_force [nN]"}, (), "pull_off_force")
-    assert {column.name: column.place for column in header.inputs} == {"radius": 0, "pull_off_force": 1}
+    assert {column.name: column.position for column in header.inputs} == {"radius": 0, "pull_off_force": 1}
     no_word = "sticking_speed_paszun_dominik"  # its symbol, v_stick(1.07), is none
     assert understood(["R1 [um]", "x (y)"], [], {}, (), no_word).names == {"radius"}
 

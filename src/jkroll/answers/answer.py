@@ -216,7 +216,7 @@ class Answer(Results):
     @cached_property
     def measures(self) -> Mapping[str, float | str | Uncertain]:
         """The inputs that were stated or enter the results, as they were understood, with their error bars."""
-        return {name: in_words(name, value) for name, value in self.inputs_of([*self.columns]).items()}
+        return {name: in_words(name, value) for name, value in self.inputs_shown([*self.columns]).items()}
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:

@@ -43,7 +43,7 @@ Way = Callable[..., Any]  # a function whose parameters are the paper's symbols
 Errors = tuple[float, float]  # of a way at the points of a region: their median and the largest, in ulp/(1 + κ)
 
 
-def inputs_of(way: Way) -> tuple[str, ...]:
+def inputs_taken(way: Way) -> tuple[str, ...]:
     """Return the names of the inputs of a function whose parameters are the paper's symbols."""
     code = way.__code__
     return tuple(SYMBOLS[symbol] for symbol in code.co_varnames[: code.co_argcount] if symbol in SYMBOLS)
@@ -156,7 +156,7 @@ def exact(quantity: str, point: Mapping[str, float]) -> tuple[Decimal, float]:
     κ says how many times a relative error of the state and, by Maugis, of λ appears in the value.
     """
     equation = getattr(DECIMALS, quantity)
-    names = inputs_of(equation)
+    names = inputs_taken(equation)
 
     def value_of(moved: str = "") -> Decimal:
         value: Decimal = equation(*(Decimal(point[name]) * (1 - _STEP * (name == moved)) for name in names))
@@ -348,7 +348,7 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, r
     def ours(given: Arrays) -> Any:
         return Frame(given)[quantity]
 
-    names = {name for way in (getattr(DECIMALS, quantity), *others.values()) for name in inputs_of(way)}
+    names = {name for way in (getattr(DECIMALS, quantity), *others.values()) for name in inputs_taken(way)}
     given = {
         region: {name: arrays[name] for name in names} for region, arrays in points.items() if names <= arrays.keys()
     }
@@ -365,7 +365,7 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, r
 
 
 def _by_symbols(way: Way, arrays: Arrays) -> Any:
-    return way(*(arrays[name] for name in inputs_of(way)))
+    return way(*(arrays[name] for name in inputs_taken(way)))
 
 
 def _error(values: Any, exacts: Sequence[tuple[Decimal, float]]) -> Errors:

@@ -105,7 +105,7 @@ class Material(NamedTuple):
             return [entry for entry in self.references if entry["key"] == keys[name]]
         return [entry for entry in self.references if entry["key"] not in keys.values()]
 
-    def lack_of(self, name: str) -> str:
+    def missing_text(self, name: str) -> str:
         """Return that it has no value of a property, with what its file says of that."""
         note = self.notes.get(name)
         return f"{self.name}: {note}" if note else f"{self.name} has none in {self.title}"

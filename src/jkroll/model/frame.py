@@ -384,7 +384,7 @@ class Frame:
         for each in in_order(names):
             solid = self.material2 or self.material if NOMENCLATURE[each].sphere == 2 else self.material
             if solid is not None and solid.name and of_sphere(1, each) in PROPERTIES:
-                lacking[solid.lack_of(of_sphere(1, each))] = True
+                lacking[solid.missing_text(of_sphere(1, each))] = True
         return MissingInput(name, in_order(names), ", ".join(lacking))
 
     # --- Values and reasons -------------------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ def check_range(name: str, value: Any) -> None:
     if not takes(name, value):
         limits = NOMENCLATURE[name].range
         words = "must lie between 1e-30 and 1e30 in SI units" if limits.admits(value) else limits.words
-        raise QuantityError(name, value, words if isfinite(value) else "must be finite", place=place)
+        raise QuantityError(name, value, words if isfinite(value) else "must be finite", position=place)
 
 
 def takes(name: str, value: Any) -> Any:

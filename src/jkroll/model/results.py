@@ -111,7 +111,7 @@ class Results:
 
     # --- Inputs and error bars ----------------------------------------------------------------------------------------
 
-    def inputs_of(self, names: Sequence[str]) -> dict[str, Any]:
+    def inputs_shown(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the inputs that were stated or enter quantities, as they were understood, with their error bars."""
         inputs = self.described.echo(self.described.inputs_used(names))
         if self.sources is not None:

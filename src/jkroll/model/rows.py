@@ -203,7 +203,7 @@ class Columns:
                 if side in bar.sides:
                     self.column(of_side)[place] = bar.sides[side]
         if wanted.inputs:
-            self._put_inputs(rows, results.inputs_of(wanted.names))
+            self._put_inputs(rows, results.inputs_shown(wanted.names))
         if wanted.doubts:
             self.doubts[place] = results.bits
         elif not wanted.keeps_all:

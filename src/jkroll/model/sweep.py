@@ -74,7 +74,7 @@ class Sweep:
 
     @cached_property
     def starts(self) -> dict[str, list[int]]:
-        """By input, the place of the first value of each list or range, and behind them the number of all values."""
+        """By input, the position of the first value of each list or range, and behind them the number of all values."""
         return {name: [*accumulate(map(len, spreads), initial=0)] for name, spreads in self.spreads.items()}
 
     @property
@@ -82,25 +82,25 @@ class Sweep:
         """The numbers of pairs, of the values of each input, and of laws; the rows are their combinations."""
         return [len(self.pairs), *(starts[-1] for starts in self.starts.values()), len(self.models)]
 
-    def value(self, name: str, place: int) -> Any:
-        """Return the value of an input at a place of its lists and ranges, which stand behind each other."""
+    def value(self, name: str, position: int) -> Any:
+        """Return the value of an input at a position of its lists and ranges, which stand behind each other."""
         starts = self.starts[name]
-        number = bisect(starts, place) - 1
+        number = bisect(starts, position) - 1
         spread = self.spreads[name][number]
-        return spread.uncertainty or spread.value(place - starts[number])
+        return spread.uncertainty or spread.value(position - starts[number])
 
     def __len__(self) -> int:
         """Return the number of rows."""
         return prod(self.sizes)
 
-    def row(self, place: int) -> Frame:
+    def row(self, position: int) -> Frame:
         """Return a row as a frame of numbers."""
-        place, law = divmod(place, len(self.models))
+        position, law = divmod(position, len(self.models))
         given = {}
         for name in reversed([*self.spreads]):  # the last one changes first
-            place, of_input = divmod(place, self.starts[name][-1])
+            position, of_input = divmod(position, self.starts[name][-1])
             given[name] = self.value(name, of_input)
-        return self.frame({name: given[name] for name in self.spreads}, *self.pairs[place], model=self.models[law])
+        return self.frame({name: given[name] for name in self.spreads}, *self.pairs[position], model=self.models[law])
 
     def frames(self) -> Iterator[Frame]:
         """Iterate over the rows as frames of numbers."""
@@ -197,13 +197,13 @@ class Lists:
     """Some rows of a call, as a block: those of a pair of materials and of a law are alike."""
 
     def __init__(self, sweep: Sweep, start: int, stop: int) -> None:
-        """`start`, `stop`: the places of the rows in the sweep."""
+        """`start`, `stop`: the positions of the rows in the sweep."""
         import numpy
 
-        pairs, *places, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.sizes)
+        pairs, *positions, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.sizes)
         self.sweep, self.start, self.pairs, self.laws = sweep, start, pairs, laws
         self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
-        of_inputs = zip(sweep.spreads, places, strict=True)
+        of_inputs = zip(sweep.spreads, positions, strict=True)
         self.size = stop - start
         self.numbers: Mapping[str, Numbers] = {
             name: self._numbers(name, of_input) for name, of_input in of_inputs if name not in self.fixed
@@ -219,12 +219,14 @@ class Lists:
         """Return the frame of a row by itself."""
         return self.sweep.row(self.start + row)
 
-    def _numbers(self, name: str, places: Indices) -> Numbers:
-        """Return the values of an input. `places`: those of the values in its lists and ranges."""
+    def _numbers(self, name: str, positions: Indices) -> Numbers:
+        """Return the values of an input. `positions`: those of the values in its lists and ranges."""
         import numpy
 
-        distinct, back = numpy.unique(places, return_inverse=True)
+        distinct, back = numpy.unique(positions, return_inverse=True)
         values = [*map(partial(self.sweep.value, name), distinct.tolist())]
         numbers = numpy.array([value if isinstance(value, float) else value.value for value in values])
-        uncertain = {row: values[place] for row, place in enumerate(back) if not isinstance(values[place], float)}
+        uncertain = {
+            row: values[position] for row, position in enumerate(back) if not isinstance(values[position], float)
+        }
         return Numbers(numbers[back], (), uncertain)

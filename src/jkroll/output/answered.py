@@ -62,8 +62,8 @@ def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, fl
 
 def write_json(answers: Iterable[Answer], count: int, out: TextIO, form: Format) -> None:
     """Write an object for each frame; several frames are an array, written as they are computed."""
-    for place, answer in enumerate(answers, 1):
-        start, end = ("[\n" if place == 1 else "", "\n]" if place == count else ",") if count > 1 else ("", "")
+    for position, answer in enumerate(answers, 1):
+        start, end = ("[\n" if position == 1 else "", "\n]" if position == count else ",") if count > 1 else ("", "")
         say(start + json_text(as_object(answer, form), out) + end, out)
 
 

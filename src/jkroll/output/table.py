@@ -12,7 +12,7 @@ from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, s
 from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
-from ..quantities.values import Interval, Uncertain, middle, of_sides
+from ..quantities.values import Interval, Uncertain, middle, with_sides
 from ..text import TextColumn, first_of, fit_terminal, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
@@ -178,6 +178,6 @@ def _measures(columns: "Columns", key: str) -> list[Any]:
     keys = columns.wanted.sides_of(key)
     sides = (as_list(columns.column(each)) for each in keys.values())
     return [
-        None if isnan(value) else of_sides(value, dict(zip(keys, of_row, strict=True)))
+        None if isnan(value) else with_sides(value, dict(zip(keys, of_row, strict=True)))
         for value, *of_row in zip(as_list(columns.column(key)), *sides, strict=True)
     ]

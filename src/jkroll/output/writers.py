@@ -59,9 +59,9 @@ class Lines:
         columns = [self._texts(column, lead, size) for column, lead in zip(self._divided(columns), leads, strict=False)]
         strips = []
         for start in range(0, size, STRIP):
-            place = slice(start, start + STRIP)
-            cells = [before[place]] if before else []
-            cells += [self._cells(column, lead, place) for column, lead in zip(columns, leads, strict=False)]
+            part = slice(start, start + STRIP)
+            cells = [before[part]] if before else []
+            cells += [self._cells(column, lead, part) for column, lead in zip(columns, leads, strict=False)]
             pieces = [self.end] * ((len(cells) + 1) * len(cells[0]))
             for number, column in enumerate(cells):
                 pieces[number :: len(cells) + 1] = column
@@ -80,7 +80,7 @@ class Lines:
 
     def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
         """Return what stands before the cells of each column. `is_begun`: whether rows have a beginning."""
-        return [self.separator if is_begun or place else b"" for place in range(len(heads))]
+        return [self.separator if is_begun or position else b"" for position in range(len(heads))]
 
     def _texts(self, column: Any, lead: bytes, size: int) -> Any:
         """Return the cells of a column of texts, each behind its lead; an array as it is."""
@@ -91,11 +91,11 @@ class Lines:
             return [*map(cells.__getitem__, column)]
         return column
 
-    def _cells(self, column: Any, lead: bytes, place: slice) -> list[bytes]:
+    def _cells(self, column: Any, lead: bytes, part: slice) -> list[bytes]:
         """Return some cells of a column, or of several in one array together, behind the lead."""
         if isinstance(column, list):
-            return column[place]
-        rows = numbers_in_lines(column[..., place], self.separator, self.gap)
+            return column[part]
+        rows = numbers_in_lines(column[..., part], self.separator, self.gap)
         if self.has_commas:
             rows = [row.replace(b".", b",") for row in rows]
         return rows if lead == self.separator else [lead + row[1:] for row in rows]
@@ -219,9 +219,9 @@ def _codes(columns: Columns) -> list[str | None]:
         return [codes(bits) or None for bits in columns.doubts]
     import numpy
 
-    distinct, places, _ = columns.distinct_doubts
+    distinct, positions, _ = columns.distinct_doubts
     texts = numpy.array([codes(bits) or None for bits in distinct.tolist()], dtype=object)
-    return cast(list[str | None], texts[places].tolist())
+    return cast(list[str | None], texts[positions].tolist())
 
 
 def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
@@ -293,15 +293,15 @@ def whole_file(path: str, mark: str = "") -> Iterator[BinaryIO]:
             with _opened(path if descriptor is None else os.dup(descriptor)) as stream:
                 yield stream
             return
-        place = os.path.realpath(path)
-        folder, name = os.path.split(place)
+        real = os.path.realpath(path)
+        folder, name = os.path.split(real)
         temporary = os.path.join(folder, f".{name[:MAX_KEPT]}.{mark}{os.urandom(4).hex()}")
         with _removed_at_last(temporary) as begun:
             with begun:
                 yield begun
-            if os.path.exists(place):
-                os.chmod(temporary, os.stat(place).st_mode & 0o7777)
-            os.replace(temporary, place)
+            if os.path.exists(real):
+                os.chmod(temporary, os.stat(real).st_mode & 0o7777)
+            os.replace(temporary, real)
     except OSError as error:
         error.filename = path  # a full disk names no file, other errors a temporary one
         raise

@@ -220,10 +220,10 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
     >>> similar_unit("Gpa", frozenset([dimension_of("Pa")])), similar_unit("Nm", frozenset([dimension_of("N m")]))
     ('GPa', 'N m')
     """
-    for place in range(1, len(word)):  # two units written as one word
-        first, second = _in_table(word[:place]), _in_table(word[place:])
+    for position in range(1, len(word)):  # two units written as one word
+        first, second = _in_table(word[:position]), _in_table(word[position:])
         if first and second and tuple(map(add, first[2], second[2])) in dimensions:
-            return f"{word[:place]} {word[place:]}"
+            return f"{word[:position]} {word[position:]}"
     prefixed = {
         prefix + unit: meaning
         for unit, meaning in PREFIXABLE.items()

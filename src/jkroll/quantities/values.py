@@ -36,13 +36,13 @@ NO_UNIT = "has no unit"
 class QuantityError(JkrollError):
     """Error raised when a text or a number is not a value of the quantity that it was given for."""
 
-    def __init__(self, name: str, value: object, reason: str, remedy: str = "", place: Sequence[int] = ()) -> None:
+    def __init__(self, name: str, value: object, reason: str, remedy: str = "", position: Sequence[int] = ()) -> None:
         """`reason` follows the value; `remedy` says what to type instead, by default an example of the quantity.
 
-        `place`: the index of a number in an array.
+        `position`: the index of a number in an array.
         """
-        super().__init__(name, value, reason, remedy, tuple(place))
-        self.name, self.value, self.reason, self.remedy, self.place = name, value, reason, remedy, tuple(place)
+        super().__init__(name, value, reason, remedy, tuple(position))
+        self.name, self.value, self.reason, self.remedy, self.position = name, value, reason, remedy, tuple(position)
         self.phrase = f"bad {name}"
 
     def problem(self) -> str:
@@ -52,7 +52,7 @@ class QuantityError(JkrollError):
 
     def __str__(self) -> str:
         value = quoted(self.value) if isinstance(self.value, str) else repr(self.value)
-        where = f" at index {', '.join(map(str, self.place))}" if self.place else ""
+        where = f" at index {', '.join(map(str, self.position))}" if self.position else ""
         return f"{self.name}: {value}{where} {self.problem()}"
 
 
@@ -183,7 +183,7 @@ def ends_of(value: Any) -> tuple[Any, Any]:
     return (value.low, value.high) if is_uncertain(value) else (value, value)
 
 
-def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
+def with_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
     """Return a value with the numbers of its uncertainty by side; nan stands for none."""
     known = {side: number for side, number in sides.items() if not isnan(number)}
     return (Interval if "low" in known else Measured)(value, **known) if known else value
@@ -386,8 +386,8 @@ def _read(text: str, unit_in: _UnitIn) -> float | Uncertain:
         return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
     if match := re.fullmatch(_LAST_DIGITS, text):
         value, digits, end = match.groups()
-        places = len(value.partition(".")[2])
-        bar = f"{int(digits) / 10**places:.{places}f}"
+        decimals = len(value.partition(".")[2])
+        bar = f"{int(digits) / 10**decimals:.{decimals}f}"
         if not re.match(r"[eE][+-]?[0-9]", end) and 2 * int(digits) > abs(float(value)):
             raise BadUnit(f"can be read as {value}±{bar} or as {value}e{digits}", "write the one that is meant")
         return _measured(_value(value + end, unit_in), _value(bar + end, unit_in))
@@ -472,11 +472,11 @@ class Spread:
     def __iter__(self) -> Iterator[float | Uncertain]:
         return iter([self.uncertainty]) if self.uncertainty is not None else map(self.value, range(self.size))
 
-    def value(self, place: int) -> float:
-        """Return the value at a place, with 15 digits: between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
-        if place in (0, self.size - 1):
-            return self.high if place else self.low
-        share = place / (self.size - 1)
+    def value(self, position: int) -> float:
+        """Return the value at a position, with 15 digits: between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
+        if position in (0, self.size - 1):
+            return self.high if position else self.low
+        share = position / (self.size - 1)
         if self.is_log:
             return _to_15_digits(self.low * (self.high / self.low) ** share)
         value = self.low * (1 - share) + self.high * share

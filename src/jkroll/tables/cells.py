@@ -43,19 +43,19 @@ class Column(NamedTuple):
     A range has no column but those of its ends, of which the first is the low one.
     """
 
-    place: int
+    position: int
     name: str
     unit_text: str
     unit: Unit | None
-    sides: tuple[tuple[str, int], ...] = ()  # the parts of the uncertainty, as `Reading` has them, and their places
+    sides: tuple[tuple[str, int], ...] = ()  # the parts of the uncertainty, as `Reading` has them, and their positions
     error_unit: str = ""  # of the cells of ±; an empty text where it is that of the values
     coverage: float = 1.0  # the uncertainties of the cells in standard ones, as in k = 2
 
     @property
-    def places(self) -> dict[str, int]:
-        """The places of the columns whose cells make a value."""
-        values = {} if self.is_range else {self.name: self.place}
-        return values | {f"{self.name}_{part}": place for part, place in self.sides}
+    def positions(self) -> dict[str, int]:
+        """The positions of the columns whose cells make a value."""
+        values = {} if self.is_range else {self.name: self.position}
+        return values | {f"{self.name}_{part}": position for part, position in self.sides}
 
     @property
     def is_range(self) -> bool:
@@ -112,7 +112,7 @@ class Column(NamedTuple):
 
     def _with_sides(self, columns: Mapping[str, Sequence[bytes]]) -> list[bytes]:
         """Return the cells of the values, each with its uncertainty."""
-        rows = zip(*(columns[name] for name in self.places), strict=True)
+        rows = zip(*(columns[name] for name in self.positions), strict=True)
         return [self.joined(*(cell.decode(errors="replace") for cell in row)).encode() for row in rows]
 
     def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
@@ -120,11 +120,11 @@ class Column(NamedTuple):
         values = numpy.full(len(cells), numpy.nan)
         by_unit: dict[bytes | None, dict[int, bytes]] = {}
         others: list[int] = []
-        for place, cell in enumerate(cells):
+        for position, cell in enumerate(cells):
             if match := _CELL.fullmatch(cell):
-                by_unit.setdefault(match[2], {})[place] = match[1]
+                by_unit.setdefault(match[2], {})[position] = match[1]
             elif cell and not cell.isspace():
-                others.append(place)
+                others.append(position)
         for unit, texts in by_unit.items():
             exponent = _exponent(unit, self.name) if unit else self.exponent
             numbers = None if exponent is None else plain_numbers([*texts.values()], exponent)
@@ -132,11 +132,11 @@ class Column(NamedTuple):
                 others += texts
             else:
                 values[[*texts]] = numbers
-        meanings = {place: _meaning(self, cells[place]) for place in others}
-        odd = [place for place, meaning in meanings.items() if isinstance(meaning, JkrollError)]
-        uncertain = {place: meaning for place, meaning in meanings.items() if is_uncertain(meaning)}
-        for place in meanings.keys() - {*odd}:
-            values[place] = middle(meanings[place])
+        meanings = {position: _meaning(self, cells[position]) for position in others}
+        odd = [position for position, meaning in meanings.items() if isinstance(meaning, JkrollError)]
+        uncertain = {position: meaning for position, meaning in meanings.items() if is_uncertain(meaning)}
+        for position in meanings.keys() - {*odd}:
+            values[position] = middle(meanings[position])
         return Numbers(values, odd, uncertain)
 
     def read(self, text: str) -> float | Uncertain:

@@ -1,6 +1,6 @@
 """Files of tables: their formats and compressions, the input as blocks of whole records, and formats of lines.
 
-A format is named by the end of a file's name, or by `--format`. Blocks are cut at the same places in every run.
+A format is named by the end of a file's name, or by `--format`. Blocks are cut at the same positions in every run.
 
 The records of CSV, TSV and NDJSON are lines. What passes through keeps its bytes; blank lines are left out. A block of
 cells without a quote is cut at its separators. One with a quote is read by the csv module, which knows the lines of
@@ -39,7 +39,7 @@ from .layouts import (
     as_table,
     bare,
     between_tabs,
-    header_place,
+    header_position,
     in_cells,
     is_comment,
     is_dump,
@@ -334,7 +334,7 @@ class Delimited:
             return is_input(stated.get(typed(text), text), measured)
 
         lines = as_lines(block)
-        above = header_place(lines, self.separator, is_read)
+        above = header_position(lines, self.separator, is_read)
         below = lines[above:] or [""]
         is_marked, below[0] = is_comment(below[0]), bare(below[0])
         _, stop, cells, problem = next(self.records(below))
@@ -377,7 +377,7 @@ class Delimited:
 
     def _take_units(self, rows: Sequence[Row], stated: Mapping[str, str], measured: str) -> int:
         """Take a row of units, and rows of comments beside it, as part of the header; return the number of these."""
-        first = next((place for place, row in enumerate(rows) if not is_remark(row, self.names)), 0)
+        first = next((position for position, row in enumerate(rows) if not is_remark(row, self.names)), 0)
         headers = with_units(self.names, rows[first], stated, measured) if rows else None
         self.stated = headers.stated if headers else stated
         self.above: list[tuple[bytes, str]] = []  # lines between the header and the rows, with their status
@@ -437,12 +437,12 @@ class Delimited:
 
     def read(self, text: bytes, table: Table) -> Records:
         """Return whole records, taken apart."""
-        records = self._cut(text, table.places) or self._read(text, table.places)
+        records = self._cut(text, table.positions) or self._read(text, table.positions)
         if self.has_decimal_commas:
             return with_decimal_points(records)
         return without_unclear(records) if self.is_open and b"." in text else records
 
-    def _cut(self, text: bytes, places: Mapping[str, int]) -> Records | None:
+    def _cut(self, text: bytes, positions: Mapping[str, int]) -> Records | None:
         """Cut lines without quotes that have the right width at their separators; None if there are others."""
         width, separator = len(self.names), self.separator.encode()
         if b'"' in text or self.excel_safe:
@@ -457,10 +457,10 @@ class Delimited:
         # Behind each line's last cell, and there only, stands a line feed.
         if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
             return None
-        columns = {name: cells[place : -1 : width + 1] for name, place in places.items()}
+        columns = {name: cells[position : -1 : width + 1] for name, position in positions.items()}
         return Records(lines, columns, {}, range(len(lines)), len(lines))
 
-    def _read(self, text: bytes, places: Mapping[str, int]) -> Records:
+    def _read(self, text: bytes, positions: Mapping[str, int]) -> Records:
         """Read records of any kind."""
         width = len(self.names)
         before: list[bytes] = []
@@ -481,7 +481,7 @@ class Delimited:
             starts.append(start)
             before.append(self._safe(cells, line).encode(BYTES))
             rows.append(cells)
-        columns = {name: [row[place].encode(BYTES) for row in rows] for name, place in places.items()}
+        columns = {name: [row[position].encode(BYTES) for row in rows] for name, position in positions.items()}
         return Records(before, columns, odd, starts, len(lines))
 
     def _of_size(self, size: int, line: str) -> BadRequest:

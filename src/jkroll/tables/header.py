@@ -59,29 +59,31 @@ class Header(NamedTuple):
         return frozenset(column.name for column in (*self.materials, *self.inputs))
 
     @property
-    def places(self) -> dict[str, int]:
-        """The places of the columns that are read."""
-        return {name: place for column in (*self.inputs, *self.materials) for name, place in column.places.items()}
+    def positions(self) -> dict[str, int]:
+        """The positions of the columns that are read."""
+        return {
+            name: position for column in (*self.inputs, *self.materials) for name, position in column.positions.items()
+        }
 
     def reading(self, *remarks: str) -> str:
         """Return the sentence that says how the table is read. `remarks`: on what stands around the columns."""
         sentence = f"read: {', '.join(map(self._from, (*self.materials, *self.inputs))) or 'no input'}"
         sentence = "; ".join([sentence, *remarks])
-        used = {*self.places.values()}
-        others = {place: text for place, text in enumerate(self.texts) if place not in used and text.strip()}
-        passed = [_easy(text) + self._clause(place) for place, text in others.items()]
+        used = {*self.positions.values()}
+        others = {position: text for position, text in enumerate(self.texts) if position not in used and text.strip()}
+        passed = [_easy(text) + self._clause(position) for position, text in others.items()]
         if passed:
             sentence += f"; passed through: {first_of([*dict.fromkeys(passed)], _MAX_SAID)}"
         return sentence
 
-    def _clause(self, place: int) -> str:
-        return f" ({self.clauses[place]})" if place in self.clauses else ""
+    def _clause(self, position: int) -> str:
+        return f" ({self.clauses[position]})" if position in self.clauses else ""
 
     def _from(self, column: Column) -> str:
         """Return the header of an input with those that it is read from, if they are others."""
-        head, text = header_of(column.name, column.unit_text), self.texts[column.place]
+        head, text = header_of(column.name, column.unit_text), self.texts[column.position]
         is_same = column.is_range or typed(text) in (head, column.name)
-        sources = [f"{_MARKS[part]}{_easy(self.texts[place])}" for part, place in column.sides]
+        sources = [f"{_MARKS[part]}{_easy(self.texts[position])}" for part, position in column.sides]
         return " ".join([head, *([] if is_same else [f"from {_easy(text)}"]), *sources])
 
 
@@ -137,8 +139,8 @@ def understood(
     for text in stated.keys() - {*map(typed, texts)}:
         columns_of_table = first_of([*map(_easy, texts)], _MAX_SAID)
         raise BadTable(f"--column: the table has no column {quoted(text)}; it has {columns_of_table}")
-    heads = [meaning_of(text, [row[place] for row in rows], stated, measured) for place, text in enumerate(texts)]
-    heads = [head._replace(place=place) for place, head in enumerate(_beside_others(heads, given))]
+    heads = [meaning_of(text, [row[position] for row in rows], stated, measured) for position, text in enumerate(texts)]
+    heads = [head._replace(position=position) for position, head in enumerate(_beside_others(heads, given))]
     inputs: dict[str, dict[str, Reading]] = {}  # by the part of the uncertainty, "" for the values
     for head in heads:
         if head.is_input and (other := inputs.setdefault(head.name, {}).setdefault(head.part, head)) is not head:
@@ -153,7 +155,7 @@ def understood(
     clauses: Mapping[str, str] = {}
     if supply_of is not None:
         supply = supply_of(used)
-        heads, clauses = [judged(head, [row[head.place] for row in rows], supply) for head in heads], supply.clauses
+        heads, clauses = [judged(head, [row[head.position] for row in rows], supply) for head in heads], supply.clauses
     left = [head for head in heads if head.problem and not _may_pass(head, held, known)]
     refused = [] if pass_rest else [*left]
     refused += [head for head in map(_with_problem, values) if head.problem]
@@ -164,10 +166,10 @@ def understood(
         if name in known and part not in used.get(name, ())
     ]
     if refused:
-        raise _refusal(sorted(refused, key=lambda head: head.place))
+        raise _refusal(sorted(refused, key=lambda head: head.position))
     columns = [_column(name, parts) for name, parts in used.items()]
     materials = tuple(column for column in columns if column.name in MATERIALS)
-    passed = {head.place: clauses[head.name] for head in left if head.name in clauses}
+    passed = {head.position: clauses[head.name] for head in left if head.name in clauses}
     return Header(tuple(texts), tuple(column for column in columns if column not in materials), materials, passed)
 
 
@@ -179,9 +181,9 @@ def _is_doubled(name: str, used: Mapping[str, Mapping[str, Reading]], rows: Sequ
     parts, others = used[name], used.get(CONVERTED.get(name, ""), {})
     if not others or any(head.is_stated for head in parts.values()):
         return False
-    own, other = ([head.place for head in each.values()] for each in (parts, others))
-    filled = [row for row in rows if not all(has_no_value(row[place]) for place in own)]
-    return bool(filled) and not any(all(has_no_value(row[place]) for place in other) for row in filled)
+    own, other = ([head.position for head in each.values()] for each in (parts, others))
+    filled = [row for row in rows if not all(has_no_value(row[position]) for position in own)]
+    return bool(filled) and not any(all(has_no_value(row[position]) for position in other) for row in filled)
 
 
 def _with_suffix(head: Reading, known: Mapping[str, str], measured: str) -> Reading:
@@ -354,10 +356,10 @@ def _column(name: str, parts: Mapping[str, Reading]) -> Column:
         what = "coverage factor" if len(factors) > 1 else "unit"
         raise BadTable(f"header: the columns {columns} must have the same {what}")
     unit = unit_of(unit_text, name) if unit_text else None
-    sides = tuple((part, head.place) for part, head in parts.items() if part)
+    sides = tuple((part, head.position) for part, head in parts.items() if part)
     first = next(iter(parts.values()))
     error_unit = error_unit if error_unit != unit_text else ""
-    return Column(first.place, name, unit_text, unit, sides, error_unit, max(factors, default=1.0))
+    return Column(first.position, name, unit_text, unit, sides, error_unit, max(factors, default=1.0))
 
 
 # --- What is refused --------------------------------------------------------------------------------------------------

@@ -45,7 +45,7 @@ def tabbed(block: bytes, line: int = 0) -> bytes:
     lines = _MARK.sub(rb"\1", block).split(b"\n")
     if b'"' not in block:
         return b"\n".join(b"\t".join(each.split()) for each in lines)
-    return b"\n".join(b"\t".join(_cells(each, line + place)) for place, each in enumerate(lines, 1))
+    return b"\n".join(b"\t".join(_cells(each, line + position)) for position, each in enumerate(lines, 1))
 
 
 def _cells(line: bytes, number: int) -> list[bytes]:
@@ -83,12 +83,15 @@ def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[b
     for block in blocks:
         lines = block.split(b"\n")
         if not line:
-            place = _place_of_columns(lines)
-            above = place + 1
-            count, number = _stated_rows(lines[:place])
-            lines[:above] = [*(b"# " + each for each in lines[:place]), re.sub(_COLUMNS, b"", lines[place], count=1)]
+            position = _line_of_columns(lines)
+            above = position + 1
+            count, number = _stated_rows(lines[:position])
+            lines[:above] = [
+                *(b"# " + each for each in lines[:position]),
+                re.sub(_COLUMNS, b"", lines[position], count=1),
+            ]
         below = lines[max(above - line, 0) :]
-        if (step := next((place for place, each in enumerate(below) if each.startswith(b"ITEM: ")), -1)) >= 0:
+        if (step := next((position for position, each in enumerate(below) if each.startswith(b"ITEM: ")), -1)) >= 0:
             raise BadTable(_several_steps(max(line, above) + step + 1, below[step], path, compression))
         rows += sum(map(bool, map(bytes.strip, below)))
         line += len(lines) - 1
@@ -100,19 +103,19 @@ def as_table(blocks: Iterable[bytes], path: str, compression: str) -> Iterator[b
         )
 
 
-def _place_of_columns(lines: Sequence[bytes]) -> int:
+def _line_of_columns(lines: Sequence[bytes]) -> int:
     """Return the index of the line of a dump that names its columns. Raises BadTable."""
-    for place, line in enumerate(lines[:SAMPLE]):
+    for position, line in enumerate(lines[:SAMPLE]):
         if line.startswith(b"ITEM: ") and not re.match(_NO_COLUMNS, line):
-            return place
+            return position
     raise BadTable("the dump has no line such as ITEM: ATOMS id radius: its end is missing")
 
 
 def _stated_rows(items: Sequence[bytes]) -> tuple[int, int]:
     """Return the number of rows that the items of a dump state, and its line; 0 and 0 without one."""
-    for place, line in enumerate(items[:-1], 1):
-        if line.startswith(b"ITEM: NUMBER OF") and items[place].strip().isdigit():
-            return int(items[place]), place + 1
+    for position, line in enumerate(items[:-1], 1):
+        if line.startswith(b"ITEM: NUMBER OF") and items[position].strip().isdigit():
+            return int(items[position]), position + 1
     return 0, 0
 
 
@@ -131,7 +134,7 @@ def _several_steps(number: int, line: bytes, path: str, compression: str) -> str
 # --- Above the header -------------------------------------------------------------------------------------------------
 
 
-def header_place(lines: Sequence[str], separator: str, is_read: Callable[[str], bool]) -> int:
+def header_position(lines: Sequence[str], separator: str, is_read: Callable[[str], bool]) -> int:
     """Return the number of lines above the header: comments, and the separator as a spreadsheet has it in sep=;.
 
     The last of them that names columns that are read is the header, unless the line below all of them names some. So is
@@ -140,9 +143,9 @@ def header_place(lines: Sequence[str], separator: str, is_read: Callable[[str], 
     count = len([*takewhile(_COMMENT.match, lines[:SAMPLE])])
     texts = [text_of(bare(line)).strip() for line in lines[: count + 1]]
     rows = [[cell.strip('"') for cell in text.split(separator)] for text in texts]
-    for place in (count, *reversed(range(count))):
-        if place < len(rows) and any(map(is_read, rows[place])):
-            return place
+    for position in (count, *reversed(range(count))):
+        if position < len(rows) and any(map(is_read, rows[position])):
+            return position
     numbers = rows[count] if separator == "\t" and 0 < count < len(rows) else []
     are_numbers = bool(numbers) and all(map(_NUMBER.match, numbers)) and len(numbers) == len(rows[count - 1])
     return count - 1 if are_numbers else count

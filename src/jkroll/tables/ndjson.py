@@ -57,13 +57,16 @@ class Ndjson:
     def read(self, text: bytes, table: Table) -> Records:
         """Return whole lines, taken apart."""
         every = text.split(b"\n")
-        starts = [place for place, line in enumerate(every) if line.strip()]
-        lines = [every[place] for place in starts]
+        starts = [position for position, line in enumerate(every) if line.strip()]
+        lines = [every[position] for position in starts]
         objects = [*map(_object, lines)]
         problems = [self._problem(line, members, table) for line, members in zip(lines, objects, strict=True)]
         odd = {row: BadRequest(problem) for row, problem in enumerate(problems) if problem}
         rows = [members or {} for members in objects]
-        cells = {name: cells_of([row.get(self.names[place]) for row in rows]) for name, place in table.places.items()}
+        cells = {
+            name: cells_of([row.get(self.names[position]) for row in rows])
+            for name, position in table.positions.items()
+        }
         return Records([*map(_beginning, lines, objects)], cells, odd, starts, len(every) - 1)
 
     def _problem(self, line: bytes, members: Object | None, table: Table) -> str:

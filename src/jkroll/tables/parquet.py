@@ -122,9 +122,9 @@ class Arrow:
 
     def read(self, batch: Any, table: Table) -> Records:
         """Return a batch, taken apart."""
-        cells = {name: cells_of(_values(batch.column(place))) for name, place in table.columns.places.items()}
-        for name, place in table.labels.items():
-            column = batch.column(place)
+        cells = {name: cells_of(_values(batch.column(position))) for name, position in table.columns.positions.items()}
+        for name, position in table.labels.items():
+            column = batch.column(position)
             cells[name] = cells_of(column.to_pylist()) if _has_texts(column.type) else [b""] * batch.num_rows
         return Records(batch, cells, {}, range(batch.num_rows), batch.num_rows)
 

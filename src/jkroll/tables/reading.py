@@ -34,7 +34,7 @@ class Reading(NamedTuple):
     is_relative: bool = False  # of a part: it is of the value, even where that is in % itself
     coverage: float = 1.0  # the uncertainty in standard ones
     is_stated: bool = False  # by an option
-    place: int = 0  # in a table
+    position: int = 0  # in a table
     text: str = ""  # the header, and the first cell below it that is not empty
     cell: str = ""
 
@@ -149,7 +149,7 @@ def decoded(text: str) -> str:
 
 
 def splits_of(text: str) -> Iterator[Split]:
-    """Iterate over words and what may be their units: none, and what stands behind each place where one may begin."""
+    """Iterate over words with their possible units: none, and the text behind each position where one may begin."""
     yield Split(text.strip(" _."), "")
     for cut in reversed([*_CUT.finditer(text)]) if len(text) <= _LONGEST else ():
         word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}<>")
@@ -368,7 +368,7 @@ def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, b
 
 
 def words_in(text: str) -> list[str]:
-    """Return what stands before each place in a header at which a unit may begin, and all of it."""
+    """Return what stands before each position in a header at which a unit may begin, and all of it."""
     return [split.word for split in splits_of(normalized(text))]
 
 

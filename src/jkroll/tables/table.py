@@ -68,7 +68,7 @@ class Table:
         """`rows`: the first ones. Raises BadTable, or an error of the options."""
         self.columns, self.asked = columns, asked
         self.labels = _labels(columns, rows, asked)
-        self.places = {**columns.places, **self.labels}
+        self.positions = {**columns.positions, **self.labels}
         inputs, known = asked.inputs, asked.known
         self.spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
         self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
@@ -76,7 +76,7 @@ class Table:
         self.said = {"model": self.model} if self.model is not None else {}  # columns of text, the same in all rows
         self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
         self.given = columns.names | self.fixed.keys()
-        cells = {name: [row[place].encode() for row in rows] for name, place in self.places.items()}
+        cells = {name: [row[position].encode() for row in rows] for name, position in self.positions.items()}
         sample = TableBlock(self, Records(rows, cells))  # which looks up materials
         frames = self._kinds(cells)
         self.names, named = self._names(frames)
@@ -189,14 +189,18 @@ class Table:
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], asked: Asked) -> dict[str, int]:
-    """Return the names and places of columns that may label rows of statistics: no inputs, nor what `--column` names.
+    """Return the names and positions of columns that may label rows of statistics: no inputs, nor those of `--column`.
 
     Where all of the first rows are of means, these are the data.
     """
-    inputs, stated = {place for column in columns.inputs for place in column.places.values()}, asked.stated
-    places = [place for place, text in enumerate(columns.texts) if place not in inputs and typed(text) not in stated]
+    inputs, stated = {position for column in columns.inputs for position in column.positions.values()}, asked.stated
+    positions = [
+        position for position, text in enumerate(columns.texts) if position not in inputs and typed(text) not in stated
+    ]
     return {
-        f"{LABEL_OF}{place}": place for place in places if not are_kinds_of_data([row[place].encode() for row in rows])
+        f"{LABEL_OF}{position}": position
+        for position in positions
+        if not are_kinds_of_data([row[position].encode() for row in rows])
     }
 
 
@@ -272,7 +276,7 @@ class TableBlock:
         table, cells = self.table, {name: cells[row].decode(errors="replace") for name, cells in self.cells.items()}
         given: dict[str, Any] = {}
         for column in table.columns.inputs:
-            if (text := column.joined(*(cells[name] for name in column.places))).strip():
+            if (text := column.joined(*(cells[name] for name in column.positions))).strip():
                 given[column.name] = column.read(text)
         solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
         frame = table.frame(given, solids)
