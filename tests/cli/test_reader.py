@@ -16,7 +16,7 @@ from jkroll.cli.call import Call
 from jkroll.cli.commands import COMMANDS, OUTPUT, flags_of
 from jkroll.cli.options import EVERY, Option
 from jkroll.cli.process import HINTS, SYNONYMS, read
-from jkroll.errors import JkrollError
+from jkroll.errors import BadRequest, JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
 
 # Lines that ask for the same.
@@ -240,3 +240,17 @@ def test_an_option_that_changes_nothing_is_named(run: Run, line: str, idle: str)
 )
 def test_what_enters_a_result_or_a_limit_is_not_said_to_change_nothing(run: Run, line: str) -> None:
     assert "no result here" not in run(line).err
+
+
+@pytest.mark.parametrize(("line", "message"), [
+    ("pull-off 1um --alternatives --bare", "--alternatives and --bare exclude each other"),
+    ("pull-off 1um --explain --alternatives", "--alternatives and --explain exclude each other"),
+    ("contact 1um --curve --cite", "--curve and --cite exclude each other"),
+    ("pull-off 1um --csv --json", "--json and --csv exclude each other"),
+    ("pull-off 1um --tex", "--tex goes with --cite"),
+    ("batch x.csv --delimiter bar --format csv", "--format and --delimiter exclude each other"),
+    ("batch x.csv --infer gamma --quantities n_grav", "--infer and --quantities exclude each other"),
+])  # fmt: skip
+def test_options_that_do_not_go_together_are_refused(line: str, message: str) -> None:
+    with pytest.raises(BadRequest, match=f"^{message}$"):
+        read(line.split())
