@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import pickle
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -496,5 +497,26 @@ def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
 
 def test_a_value_that_maugis_law_does_not_have_is_not_told(run: Run) -> None:
     words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
-    assert "no E gives this by Maugis' law, better here than JKR" in run(words).err
+    assert "no E gives this by Maugis' law (Tabor parameter 0.021)" in run(words).err
     assert "no value gives yield_force = 100 pN" in run(f"{words} --model maugis").err
+
+
+def test_rows_of_two_solids_are_inferred(run: Run) -> None:
+    """Both spheres of one solid have one surface energy; of two, that of sphere 1 is sought."""
+    Path("in.csv").write_text("material,material2,radius,P_c\niron,iron,1um,300nN\niron,quartz,1um,300nN\n")
+    assert run("batch in.csv -o out.csv --infer gamma --measured P_c").code == 0
+    with open("out.csv", encoding="utf-8", newline="") as file:
+        rows = [float(row["surface_energy [J/m^2]"]) for row in csv.DictReader(file)]
+    work = 300e-9 / (1.5 * math.pi * 0.5e-6)
+    quartz = solve("surface_energy", material="quartz", radius=1e-6)
+    assert rows == approx([work / 2, (work / 2) ** 2 / quartz])
+
+
+def test_rows_that_fail_show_their_inputs(run: Run) -> None:
+    words = "infer adhesion_hysteresis quartz 1um --measured yield_force=3nN --model jkr,dmt --csv"
+    _, dmt = csv.DictReader(run(words).out.splitlines())
+    assert (dmt["status"], float(dmt["youngs_modulus [Pa]"])) == ("not in DMT", 54e9)
+
+
+def test_without_a_load_no_contact_is_lost(run: Run) -> None:
+    assert "beyond pull-off" not in run("infer gamma quartz 1um --measured a=10±5nm").err

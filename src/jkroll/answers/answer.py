@@ -388,6 +388,8 @@ class Answer(Results):
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
+        if self.described.unknowns and self.failure is not None:
+            return ()
         inputs, idle = self._entering
         every = (
             *proofs(self),

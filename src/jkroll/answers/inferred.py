@@ -48,9 +48,12 @@ def about_limit(doubt: Doubt, answer: "Answer") -> str:
         return doubt.text
     values = answer.alternatives.get(BETWEEN, {})
     told = [f"{symbols[name]} = {span(name, middle(value), middle(value))}" for name, value in values.items()]
-    found = listed(told) if told else f"no {unknowns} gives this"
-    better = f"by Maugis' law, better here than {answer.frame.law.title}"
-    return f"{found} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
+    if told:
+        better = f"by Maugis' law, better here than {answer.frame.law.title}"
+        return f"{listed(told)} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
+    if answer.described.replace(model=BETWEEN).missing(symbols):
+        return doubt.text
+    return f"no {unknowns} gives this by Maugis' law (Tabor parameter {doubt.value:.2g})"
 
 
 def proofs(answer: "Answer") -> Iterator[Note]:

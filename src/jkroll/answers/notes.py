@@ -209,7 +209,7 @@ def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
     forces = answer.frame.numbers("load", "pull_off_force") if has_spread else {}
     if len(forces) < 2 or answer.open_bars():
         return
-    bars = error_bars(answer.described, forces, sources=answer.sources).values()
+    bars = error_bars(answer.frame, forces, sources=answer.sources).values()
     spread = hypot(*(bar.sides["minus"] for bar in bars if "minus" in bar.sides))
     part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
     if part >= _LOST:

@@ -82,6 +82,10 @@ class Inverse(Frame):
         measured = self.measured.keys() if not {*self.unknowns}.isdisjoint(wanted) else ()
         return in_order({*super().inputs_of(*wanted), *measured} - self.problem.sought.keys())
 
+    def inputs_used(self, names: Sequence[str]) -> Collection[str]:
+        """Return the inputs on which quantities depend, and with them each unknown, as far as the frame has them."""
+        return {*self.filled.inputs_used(self.judged(names))} - self.problem.sought.keys()
+
     def missing_input(self, name: str) -> MissingInput:
         """Return the error of a quantity that needs more inputs, for an unknown that of what was measured."""
         first = next(iter(Frame.missing(self, self.judged([name]))), name)
@@ -100,7 +104,13 @@ class Inverse(Frame):
 
     @cached_property
     def solution(self) -> Solution:
-        """The values of the unknowns, with the reasons of rows that have none."""
+        """The values of the unknowns, with the reasons of rows that have none.
+
+        Raises a BadRequest for rows of many solids, of which each by itself says whether both spheres are of one.
+        """
+        solids = [solid.name for solid, _ in self.materials]
+        if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.unknowns):
+            raise BadRequest("of which spheres an unknown is")
         start = self.near.solution.places if self.near is not None else None
         try:
             return solved(self.problem, start)
@@ -135,9 +145,6 @@ def _check(problem: Problem) -> None:
         if name in known.stated or (name in unknowns and name in problem.levels):
             raise already_given(name)
     check_exclusive({*unknowns, *known.stated})
-    solids = [solid.name for solid, _ in known.materials]
-    if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(unknowns):
-        raise BadRequest("of which spheres an unknown is")  # solids of many rows have no name: each by itself says
     for quantity in problem.levels:
         if formula_of(quantity) is None and problem.filled.missing([quantity]):
             option = NOMENCLATURE[quantity].option or quantity
