@@ -618,7 +618,7 @@ def _is_element(scene: Frame, name: str, found: Any, element: float, *, is_speci
     """
     is_gap = math.isnan(element)
     if isinstance(found, JkrollError) and is_end_of_meaning(found):
-        return not is_gap  # solve gives all numbers
+        return not is_gap or is_at_its_end(scene)  # solve gives all numbers
     if is_gap and is_special and scene.is_rigid:
         return True
     if isinstance(found, float):
