@@ -3,6 +3,7 @@
 import gc
 import os
 import sys
+from collections.abc import Callable
 
 SELDOM = 50_000  # new objects until the next search for cycles: what imports make is no garbage
 
@@ -17,12 +18,7 @@ def run() -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied: no thread for each core
-    if os.environ.get("_JKROLL_COMPLETE") or sys.argv[1:] in (["--install-completion"], ["--show-completion"]):
-        from .cli.shells import main
-    else:
-        from .cli.process import main
-
-    code = main()
+    code = _main()()
     from .errors import FAILED
 
     for stream in filter(None, (sys.stdout, sys.stderr)):
@@ -31,6 +27,20 @@ def run() -> None:
         except OSError:
             code = code or FAILED
     os._exit(code)  # everything is written, and an orderly shutdown of the interpreter would take a tenth of a call
+
+
+def _main() -> Callable[[], int]:
+    """Return what a shell asks for: candidates of a begun word, a script for completion, or an answer."""
+    if asked := os.environ.get("_JKROLL_COMPLETE"):
+        from .cli import completion
+
+        if completion.is_asked_by(asked):
+            return completion.main
+    if asked or sys.argv[1:] in (["--install-completion"], ["--show-completion"]):
+        from .cli.shells import main
+    else:
+        from .cli.process import main
+    return main
 
 
 if __name__ == "__main__":

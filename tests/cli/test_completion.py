@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
 
-from jkroll.cli.shells import app
+from jkroll.cli.completion import candidates as candidates_for
 from shells import Shell
 
 # What is typed, and the words that the command is then called with. A second TAB goes on where the first has ended.
@@ -71,9 +70,8 @@ def test_tab_completes(shell: Shell, what: str) -> None:
 
 def offered(line: str) -> list[str]:
     """Return what a shell is offered for the last word of a line."""
-    words = {"COMP_WORDS": line, "COMP_CWORD": str(line.count(" "))}
-    environment = {"_JKROLL_COMPLETE": "complete_bash", **words}
-    return CliRunner().invoke(app, env=environment, prog_name="jkroll").stdout.split()
+    _, *words, begun = line.split(" ")
+    return [word for word, _ in candidates_for(words, begun)]
 
 
 def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

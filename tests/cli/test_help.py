@@ -6,7 +6,6 @@ from typing import Any
 import pytest
 import typer
 from typer.core import TyperOption
-from typer.testing import CliRunner
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
@@ -22,7 +21,7 @@ def taken(name: str | None) -> dict[str, bool]:
     command = group if name is None else group.commands[name]
     return {
         flag: parameter.hidden
-        for parameter in command.get_params(typer.Context(command))
+        for parameter in command.get_params(typer.Context(command, **command.context_settings))
         if isinstance(parameter, TyperOption)
         for flag in (*parameter.opts, *parameter.secondary_opts)
     }
@@ -58,7 +57,6 @@ def test_every_way_to_ask_for_help(run: Run, name: str | None) -> None:
     words = [name] if name else []
     text = run(*words, "--help").out
     assert text == run(*words, "-h").out == run("help", *words).out == help_of(name) + "\n"
-    assert CliRunner().invoke(app, [*words, "--help"]).stdout == text
 
 
 @pytest.mark.parametrize("width", [1, 60, 200])

@@ -73,6 +73,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if arguments is None else arguments)
     is_debugged = DEBUG.flag in words
     words = [word for word in words if word != DEBUG.flag]
+
+    def run() -> int:
+        _check(words)
+        return read(words)()
+
+    return finished(run, words, is_debugged=is_debugged)
+
+
+def finished(run: Action, words: Sequence[str] = (), *, is_debugged: bool = False) -> int:
+    """Run what writes to the standard output, to its end; return the exit code. An error is a line on stderr.
+
+    `words`: as typed.
+    """
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")  # it was closed: nobody listens
     try:
@@ -81,8 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for stream in (sys.stdout, sys.stderr):
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
-        _check(words)
-        code = read(words)()
+        code = run()
         sys.stdout.flush()
         return code
     except BrokenPipeError:

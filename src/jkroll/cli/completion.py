@@ -1,0 +1,176 @@
+"""Completion on TAB: what may stand in place of a begun word, written as the shell reads it.
+
+The scripts are typer's, which `--install-completion` installs. They pass what was typed in variables of the environment
+and stay where they are when typer changes. A key is answered without typer, whose import takes longer than an answer.
+"""
+
+import os
+import shlex
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from ..errors import FAILED, JkrollError
+from ..quantities.laws import LAWS
+from ..quantities.nomenclature import ANY, NOMENCLATURE
+from ..text import say
+from .commands import COMMANDS, Command, flags_of
+from .options import Option
+from .process import finished
+
+SHELLS = ("bash", "zsh", "fish", "powershell", "pwsh")
+
+Candidate = tuple[str, str]  # a word, and what it means where a shell shows that
+
+
+def is_asked_by(instruction: str) -> bool:
+    """Return whether a script asks for candidates, as in complete_bash, and not for a script."""
+    action, _, shell = instruction.partition("_")
+    return action == "complete" and shell in SHELLS
+
+
+def main() -> int:
+    """Write the candidates for the shell that asks; return the exit code."""
+    return finished(_write)
+
+
+def _write() -> int:
+    shell = os.environ["_JKROLL_COMPLETE"].partition("_")[2]
+    found = list(candidates(*_typed(shell)))
+    if shell == "fish" and os.environ.get("_TYPER_COMPLETE_FISH_ACTION") == "is-args":
+        return 0 if found else FAILED  # fish offers files then
+    say(_written(shell, found), sys.stdout)
+    return 0
+
+
+# --- What was typed, and what a shell reads ---------------------------------------------------------------------------
+
+
+def _typed(shell: str) -> tuple[list[str], str]:
+    """Return the words behind the name of the program, and the one that is begun, which may be empty."""
+    if shell == "bash":
+        words, position = _divided(os.environ.get("COMP_WORDS", "")), int(os.environ.get("COMP_CWORD", "0"))
+        return words[1:position], (words[position:] or [""])[0]
+    line = os.environ.get("_TYPER_COMPLETE_ARGS", "")
+    words = _divided(line)[1:]
+    if shell in ("powershell", "pwsh"):
+        begun = os.environ.get("_TYPER_COMPLETE_WORD_TO_COMPLETE", "")
+        return words[:-1] if begun else words, begun
+    return (words, "") if line.endswith(" ") or not words else (words[:-1], words[-1])
+
+
+def _divided(line: str) -> list[str]:
+    """Return the words of a line, of which the last may have begun with a quote."""
+    reader = shlex.shlex(line, posix=True)
+    reader.whitespace_split, reader.commenters = True, ""
+    words: list[str] = []
+    try:
+        words.extend(reader)
+    except ValueError:
+        words.append(reader.token)
+    return words
+
+
+def _written(shell: str, found: Sequence[Candidate]) -> str:
+    """Return candidates as a shell reads them."""
+    if shell == "bash":
+        return "\n".join(word for word, _ in found)
+    if shell == "fish":
+        return "\n".join(f"{word}\t{meaning}".rstrip() for word, meaning in found)
+    if shell != "zsh":
+        return "\n".join(f"{word}:::{meaning or ' '}" for word, meaning in found)
+    lines = [f'"{_for_zsh(word)}"' + (f':"{_for_zsh(meaning)}"' if meaning else "") for word, meaning in found]
+    return "_arguments '*: :((" + "\n".join(lines) + "))'" if lines else "_files"
+
+
+def _for_zsh(text: str) -> str:
+    for character, escaped in (('"', '""'), ("'", "''"), ("$", "\\$"), ("`", "\\`"), (":", r"\\:")):
+        text = text.replace(character, escaped)
+    return text
+
+
+# --- Candidates -------------------------------------------------------------------------------------------------------
+
+
+def candidates(words: Sequence[str], begun: str) -> Iterator[Candidate]:
+    """Iterate over what may stand in place of the begun word, behind other words.
+
+    Nothing is offered that a shell could run.
+    """
+    for word, meaning in _fitting(words, begun):
+        if word.startswith(begun.rpartition("=")[2]) and all(char.isalnum() or char in "_-−.+,@=:/" for char in word):
+            yield word, meaning
+
+
+def _fitting(words: Sequence[str], begun: str) -> Iterable[Candidate]:
+    """Return what fits behind some words: commands, options, or words and values of these."""
+    command = next((COMMANDS[word] for word in words if word in COMMANDS), None)
+    flags = flags_of(command.name if command else None)
+    if begun.startswith("-") and "=" not in begun and "--" not in words:
+        return _options(words, flags.values())
+    if command is None:
+        return [(each.name, each.sentence) for each in COMMANDS.values()]
+    name, is_joined, value = begun.partition("=")
+    before = [*(word for word in words if word != "="), *([name] if is_joined and name else [])]  # as bash divides
+    option = flags.get(before[-1]) if before else None
+    value = value if is_joined else begun
+    places = [option.name] if option is not None and option.metavar else _placeholders(command, value)
+    return [(word, "") for place in places for word in _values(place, value)]
+
+
+def _options(words: Sequence[str], options: Iterable[Option[Any]]) -> Iterator[Candidate]:
+    """Iterate over the options that are shown, without those that stand among the words."""
+    for option in dict.fromkeys(options):
+        if not option.hidden and (option.repeats or not any(flag in words for flag in option.flags)):
+            for flag in option.flags:
+                yield flag, option.sentence()
+
+
+def _placeholders(command: Command, begun: str) -> Sequence[str]:
+    """Return the first placeholder of a command or, once a word may stand before it, all of them."""
+    return command.placeholders if begun else command.placeholders[:1]
+
+
+def _values(place: str, begun: str) -> Iterable[str]:
+    """Return words for a placeholder or values of an option: names, which may form a list, or numbers with units."""
+    head, comma, word = begun.rpartition(",")
+    if place in _NAMES:
+        return [head + comma + name for name in _NAMES[place](word)]
+    name = "radius" if place == "RADIUS" else place
+    if name not in NOMENCLATURE:
+        return []
+    if not begun:
+        return [] if place == "RADIUS" else [NOMENCLATURE[name].example]
+    number = begun[: len(begun) - len(begun.lstrip("0123456789.-+−"))]
+    return [number + unit for unit in _units(NOMENCLATURE[name].unit) if number]
+
+
+def _units(unit: str) -> Iterable[str]:
+    """Return the units of the examples of inputs of a dimension, in order."""
+    alike = (quantity for quantity in NOMENCLATURE.values() if quantity.example and quantity.unit == unit)
+    return dict.fromkeys(quantity.example.lstrip("0123456789.e-") for quantity in alike if not quantity.is_word)
+
+
+def _materials(begun: str) -> list[str]:
+    """Return materials, and aliases where no name fits; only the shipped ones while a user's file is broken."""
+    from ..materials.library import known_materials, materials_of_user
+
+    try:
+        materials = materials_of_user(None)
+    except JkrollError:  # which the call itself will report
+        materials = known_materials()
+    names = [name for name in (*materials.materials, "all") if name.startswith(begun)]
+    return names or [name for name in materials.aliases if name.startswith(begun)]
+
+
+_RESULTS = [  # the quantities that a formula gives, without variants and without what is only an input
+    name
+    for name, quantity in NOMENCLATURE.items()
+    if not (quantity.is_word or quantity.variant_of) and (quantity.equation or quantity.range is ANY)
+]
+# The names that a begun word may become, by its placeholder, or by the name of the option whose value it is.
+_NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
+    **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
+    **dict.fromkeys(("QUANTITY", "NAME", "quantities"), lambda _: _RESULTS),
+    "model": lambda _: LAWS,
+}
