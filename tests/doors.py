@@ -19,7 +19,7 @@ from frames import outcomes
 from harness import Ran, Run
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.call import Call
-from jkroll.cli.process import read
+from jkroll.cli.process import action_of
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
 from jkroll.model.alternatives import at_least_measured, at_most_measured
@@ -98,7 +98,7 @@ def kind_of(key: str) -> str:
 
 def call_of(words: Sequence[str]) -> Call:
     """Return the call that words stand for."""
-    action: Any = read(words)
+    action: Any = action_of(words)
     call: Call = action.args[0]
     return call
 

@@ -48,7 +48,7 @@ from jkroll.model.reasons import (
     Failure,
     MissingInput,
     NoErrorBar,
-    reason_of,
+    explanation_of,
 )
 from jkroll.model.results import is_end_of_meaning
 from jkroll.model.rows import DOUBT, STATUS
@@ -524,7 +524,7 @@ def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequen
             yield f"{key} = {values.get(key)!r} and {number!r}"
         error = reasons.get(key)
         if not name:
-            reason = reason_of(key, error) if isinstance(error, MissingInput | NoResult) else None
+            reason = explanation_of(key, error) if isinstance(error, MissingInput | NoResult) else None
             if reason != entry.get("reason"):
                 yield f"{key}: {reason} and {entry.get('reason')}"
             if (error and error.code) != entry.get("reason_code"):

@@ -59,13 +59,14 @@ class NoResult(JkrollError):
 
     exit_code = 1
     name = ""  # the quantity that has no value, or whose value rules a contact out, if it is a single one
+    cause: Any  # of its reason in a column
 
-    def reason(self) -> str:
+    def explanation(self) -> str:
         """Return why there is no answer, without the name of the quantity."""
         return ""
 
     def __str__(self) -> str:
-        return f"{self.name}: {self.reason()}" if self.name else self.reason()
+        return f"{self.name}: {self.explanation()}" if self.name else self.explanation()
 
 
 class BadRequest(JkrollError):

@@ -15,7 +15,7 @@ from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.call import Call
 from jkroll.cli.commands import COMMANDS, OUTPUT, flags_of
 from jkroll.cli.options import EVERY, Option
-from jkroll.cli.process import HINTS, SYNONYMS, read
+from jkroll.cli.process import HINTS, SYNONYMS, action_of
 from jkroll.errors import BadRequest, JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
 
@@ -82,7 +82,7 @@ REFUSED = {
 def meaning(words: list[str]) -> Any:
     """Return what words are read as, in a form that can be compared: a function with its arguments, or an error."""
     try:
-        action = read(words)
+        action = action_of(words)
     except JkrollError as error:
         return type(error), str(error)
     if not isinstance(action, partial):
@@ -145,7 +145,7 @@ def test_a_value_may_be_joined_or_not(taken: tuple[str, Option[Any]], text: str)
 @given(st.lists(st.text(max_size=8) | st.sampled_from([*SYNONYMS, *flags_of("report"), *flags_of("batch"), *COMMANDS])))
 def test_any_words_are_read_or_refused_in_one_line(words: list[str]) -> None:
     try:
-        read(words)
+        action_of(words)
     except JkrollError as error:
         assert str(error).isprintable()
 
@@ -253,4 +253,4 @@ def test_what_enters_a_result_or_a_limit_is_not_said_to_change_nothing(run: Run,
 ])  # fmt: skip
 def test_options_that_do_not_go_together_are_refused(line: str, message: str) -> None:
     with pytest.raises(BadRequest, match=f"^{message}$"):
-        read(line.split())
+        action_of(line.split())

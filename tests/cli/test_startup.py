@@ -10,7 +10,7 @@ from runpy import run_path
 import pytest
 
 from jkroll.cli.commands import COMMANDS
-from jkroll.cli.process import read
+from jkroll.cli.process import action_of
 
 LIBRARIES = {"numpy", "pint", "rich", "typer", "pydantic", "mpmath", "matplotlib", "tomllib"}
 HEAVY = {"dataclasses", "inspect", "pathlib", "difflib", "shutil", "subprocess"}  # of the standard library
@@ -133,7 +133,7 @@ def test_a_call_imports_its_own_command_only() -> None:
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_has_a_runner(name: str) -> None:
-    assert isinstance(read([name]), partial)
+    assert isinstance(action_of([name]), partial)
 
 
 def test_the_package_alone_imports_nothing() -> None:

@@ -456,7 +456,7 @@ def test_the_values_that_an_error_names_can_be_typed(part: float) -> None:
     frequency = part * solve("vertical_frequency", radius=2e-7, **given)
     with pytest.raises(SeveralSolutions) as caught:
         infer("radius", measured={"vertical_frequency": frequency}, **given)
-    for text in caught.value.reason().partition(" both give")[0].split(" and "):
+    for text in caught.value.explanation().partition(" both give")[0].split(" and "):
         radius = parse_quantity(text, "radius")
         assert solve("vertical_frequency", radius=radius, **given) == approx(frequency, rel=2e-3)
 

@@ -144,7 +144,7 @@ def test_a_suggested_unit_gives_the_dimension_of_the_quantity(text: str, name: s
         parse_quantity(text, name)
     assert str(error.value).endswith(f"; did you mean {guess}?")
     unit = text.split()[1]
-    typed = error.value.reason.split("'")[1]
+    typed = error.value.mistake.split("'")[1]
     assert parse_quantity(f"5 {unit.replace(typed, guess)}", name) > 0
 
 

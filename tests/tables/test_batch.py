@@ -103,7 +103,7 @@ def test_the_guide_explains_the_codes_of_doubts() -> None:
 def test_a_column_is_read_as_a_one_liner_reads_it(unit: str, number: str) -> None:
     column = Column(0, "radius", unit, unit_of(unit, "radius"))
     try:
-        expected = column.read(number)
+        expected = column.value(number)
     except QuantityError:
         return
     cell = number.encode()
@@ -140,7 +140,7 @@ def test_what_is_no_number_is_read_as_none(text: str) -> None:
 
 def test_empty_cells_and_several_units_are_read_together() -> None:
     cells = [b"1 nN", b"", b"", b"2.5e1 uN", b" ", b"+3 nN", b"4 uN"]
-    with patch.object(Column, "read", side_effect=AssertionError):
+    with patch.object(Column, "value", side_effect=AssertionError):
         values = Column(0, "load", "", None).numbers({"load": cells}).values.tolist()
     assert str(values) == "[1e-09, nan, nan, 2.5e-05, nan, 3e-09, 4e-06]"
 

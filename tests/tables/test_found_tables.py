@@ -122,7 +122,7 @@ def value(column: Column, row: Sequence[str]) -> Any:
     """Return the value of an input in a row; an empty text if its cells have none."""
     text = column.joined(*(row[place] for place in column.positions.values()))
     try:
-        found = column.read(text) if text else ""
+        found = column.value(text) if text else ""
     except QuantityError:
         return ""
     return [found.low, found.high] if isinstance(found, Uncertain) else found

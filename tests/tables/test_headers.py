@@ -188,7 +188,7 @@ PASSING = (
 def test_a_spelling_is_read() -> None:
     for text, (name, unit) in READ.items():
         (column,) = understood([text], [["0.5"]], given=["radius2"] if text.startswith("R") else []).inputs
-        assert (column.name, column.read("0.5")) == (name, approx(0.5 * unit, rel=1e-15)), text
+        assert (column.name, column.value("0.5")) == (name, approx(0.5 * unit, rel=1e-15)), text
 
 
 def test_a_spelling_whose_utf_8_was_mistaken_is_read() -> None:
@@ -458,7 +458,7 @@ def test_columns_of_an_uncertainty_say_what_a_cell_does(run: Run, columns: tuple
 )
 def test_the_unit_of_a_ratio_is_none(header: str, cells: tuple[str, str], value: Any) -> None:
     (column,) = understood(header.split(",")).inputs
-    assert column.read(column.joined(*cells)) == value
+    assert column.value(column.joined(*cells)) == value
 
 
 def converted(run: Run, rows: list[dict[str, str]], ending: str) -> list[str]:
@@ -544,9 +544,9 @@ def test_a_coverage_factor_is_asked_for_and_read() -> None:
         understood(heads)
     (column,) = understood(heads, [], stated_meanings(["U(γ)=surface_energy_err [mJ/m2] (k=2)"])).inputs
     for cell in ("10", "1e1", "+10.0"):
-        assert column.read(column.joined("25", cell)) == Measured(0.025, 0.005, 0.005)
+        assert column.value(column.joined("25", cell)) == Measured(0.025, 0.005, 0.005)
     (column,) = understood(["gamma [mJ/m2]", "U(γ) [%] (k=1,96)"]).inputs
-    found = column.read(column.joined("25", "39.2"))
+    found = column.value(column.joined("25", "39.2"))
     assert isinstance(found, Measured)
     assert [found.value, found.minus] == approx([0.025, 0.005], rel=1e-15)
     with pytest.raises(BadTable, match="must have the same coverage factor"):
@@ -559,7 +559,7 @@ def test_a_relative_error_in_per_cent_of_what_is_in_per_cent_is_refused() -> Non
         with pytest.raises(BadTable, match=re.escape(f"--column '{other}='")):
             understood(["filling_factor [%]", other])
     (column,) = understood(["filling_factor", "filling_factor_rsd [%]"]).inputs
-    assert column.read(column.joined("0.4", "5")) == Measured(0.4, 0.02)
+    assert column.value(column.joined("0.4", "5")) == Measured(0.4, 0.02)
 
 
 def test_per_cent_is_no_unit_of_a_length() -> None:
@@ -568,7 +568,7 @@ def test_per_cent_is_no_unit_of_a_length() -> None:
         with pytest.raises(BadTable, match=re.escape("'radius_min [%]' and 'radius_max [%]': ")):
             understood(["radius_min [%]", "radius_max [%]", "gamma [mJ/m2]"], given=given)
     (column,) = understood(["filling_factor_min [%]", "filling_factor_max [%]"]).inputs
-    assert column.read(column.joined("10", "20")) == Interval(0.15, 0.1, 0.2)
+    assert column.value(column.joined("10", "20")) == Interval(0.15, 0.1, 0.2)
 
 
 def test_two_columns_of_one_name_pass_and_two_of_one_input_do_not() -> None:

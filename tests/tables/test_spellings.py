@@ -21,8 +21,8 @@ def outcome(spelling: Spelling) -> str:
     if not header.inputs:
         return "passed" if spelling.may_pass else "passed, though it may be an input"
     (column,) = header.inputs
-    is_right = column.name == spelling.name and column.read("3") == approx(3 * spelling.factor, rel=1e-14)
-    return "read" if is_right else f"read as {column.name} = {column.read('3')}"
+    is_right = column.name == spelling.name and column.value("3") == approx(3 * spelling.factor, rel=1e-14)
+    return "read" if is_right else f"read as {column.name} = {column.value('3')}"
 
 
 @pytest.mark.parametrize("how", MANGLINGS)

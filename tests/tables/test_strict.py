@@ -113,10 +113,10 @@ def test_a_cell_is_read_or_refused_with_the_true_reason(cell: str) -> None:
     (column,) = understood(["radius [m]"]).inputs
     if expected is None:
         with pytest.raises(QuantityError) as refusal:
-            column.read(cell)
+            column.value(cell)
         assert "has no unit" not in str(refusal.value)
         return
-    found = column.read(cell)
+    found = column.value(cell)
     if isinstance(found, Uncertain):
         assert isinstance(expected, Uncertain)
         assert [found.value, *found.sides.values()] == approx([expected.value, *expected.sides.values()])
@@ -146,14 +146,14 @@ def test_a_letter_and_digits_directly_behind_a_number_are_no_unit(
 def test_per_cent_behind_an_error_bar_may_be_of_the_value_where_the_column_is_in_per_cent_too() -> None:
     (column,) = understood(["filling_factor [%]"]).inputs
     with pytest.raises(QuantityError, match="has a % that can be read in two ways"):
-        column.read("40±5 %")
+        column.value("40±5 %")
 
 
 @pytest.mark.parametrize("cell", ["1e-7", "1E−07", "1×10⁻⁷", "１e-7", "1.0 x 10^-7"])
 def test_a_value_keeps_the_unit_of_its_column_where_its_error_bar_has_another(cell: str) -> None:
     """However its power of ten is written."""
     (column,) = understood(["load [N]", "load_err [nN]"]).inputs
-    load = column.read(column.joined(cell, "5"))
+    load = column.value(column.joined(cell, "5"))
     assert isinstance(load, Measured)
     assert [load.value, *load.sides.values()] == approx([1e-7, 5e-9, 5e-9])
 

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..answers.questions import QUESTIONS, quantity_named
 from ..errors import BadRequest, JkrollError
@@ -25,6 +25,27 @@ from .options import Options
 if TYPE_CHECKING:
     from ..answers.curve import Loads
     from .commands import Command
+
+
+class Output(NamedTuple):
+    """A form in which results are written."""
+
+    name: str
+    has_rows: bool = False  # of columns
+    has_answers: bool = False  # each by itself, with its notes
+    keeps_all: bool = False  # numbers without a meaning, too: it has no place for a reason
+
+
+TABLE = Output("table", has_rows=True, has_answers=True)
+PLAIN = Output("plain", has_rows=True, has_answers=True, keeps_all=True)
+FILE = Output("file", has_rows=True)
+CHOSEN = (  # by options of these names
+    BARE := Output("bare", has_rows=True, keeps_all=True),
+    JSON := Output("json", has_answers=True),
+    CSV := Output("csv", has_rows=True),
+    EXPLAIN := Output("explain", has_answers=True),
+    CITE := Output("cite", has_answers=True),
+)
 
 
 class Call(Options):
@@ -159,20 +180,16 @@ class Call(Options):
     # --- Format of the output -----------------------------------------------------------------------------------------
 
     @cached_property
-    def output(self) -> str:
-        """The name of the output format: the one that was chosen, else a table on a terminal and plain lines in a pipe.
-
-        A name of the output file that ends in .json chooses JSON.
-        """
-        chosen = [name for name in FORMATS if name in self.given]
-        is_json = self.target is not None and ending(self.target) == "json"
-        if not chosen:
-            usual = "table" if sys.stdout.isatty() else "plain"
-            return "json" if is_json else usual
-        if self.target is not None and chosen[0] != ("json" if is_json else "csv"):
+    def output(self) -> Output:
+        """The form that was chosen, or that the name of the output file has; else a table, or in a pipe plain lines."""
+        chosen = next((output for output in CHOSEN if output.name in self.given), None)
+        if self.target is None:
+            return chosen or (TABLE if sys.stdout.isatty() else PLAIN)
+        of_file = JSON if ending(self.target) == "json" else FILE
+        if chosen not in (None, of_file) and (chosen, of_file) != (CSV, FILE):
             remedy = "redirect the output: > FILE"
-            raise BadRequest(f"-o {quoted(self.target)} and --{chosen[0]} exclude each other; {remedy}")
-        return chosen[0]
+            raise BadRequest(f"-o {quoted(self.target)} and --{chosen.name} exclude each other; {remedy}")
+        return of_file
 
     @property
     def names_picture(self) -> bool:
@@ -201,17 +218,16 @@ class Call(Options):
                 both = f"{quoted(units[fitting[0]][0])} and {quoted(text)}"
                 raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
             units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
-        return Format(units, self.digits, self.typed if self.output == "table" else {})
+        return Format(units, self.digits, self.typed if self.output is TABLE else {})
 
 
-FORMATS = ("bare", "json", "csv", "explain", "cite")
 PICTURES = ("svg", "pdf", "png")
 
 
 def message_of(error: JkrollError, command: str, options: Collection[str]) -> str:
     """Return the message of an error in the words typed: the command that lacks an input, the option of a bad one."""
     if type(error) is MissingInput and command in QUESTIONS:
-        return f"{command} {error.reason()}"
+        return f"{command} {error.explanation()}"
     name, _, problem = str(error).partition(": ")
     option = NOMENCLATURE[name].option if name in NOMENCLATURE else ""
     return f"{option}: {problem}" if option and option in options else str(error)

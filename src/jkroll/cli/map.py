@@ -21,7 +21,7 @@ from ..quantities.markup import plain, symbol
 from ..quantities.nomenclature import as_input, computed_as, header
 from ..quantities.values import QuantityError, between, parse_quantity
 from ..text import ending, listed, quoted, say, say_wrapped
-from .call import PICTURES, Call
+from .call import CHOSEN, PICTURES, Call
 
 
 def check_picture(call: Call, path: str | None, flag: str = "-o") -> None:
@@ -52,7 +52,7 @@ def inches_of(width: str | None) -> float | None:
     try:
         metres = parse_quantity(width, "radius")
     except QuantityError as error:
-        raise QuantityError("--width", width, error.reason, error.remedy or "expected a width such as 85mm") from None
+        raise QuantityError("--width", width, error.mistake, error.remedy or "expected a width such as 85mm") from None
     if not 0.07 <= metres <= 1:
         raise BadRequest(f"--width: {quoted(width)} is not between 70mm and 1m")
     return metres / 0.0254
@@ -92,10 +92,8 @@ def draw_contact(call: Call) -> int:
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
-    if call.output not in ("table", "plain"):
-        raise BadRequest(f"{flag} and --{call.output} exclude each other")
-    for name in ("quantities", "to", "digits", "no_doubt"):  # of numbers
-        if getattr(call, name):
+    for name in ("quantities", "to", "digits", "no_doubt", *(output.name for output in CHOSEN)):  # of numbers
+        if name in call.given:
             raise BadRequest(f"{flag} and --{name.replace('_', '-')} exclude each other")
     if (count := len(call.sweep) // len(call.models)) > 1:
         raise BadRequest(f"a picture shows one contact; {count} were given")

@@ -63,7 +63,7 @@ class Option(Generic[Value]):
         vars(other).update(changes)
         return other
 
-    def read(self, text: str) -> str | int:
+    def parsed(self, text: str) -> str | int:
         """Return the value of a text, or raise BadRequest."""
         if not text and self.name == "target":
             raise BadRequest(f"{self.flags[-1]}: the name of the output file is empty")
@@ -153,8 +153,8 @@ class Options:
     as_printed = _switch("--as-printed", "Add Eq (41) as printed to 6b, dashed")
 
     # Of tables
-    format = _text("--format", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst", "FORMAT")
-    delimiter = _text("--delimiter", "What divides columns: comma, semicolon, bar, tab or blank", "WORD",
+    format = Option("", "--format", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst", "FORMAT")
+    delimiter = Option("", "--delimiter", "What divides columns: comma, semicolon, bar, tab or blank", "WORD",
         excludes="format")  # fmt: skip
     columns = _texts("--column", "Read a column as an input, or, with nothing behind =, as none", "HEADER=INPUT")
     infer = _text("--infer", "Find this input of each row from a measured quantity", "INPUT", group="Measured")
@@ -162,8 +162,8 @@ class Options:
     strict = _switch("--strict", "Stop at the first row that fails")
     resume = _switch("--resume", "Keep what is newer than its table, of many")
     uncertainty = _switch("--uncertainty", "Add columns of error bars, though the first rows have none")
-    jobs = _number("--jobs", "Number of processes (default: one per core, at most 16)", "N", 64)
-    dask = _text("--dask", "Convert many tables on a Dask cluster", "ADDRESS")
+    jobs = Option(0, "--jobs", "Number of processes (default: one per core, at most 16)", "N", 64)
+    dask = Option("", "--dask", "Convert many tables on a Dask cluster", "ADDRESS")
     excel_safe = _switch("--excel-safe", "Escape text that a spreadsheet would run")
 
     # Of the measurements of speed

@@ -76,7 +76,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     def run() -> int:
         _check(words)
-        return read(words)()
+        return action_of(words)()
 
     return finished(run, words, is_debugged=is_debugged)
 
@@ -142,7 +142,7 @@ def report(error: Exception, words: Sequence[str]) -> int:
 # --- Words and options ------------------------------------------------------------------------------------------------
 
 
-def read(words: Sequence[str]) -> Action:
+def action_of(words: Sequence[str]) -> Action:
     """Return what a command line asks for, or raise the error that says what is wrong with it."""
     first, *rest = words or (HELP.flag,)
     if rest and (first == "help" or first in HELP.flags):
@@ -150,10 +150,10 @@ def read(words: Sequence[str]) -> Action:
     if first in SYNONYMS:
         first, *rest = *SYNONYMS[first].split(), *rest
     if first in COMMANDS:
-        return _action(COMMANDS[first], rest)
+        return _action_of_command(COMMANDS[first], rest)
     if not first.startswith("-") or first in ("-", "--"):
         raise _no_such_command(first)
-    _, given = _read([first], flags_of(None))
+    _, given = _parsed([first], flags_of(None))
     if HELP.name in given:
         return partial(_print_help, None)
     if VERSION.name in given:
@@ -161,13 +161,13 @@ def read(words: Sequence[str]) -> Action:
     raise BadRequest(f"{first} stands alone: jkroll {first}")
 
 
-def _action(command: Command, words: Sequence[str]) -> Action:
+def _action_of_command(command: Command, words: Sequence[str]) -> Action:
     """Return what the words behind a command ask for."""
     end = words.index("--") if "--" in words else len(words)
     if any(flag in words[:end] for flag in HELP.flags):
         return partial(_print_help, command.name)
     by_name = [option for placeholder, option in NAMED.items() if placeholder in command.placeholders]
-    arguments, options = _read(words[:end], {option.flag: option for option in by_name} | command.flags(), command)
+    arguments, options = _parsed(words[:end], {option.flag: option for option in by_name} | command.flags(), command)
     arguments += words[end + 1 :]
     arguments += [options.pop(option.name) for option in by_name if option.name in options]
     if len(arguments) > command.most_words:
@@ -190,7 +190,7 @@ def _print(text: str) -> int:
     return 0
 
 
-def _read(
+def _parsed(
     words: Iterable[str], flags: Mapping[str, Option[Any]], command: Command | None = None
 ) -> tuple[list[str], dict[str, Any]]:
     """Return the words without the options, and the values of the options by name."""
@@ -226,7 +226,7 @@ def _read(
         elif option.name in given:
             raise BadRequest(f"{option.flag} is given more than once")
         else:
-            given[option.name] = option.read(_value(option, value, rest))
+            given[option.name] = option.parsed(_value(option, value, rest))
     return arguments, given
 
 

@@ -1,6 +1,6 @@
 """Runners of the commands but those that draw: from a call to printed answers and an exit code.
 
-Each imports by itself what only it hands a call to, so that a call pays for its own only.
+Imports are local, so a command loads only the modules it uses.
 """
 
 import sys
@@ -23,7 +23,7 @@ from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
-from .call import Call, message_of
+from .call import BARE, CITE, EXPLAIN, FILE, JSON, PLAIN, TABLE, Call, message_of
 from .options import Options
 
 if TYPE_CHECKING:
@@ -56,25 +56,19 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     def answer(row: Frame) -> "Answer":
         from ..answers.answer import Answer  # of which rows that are written with fewer words need nothing
 
-        return Answer(question, row, keeps_all=keeps_all(call))
+        return Answer(question, row, keeps_all=call.output.keeps_all)
 
-    count, sizes = len(sweep), sweep.sizes_of_kind
+    output, count, sizes = call.output, len(sweep), sweep.sizes
     single = answer(next(sweep.frames())) if count == 1 else None
-    if single is not None and call.output != "explain" and single.failure is not None and single.has_no_headline:
+    if single is not None and output is not EXPLAIN and single.failure is not None and single.has_no_headline:
         raise single.failure
-    is_one = single is not None and call.output in ("plain", "table") and call.target is None
-    if not is_one and call.output not in ("json", "explain", "cite"):
+    if output.has_rows and not (single is not None and output.has_answers):
         return _write_rows(call, sweep, question, form, single)
     if count > sizes.most_answers:
-        raise BadRequest(f"--{call.output}: {count} pairs are more than {sizes.most_answers}; --csv writes any number")
+        raise BadRequest(f"--{output.name}: {count} pairs are more than {sizes.most_answers}; --csv writes any number")
     if count > 1:
         sweep.wanted(question.quantities, question.named)  # what is wrong with rows is raised before one is written
-    return _write_answers(call, map(answer, sweep.frames()) if single is None else [single], count, form)
-
-
-def keeps_all(call: Call) -> bool:
-    """Return whether numbers without a meaning stay: in bare and plain lines, which have no place for a reason."""
-    return call.output in ("bare", "plain") and call.target is None
+    return _write_answers(call, map(answer, sweep.frames()) if single is None else [single], count, form, single)
 
 
 def check_format(call: Call) -> None:
@@ -87,7 +81,7 @@ def check_format(call: Call) -> None:
 def question_of(call: Call, usual: Question) -> Question:
     """Return the question about the quantities that `--quantities` lists, or the usual one; bare, its headline."""
     question = usual if call.quantities is None else question_about(call.quantities)
-    return Question(question.headline, question.headline, question.named) if call.output == "bare" else question
+    return Question(question.headline, question.headline, question.named) if call.output is BARE else question
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------------
@@ -97,11 +91,11 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
     """Write a row for each frame; return the exit code. `single`: the answer of the only one."""
     from ..model.rows import of_single_row
 
-    is_shown = call.output == "table" and call.target is None and len(sweep) <= sweep.sizes_of_kind.most_in_table
-    if call.output == "bare":
+    is_shown = call.output is TABLE and len(sweep) <= sweep.sizes.most_in_table
+    if call.output is BARE:
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
     else:
-        wanted = sweep.wanted(question.quantities, question.named, keeps_all=keeps_all(call))
+        wanted = sweep.wanted(question.quantities, question.named, keeps_all=call.output.keeps_all)
         if call.alternatives:
             wanted = wanted.with_alternatives(sweep.groups, wanted.names)
         elif is_shown and len(sweep.models) == 1 and not call.measured:
@@ -123,10 +117,10 @@ def _write_columns(
 
     tallies: list[Tally] = []
     every = counted(blocks, tallies, symbol_of)
-    if call.target is not None:
+    if call.output is FILE:
         from ..tables.run import write_file
 
-        write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
+        write_file(wanted, every, form, call.target or "", doubt=not call.no_doubt, quiet=call.quiet)
     elif is_table:
         from ..output.table import sweep_table
 
@@ -135,7 +129,7 @@ def _write_columns(
     else:
         from ..output.writers import WRITERS, written
 
-        writer = WRITERS["plain" if call.output == "table" else call.output]
+        writer = WRITERS[PLAIN.name if call.output is TABLE else call.output.name]
         for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
             sys.stdout.write(text.decode())
         sys.stdout.flush()
@@ -162,8 +156,13 @@ def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = 
 # --- Answers ----------------------------------------------------------------------------------------------------------
 
 
-def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Format) -> int:
-    """Write answers one by one, and the notes of a single one unless these are in it; return the exit code."""
+def _write_answers(
+    call: Call, answers: "Iterable[Answer]", count: int, form: Format, single: "Answer | None" = None
+) -> int:
+    """Write answers one by one, and behind them the notes of a `single` one unless these are in it.
+
+    Return the exit code.
+    """
     failures: list[JkrollError] = []
 
     def watched() -> "Iterator[Answer]":
@@ -173,22 +172,31 @@ def _write_answers(call: Call, answers: "Iterable[Answer]", count: int, form: Fo
             yield answer
 
     with _output(call.target) as out:
-        if call.output == "json":
+        if call.output is JSON:
             from ..output.answered import write_json
 
             write_json(watched(), count, out, form)
-        elif call.output == "explain":
+        elif call.output is EXPLAIN:
             from ..output.sources import write_explanation
 
             write_explanation((answer.explained for answer in watched()), out, form)
-        elif call.output == "cite":
+        elif call.output is CITE:
             from ..output.sources import write_citations, write_methods
 
             write_sources = write_methods if call.tex else write_citations
             write_sources((answer.explained for answer in watched()), out)
+        elif call.output is TABLE:
+            from ..output.table import frame_table
+
+            frame_table(next(watched()), out, form)
         else:
-            _write_answer(call, next(watched()), out, form)
+            from ..output.answered import write_plain
+
+            write_plain(next(watched()), out, form, alternatives=call.alternatives)
         out.flush()
+    if single is not None and call.output.has_rows:
+        for line in lines_of(single.sentences, has_head=call.output is TABLE, quiet=call.quiet):
+            say_wrapped(line, sys.stderr)
     return _exit_code(call, len(failures), count, failures[0] if failures else None)
 
 
@@ -199,23 +207,6 @@ def _output(target: str | None) -> AbstractContextManager[TextIO]:
     from ..output.writers import text_output
 
     return text_output(target)
-
-
-def _write_answer(call: Call, answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write a single answer as text, and its notes."""
-    is_table = call.output == "table"
-    if is_table:
-        from ..output.table import frame_table
-
-        frame_table(answer, out, form)
-    else:
-        from ..output.answered import write_plain
-
-        write_plain(answer, out, form, alternatives=call.alternatives)
-    out.flush()
-    if not (call.quiet and call.output == "bare"):
-        for line in lines_of(answer.sentences, has_head=is_table, quiet=call.quiet):
-            say_wrapped(line, sys.stderr)
 
 
 # --- Force curves -----------------------------------------------------------------------------------------------------
@@ -244,22 +235,21 @@ def _write_curve(call: Call) -> int:
     question = question_of(call, FORCE_CURVE)
     form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
-    keeps = keeps_all(call)
     samples = [frame for frame in sweep.groups for frame in frames_of_curve(frame, loads)]
     failures = (answer_at_state(question, frame).failure for frame in samples)
     if (first := next(failures)) is not None and None not in failures:
         raise first
     frames = (frame for frame in sweep.frames() for frame in frames_of_curve(frame, loads))
-    if call.output == "json":
+    if call.output is JSON:
         every = [*frames]
         return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)
     names = question.quantities
-    is_table = call.output == "table" and call.target is None
-    if call.output == "bare":
+    is_table = call.output is TABLE
+    if call.output is BARE:
         wanted = Wanted(names, named=names, doubts=not call.quiet, keeps_all=True)
     else:
         has_notes = is_table and len(sweep) == 1  # which say more of one curve than the codes of its states
-        wanted = curve_columns(samples, names, doubts=not has_notes, keeps_all=keeps)
+        wanted = curve_columns(samples, names, doubts=not has_notes, keeps_all=call.output.keeps_all)
     size = None if is_table else CURVE_BLOCK
 
     def columns() -> Iterator[Columns]:
@@ -370,13 +360,13 @@ def run_batch(call: Call) -> int:
     job = Job(
         asked,
         target=call.target or "-",
-        format=call.format or "",
-        delimiter=call.delimiter or "",
+        format=call.format,
+        delimiter=call.delimiter,
         strict=call.strict,
         resume=call.resume,
-        jobs=call.jobs or 0,
+        jobs=call.jobs,
         excel_safe=call.excel_safe,
-        dask=call.dask or "",
+        dask=call.dask,
         quiet=call.quiet,
     )
     return run(call.subject, job)
@@ -398,7 +388,7 @@ def run_materials(call: Call) -> int:
     """List the materials, or those that have some words, or show some in full; return the exit code."""
     from ..output.catalogue import write_materials
 
-    output, materials = call.output, call.materials
+    output, materials = call.output.name, call.materials
     text = " ".join(call.words)
     lists_all = text.casefold() in ("", "all")
     try:
@@ -423,7 +413,7 @@ def run_quantities(call: Call) -> int:
     from ..output.catalogue import write_quantities
     from ..output.manual import Hits, hits_of, quantities_meant, write_hits
 
-    output = call.output
+    output = call.output.name
     names = quantities_meant(call.words)
     hits = Hits([], names, []) if names else hits_of(call.words, call.materials.materials.values())
     if hits.quantities:
@@ -467,7 +457,7 @@ def run_bench(call: Call) -> int:
     check_picture(call, call.plot, "--plot")
     from ..bench.report import FULL, QUICK, picture_of_bench, write_bench
 
-    rows = write_bench(sys.stdout, call.output, QUICK if call.quick else FULL)
+    rows = write_bench(sys.stdout, call.output.name, QUICK if call.quick else FULL)
     if call.plot is not None:
         draw_into(call.plot, picture_of_bench(rows), call)
     return 0

@@ -43,10 +43,10 @@ class Reader:
                 raise UnknownQuantity(word)
             if words.setdefault(name, word) != word:
                 raise BadRequest(f"{words[name]} and {word} are one quantity; give it once")
-            values[name] = self.read(name, value)
+            values[name] = self.number(name, value)
         return values
 
-    def read(self, name: str, value: Any) -> Any:
+    def number(self, name: str, value: Any) -> Any:
         """Return a float, an uncertain value or an array of floats.
 
         A unit is read where pint has it, also inside an array of xarray or dask, from which numpy would drop it. Any
@@ -61,7 +61,7 @@ class Reader:
         if isinstance(value, str) or is_uncertain(value):
             return self._single(name, value)
         if isinstance(value, list | tuple):
-            items = [self.read(name, item) for item in value]
+            items = [self.number(name, item) for item in value]
             if any(map(is_uncertain, items)):
                 problem = "holds uncertain values, and arrays have no uncertainty"
                 raise QuantityError(name, "a list", problem, "give them one by one")
@@ -69,9 +69,9 @@ class Reader:
         _refuse_unit(name, value)
         self._compare_labels(name, value)
         if hasattr(value, "dtype") and hasattr(value, "dims"):  # a data set of xarray has no type, and is refused
-            return self.read(name, value.data)
+            return self.number(name, value.data)
         if hasattr(value, "dtype") and hasattr(value, "__dask_graph__"):
-            return self.read(name, value.compute())
+            return self.number(name, value.compute())
         return self._floats(name, value)
 
     def _single(self, name: str, value: Any) -> Any:
@@ -86,7 +86,7 @@ class Reader:
         unit = NOMENCLATURE[name].unit if self._formula is None else units_of(self._formula)[name]
         magnitude = quantity.magnitude
         if not hasattr(magnitude, "std_dev"):
-            magnitude = self.read(name, magnitude)  # 100 nm is no number of 16 bits
+            magnitude = self.number(name, magnitude)  # 100 nm is no number of 16 bits
         try:
             if not quantity.is_compatible_with(unit):
                 raise QuantityError(name, str(quantity), "is of another dimension", f"give a value in {unit}")

@@ -12,7 +12,7 @@ from ..quantities.values import is_uncertain, middle
 from .column import Column
 from .frame import Frame, broadcast, check_exclusive
 from .plan import Plan, formula_of, in_order
-from .reasons import MissingInput, number_of
+from .reasons import MissingInput, reason_of
 from .search import Problem, Solution, solved
 from .unsolved import SIZES, already_given, inputs_named
 
@@ -115,7 +115,7 @@ class Inverse(Frame):
         try:
             return solved(self.problem, start)
         except (MissingInput, NoResult) as error:
-            return Solution(dict.fromkeys(self.unknowns, nan), reasons=number_of(error), failure=error)
+            return Solution(dict.fromkeys(self.unknowns, nan), reasons=reason_of(error), failure=error)
 
     @cached_property
     def found(self) -> Frame:

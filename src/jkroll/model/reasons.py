@@ -42,9 +42,9 @@ class MissingInput(JkrollError):
 
     def __str__(self) -> str:
         lacks_itself = self.wanted in self.missing
-        return self.reason() if lacks_itself else f"{NOMENCLATURE[self.wanted].sentence} {self.reason()}"
+        return self.explanation() if lacks_itself else f"{NOMENCLATURE[self.wanted].sentence} {self.explanation()}"
 
-    def reason(self, verb: str = "needs") -> str:
+    def explanation(self, verb: str = "needs") -> str:
         """Return the missing inputs, the materials that do not have them, and how they are given; "need" for several.
 
         The name of the quantity is left out.
@@ -75,9 +75,9 @@ class NotInLaw(MissingInput):
         return NOT_IN_LAW.code
 
     def __str__(self) -> str:
-        return f"{self.wanted}: {self.reason()}"
+        return f"{self.wanted}: {self.explanation()}"
 
-    def reason(self, verb: str = "needs") -> str:
+    def explanation(self, verb: str = "needs") -> str:
         """Return the quantity that the law does not have, and the law to give."""
         remedy = f"give --model {law_of(self.absent[0]) or DEFAULT_LAW}"
         if self.absent == (self.wanted,):
@@ -198,6 +198,8 @@ def cause_and_step(number: int) -> tuple[Cause | None, str]:
 class Failure(NoResult):
     """Error raised where a quantity has no value, with the cause."""
 
+    cause: Cause
+
     def __init__(self, cause: Cause, name: str = "", numbers: Sequence[float] = ()) -> None:
         """`name`: the quantity that has no value, unless its cause has one; `numbers`: a value and its limits."""
         super().__init__(cause, name, tuple(numbers))
@@ -208,7 +210,7 @@ class Failure(NoResult):
         """The code of its cause."""
         return self.cause.code
 
-    def reason(self) -> str:
+    def explanation(self) -> str:
         """Return the words of its cause, with its numbers: with more digits where a value and its limit look the same.
 
         A limit is one that may be typed: rounding does not put it beyond what a contact holds.
@@ -223,12 +225,12 @@ class Failure(NoResult):
         return self.cause.words.format(value, *limits)
 
 
-def number_of(error: JkrollError) -> int:
-    """Return the number of the reason that an error gives."""
+def reason_of(error: JkrollError) -> int:
+    """Return the reason that an error gives."""
     if isinstance(error, MissingInput):
         return reason(NOT_IN_LAW if isinstance(error, NotInLaw) else MISSING)
-    cause, step = getattr(error, "cause", NO_DOUBLE), error.args[1] if isinstance(error, Failure) else ""
-    return reason(cause, step)
+    assert isinstance(error, NoResult)
+    return reason(error.cause, error.args[1] if isinstance(error, Failure) else "")
 
 
 class NoErrorBar(NoResult):
@@ -240,15 +242,15 @@ class NoErrorBar(NoResult):
         super().__init__(name, why)
         self.name, self.why = name, why
 
-    def reason(self) -> str:
+    def explanation(self) -> str:
         """Return why there is no value."""
         return f"no uncertainty, as there is no value at an end of an input: {self.why}"
 
 
-def reason_of(name: str, error: JkrollError) -> str:
+def explanation_of(name: str, error: JkrollError) -> str:
     """Return why a quantity has no value, without its name."""
     if isinstance(error, MissingInput) or (isinstance(error, NoResult) and name in error.name.split(",")):
-        return error.reason()
+        return error.explanation()
     return str(error)
 
 
@@ -257,15 +259,18 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
 
     Those that lack the same inputs have one, in the shortest words, though some may be had in another way too.
     """
-    reasons = {name: reason_of(name, error) for name, error in errors.items()}
+    explanations = {name: explanation_of(name, error) for name, error in errors.items()}
     groups: dict[object, list[str]] = {}
     for name, error in errors.items():
         lacked = error.missing if isinstance(error, MissingInput) else ()
-        groups.setdefault(lacked or reasons[name], []).append(name)
+        groups.setdefault(lacked or explanations[name], []).append(name)
     for names in groups.values():
-        shortest = min(names, key=lambda name: len(reasons[name]))
+        shortest = min(names, key=lambda name: len(explanations[name]))
         error = errors[shortest]
-        yield names, error.reason("need") if names[1:] and isinstance(error, MissingInput) else reasons[shortest]
+        if names[1:] and isinstance(error, MissingInput):
+            yield names, error.explanation("need")
+        else:
+            yield names, explanations[shortest]
 
 
 # --- Numbers for which the physics has no result ----------------------------------------------------------------------

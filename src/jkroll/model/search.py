@@ -19,7 +19,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..text import listed
 from .frame import Frame, broadcast
 from .ranges import LEAST, MOST
-from .reasons import number_of, reason
+from .reasons import reason, reason_of
 from .unsolved import (
     SIZES,
     NoDependence,
@@ -156,7 +156,7 @@ def solved(problem: Problem, start: Any = None) -> Solution:
     if problem.shape and (lacks := numpy.isnan([*values.values()]).any(axis=0)).any():
         reasons = numpy.where(lacks, reason(NoSolution.cause), 0)
         for row, failure in failures.items():
-            reasons.flat[row] = number_of(failure)
+            reasons.flat[row] = reason_of(failure)
     return Solution(values, growths, condition, reasons, failures, places=places)
 
 

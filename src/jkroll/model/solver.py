@@ -181,7 +181,7 @@ def _of_python(formula: Callable[..., Any]) -> Callable[..., Any]:
         if unnamed or arguments.keys() != names:
             raise BadRequest(f"{formula.__name__} takes {listed(parameters)}, each by its name")
         reader = Reader(formula)
-        numbers = {name: reader.read(name, value) for name, value in arguments.items()}
+        numbers = {name: reader.number(name, value) for name, value in arguments.items()}
         broadcast({name: number for name, number in numbers.items() if not isinstance(number, float)})
         try:
             value = formula(**numbers)

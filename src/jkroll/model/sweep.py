@@ -58,7 +58,7 @@ class Sweep:
         return Sweep(self.pairs, {**self.spreads, **measured}, self.models, unknowns, [*measured])
 
     @property
-    def sizes_of_kind(self) -> Sizes:
+    def sizes(self) -> Sizes:
         """The numbers of rows from which on the call works in another way."""
         return SEARCHED if self.unknowns else COMPUTED
 
@@ -78,7 +78,7 @@ class Sweep:
         return {name: [*accumulate(map(len, spreads), initial=0)] for name, spreads in self.spreads.items()}
 
     @property
-    def sizes(self) -> list[int]:
+    def counts(self) -> list[int]:
         """The numbers of pairs, of the values of each input, and of laws; the rows are their combinations."""
         return [len(self.pairs), *(starts[-1] for starts in self.starts.values()), len(self.models)]
 
@@ -91,7 +91,7 @@ class Sweep:
 
     def __len__(self) -> int:
         """Return the number of rows."""
-        return prod(self.sizes)
+        return prod(self.counts)
 
     def row(self, position: int) -> Frame:
         """Return a row as a frame of numbers."""
@@ -111,7 +111,7 @@ class Sweep:
     @cached_property
     def groups(self) -> list[Frame]:
         """A frame for each pair of materials, each law and each mark of values: all rows of a group have one plan."""
-        of_inputs = [_of_each_kind(name, spreads) for name, spreads in self.spreads.items()]
+        of_inputs = [_examples(name, spreads) for name, spreads in self.spreads.items()]
         rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
         return [self.frame(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
 
@@ -170,7 +170,7 @@ class Sweep:
     def columns(self, wanted: Wanted) -> Iterator[Columns]:
         """Iterate over the columns of the rows, block by block."""
         size = len(self)
-        if size <= self.sizes_of_kind.few:
+        if size <= self.sizes.few:
             columns = Columns(wanted, size, few=True)
             for row, frame in enumerate(self.frames()):
                 columns.put(row, wanted.results(frame))
@@ -180,8 +180,8 @@ class Sweep:
             yield evaluated(wanted, Lists(self, start, min(start + BLOCK, size)))
 
 
-def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
-    """Return a value of each kind that an input has: plain, one from which more follows, and uncertain."""
+def _examples(name: str, spreads: Sequence[Spread]) -> list[Any]:
+    """Return an example of each sort of values that an input has: plain, uncertain, and one from which more follows."""
     special = FOLLOWS[name][0] if name in FOLLOWS else None
     values: dict[object, Any] = {}
     for spread in spreads:
@@ -200,7 +200,7 @@ class Lists:
         """`start`, `stop`: the positions of the rows in the sweep."""
         import numpy
 
-        pairs, *positions, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.sizes)
+        pairs, *positions, laws = numpy.unravel_index(numpy.arange(start, stop), sweep.counts)
         self.sweep, self.start, self.pairs, self.laws = sweep, start, pairs, laws
         self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
         of_inputs = zip(sweep.spreads, positions, strict=True)

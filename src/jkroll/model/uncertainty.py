@@ -19,7 +19,7 @@ from ..quantities.values import Interval, Measured, Uncertain
 from .column import Column, at_row
 from .frame import Frame
 from .plan import in_order
-from .reasons import NoErrorBar, reason_of
+from .reasons import NoErrorBar, explanation_of
 
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
@@ -170,7 +170,7 @@ def no_error_bar(
     places = [*chain.from_iterable(edges_of(entering))]
     moved = made_of(frame.replace(**places[at_row(bar.place, row) - 1]))
     error = moved.error(name, at_row(moved.columns((name,))[name].reasons, row), row)
-    return NoErrorBar(name, reason_of(name, error))
+    return NoErrorBar(name, explanation_of(name, error))
 
 
 def _at_places(

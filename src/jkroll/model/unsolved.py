@@ -43,7 +43,7 @@ class Unsolved(NoResult):
         """`span`: of the measured quantity, or of the unknown."""
         self.problem, self.text, self.span, self.name = problem, text, span, ",".join(problem.unknowns)
 
-    def reason(self) -> str:
+    def explanation(self) -> str:
         """Return why there is no one value."""
         return self.text
 
@@ -83,7 +83,7 @@ class SeveralSolutions(Unsolved):
         super().__init__(problem, "")
         self.values = tuple(values)
 
-    def reason(self) -> str:
+    def explanation(self) -> str:
         """Return all values, with as many digits as typing them back takes: next to pull-off that is more."""
         digits = DIGITS
         while digits < MAX_DIGITS and not all(self.problem.is_met(values, digits) for values in self.values):

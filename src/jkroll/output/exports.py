@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..model.frame import Frame
-from ..model.reasons import OF_IDENTICAL_SPHERES, Failure, reason_of
+from ..model.reasons import OF_IDENTICAL_SPHERES, Failure, explanation_of
 from ..physics.motion import STICKS_FROM
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
@@ -87,7 +87,7 @@ def lammps_input(frame: Frame) -> str:
             coefficients.append(command.format(_coefficients(pair)))
             steps.append(pair["time_step"])
         except JkrollError as error:  # of like spheres: two rigid ones, or some of which less is given
-            coefficients.append(f"# {command.partition(' {')[0]}: {reason_of(command, error)}")
+            coefficients.append(f"# {command.partition(' {')[0]}: {explanation_of(command, error)}")
     at_rest = "Like spheres touch without load. " if values["load"] else ""
     types = (
         f"# set type {grain} diameter {2 * pair['radius']:.12g} density {pair['density']:.12g}"

@@ -13,7 +13,7 @@ from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
 from ..model.frame import Frame
 from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
-from ..model.reasons import RESTS_ON_SPACING, Cause, Failure, MissingInput, reason_of
+from ..model.reasons import RESTS_ON_SPACING, Cause, Failure, MissingInput, explanation_of
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, computed_as
@@ -196,8 +196,8 @@ class Layer:
         self.known = numpy.isfinite(self.values)
         if not self.known.any():
             errors = self.frame.errors(self.frame.columns([quantity]))
-            reason = "".join(f": {reason_of(quantity, error)}" for error in errors.values())
-            raise Failure(Cause("", f"no value anywhere on these axes{reason}"), quantity)
+            explanation = "".join(f": {explanation_of(quantity, error)}" for error in errors.values())
+            raise Failure(Cause("", f"no value anywhere on these axes{explanation}"), quantity)
 
     def regions(self) -> Iterator[Region]:
         """Iterate over the thresholds that values pass: of a law the last, then the first unless all pass the last."""
@@ -247,7 +247,7 @@ def _shear_moduli(frame: Frame) -> dict[str, str]:
 
 def _without(error: JkrollError) -> str:
     """Return what a limit lacks, with its number."""
-    return f"{symbol(error.wanted)} {error.reason()}" if isinstance(error, MissingInput) else str(error)
+    return f"{symbol(error.wanted)} {error.explanation()}" if isinstance(error, MissingInput) else str(error)
 
 
 def _doubts(here: Frame, quantity: str, limits: Iterable[Limit]) -> list[Doubt]:

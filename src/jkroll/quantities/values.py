@@ -36,19 +36,19 @@ NO_UNIT = "has no unit"
 class QuantityError(JkrollError):
     """Error raised when a text or a number is not a value of the quantity that it was given for."""
 
-    def __init__(self, name: str, value: object, reason: str, remedy: str = "", position: Sequence[int] = ()) -> None:
-        """`reason` follows the value; `remedy` says what to type instead, by default an example of the quantity.
+    def __init__(self, name: str, value: object, mistake: str, remedy: str = "", position: Sequence[int] = ()) -> None:
+        """`mistake` follows the value; `remedy` says what to type instead, by default an example of the quantity.
 
         `position`: the index of a number in an array.
         """
-        super().__init__(name, value, reason, remedy, tuple(position))
-        self.name, self.value, self.reason, self.remedy, self.position = name, value, reason, remedy, tuple(position)
+        super().__init__(name, value, mistake, remedy, tuple(position))
+        self.name, self.value, self.mistake, self.remedy, self.position = name, value, mistake, remedy, tuple(position)
         self.phrase = f"bad {name}"
 
     def problem(self) -> str:
         """Return what is wrong and, of a text, what to type instead, without the name and the value."""
         remedy = self.remedy or (f"expected {_expectation(self.name)}" if isinstance(self.value, str) else "")
-        return f"{self.reason}; {remedy}" if remedy else self.reason
+        return f"{self.mistake}; {remedy}" if remedy else self.mistake
 
     def __str__(self) -> str:
         value = quoted(self.value) if isinstance(self.value, str) else repr(self.value)
@@ -500,10 +500,10 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     try:
         return [_spread(item, name) for item in items]
     except QuantityError as error:
-        if error.reason == NO_UNIT and (len(items) > 1 or ":" in text):
+        if error.mistake == NO_UNIT and (len(items) > 1 or ":" in text):
             of_list = f"has a number without a unit, {error.value}; a decimal mark is a point"
-            reason = of_list if len(items) > 1 else "needs a unit at both ends"
-            raise QuantityError(name, text, reason) from None
+            mistake = of_list if len(items) > 1 else "needs a unit at both ends"
+            raise QuantityError(name, text, mistake) from None
         raise
 
 

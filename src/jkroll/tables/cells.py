@@ -139,7 +139,7 @@ class Column(NamedTuple):
             values[position] = middle(meanings[position])
         return Numbers(values, odd, uncertain)
 
-    def read(self, text: str) -> float | Uncertain:
+    def value(self, text: str) -> float | Uncertain:
         """Return the SI value of a cell, with its uncertainty if it states one.
 
         A cell without a unit has that of the column.
@@ -171,7 +171,7 @@ def is_number(text: str) -> bool:
 def _meaning(column: Column, cell: bytes) -> float | Uncertain | JkrollError:
     """Return the value of a cell, or the error about it, which takes as long as a hundred rows to word."""
     try:
-        return column.read(cell.decode(errors="replace"))
+        return column.value(cell.decode(errors="replace"))
     except JkrollError as error:
         return error.with_traceback(None)
 

@@ -248,7 +248,7 @@ def _kind(cell: str, name: str) -> str:
     try:
         value_of(cell, name)
     except QuantityError as error:
-        return _NO_UNIT if error.reason == NO_UNIT else _UNIT if unit_for(cell.strip("[]() "), name) else ""
+        return _NO_UNIT if error.mistake == NO_UNIT else _UNIT if unit_for(cell.strip("[]() "), name) else ""
     return _VALUE
 
 

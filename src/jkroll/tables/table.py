@@ -277,7 +277,7 @@ class TableBlock:
         given: dict[str, Any] = {}
         for column in table.columns.inputs:
             if (text := column.joined(*(cells[name] for name in column.positions))).strip():
-                given[column.name] = column.read(text)
+                given[column.name] = column.value(text)
         solids = {name: table.lookups[name].known[indices[row]] for name, indices in self.indices.items()}
         frame = table.frame(given, solids)
         for name in self.indices if frame.missing(table.names) else ():
