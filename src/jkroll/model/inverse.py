@@ -111,7 +111,7 @@ class Inverse(Frame):
         solids = [solid.name for solid, _ in self.materials]
         if solids[1:] and not all(solids) and not {*PROPERTIES}.isdisjoint(self.unknowns):
             raise BadRequest("of which spheres an unknown is")
-        start = self.near.solution.places if self.near is not None else None
+        start = self.near.solution.places if self.near is not None and self.unknowns[1:] else None
         try:
             return solved(self.problem, start)
         except (MissingInput, NoResult) as error:

@@ -294,7 +294,7 @@ ASSUMED_DISPLACEMENT = Limit(
 # In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
 UNCHECKED = "unchecked"
 CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
-BITS = {code: 1 << place for place, code in enumerate((*CODES, UNCHECKED))}
+BITS = {code: 1 << position for position, code in enumerate((*CODES, UNCHECKED))}
 ENDING_MEANING = sum(limit.bits for limit in ENDING)
 NOT_JUDGED = BITS[UNCHECKED]
 EVERY_DOUBT = sum(BITS.values())

@@ -78,9 +78,9 @@ def _source(name: str, known: frozenset[str], own_material2: bool, by_law: Route
         return name
     if name in by_law:
         return by_law[name]
-    of_1 = of_sphere(1, name)
-    has_own = formula_of(name) is not None or (own_material2 and of_1 in OF_A_SOLID)
-    return name if has_own else of_1
+    of_first = of_sphere(1, name)
+    has_own = formula_of(name) is not None or (own_material2 and of_first in OF_A_SOLID)
+    return name if has_own else of_first
 
 
 def _mixes_laws(name: str, known: frozenset[str], own_material2: bool, model: str) -> bool:

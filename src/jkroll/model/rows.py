@@ -191,17 +191,17 @@ class Columns:
 
     def put(self, rows: Any, results: Results) -> None:
         """Take the results of a frame. `rows`: the indices of its rows, an array, or that of a single row."""
-        wanted, place = self.wanted, rows
+        wanted, span = self.wanted, rows
         if not isinstance(rows, int) and len(rows) == len(self):
-            place = slice(None)
+            span = slice(None)
         others = wanted.alternatives_to(results)
         bars = results.bars if wanted.has_bars(results) else {}
         for key, column in (*results.columns.items(), *((key, other.column) for key, other in others.items())):
-            self.column(key)[place] = column.values
+            self.column(key)[span] = column.values
         for key, bar in (*bars.items(), *((key, other.bar) for key, other in others.items() if other.bar)):
             for side, of_side in wanted.sides_of(key).items():
                 if side in bar.sides:
-                    self.column(of_side)[place] = bar.sides[side]
+                    self.column(of_side)[span] = bar.sides[side]
         if wanted.inputs:
             self._put_inputs(rows, results.inputs_shown(wanted.names))
         if wanted.doubts:

@@ -453,7 +453,7 @@ class Pairs:
         """Return the error that names the direction in which both quantities stay as they are, by their derivatives."""
         symbols = [NOMENCLATURE[name].symbol for name in self.problem.unknowns]
         exponents = abs(matrix).max(axis=0).tolist()
-        if left_open := [symbols[place] for place, exponent in enumerate(exponents) if exponent <= _LEFT_OPEN]:
+        if left_open := [symbols[position] for position, exponent in enumerate(exponents) if exponent <= _LEFT_OPEN]:
             remark = f"they leave {listed(left_open)} open"
         else:
             if self.load is not None:

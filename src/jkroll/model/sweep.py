@@ -150,8 +150,8 @@ class Sweep:
         """Return whether an input of sphere 2 may have a value of sphere 1, and one of them has several."""
         if NOMENCLATURE[name].sphere != 2:
             return False
-        of_1 = computed_as(of_sphere(1, name))
-        first = next((other for other in self.spreads if computed_as(other) == of_1), "")
+        of_first = computed_as(of_sphere(1, name))
+        first = next((other for other in self.spreads if computed_as(other) == of_first), "")
         ends, ends_of_1 = self._ends(name), self._ends(first) if first else []
         several = sum(map(len, (*self.spreads[name], *self.spreads.get(first, ())))) > 2
         is_by_ratio = {name, first} in _MODULI_OF_TWO_KINDS  # E = 2G(1 + ν)

@@ -280,9 +280,9 @@ def _of_spheres(known: Mapping[str, Meaning]) -> dict[str, Meaning]:
     """Return meanings of words, and those of the same words with 1 or 2 for the sphere where an input is of one."""
     of_spheres = dict(known)
     for word, meaning in known.items():
-        if of_1 := [name for name in meaning.names if NOMENCLATURE[name].sphere == 1]:
-            of_spheres[f"{word}1"] = meaning._replace(names=of_1)
-            of_spheres[f"{word}2"] = meaning._replace(names=[NOMENCLATURE[name].twin for name in of_1])
+        if of_first := [name for name in meaning.names if NOMENCLATURE[name].sphere == 1]:
+            of_spheres[f"{word}1"] = meaning._replace(names=of_first)
+            of_spheres[f"{word}2"] = meaning._replace(names=[NOMENCLATURE[name].twin for name in of_first])
     return of_spheres
 
 
