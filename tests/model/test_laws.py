@@ -344,7 +344,7 @@ def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_e
     found = Answer(QUESTIONS["energies"], Frame({"radius": 1e-7}, quartz, model="maugis"))
     results = {result.name: result for result in found.results}
     for name in ("sticking_energy", "sticking_speed"):
-        assert (results[name].value, results[name].explanation) == (None, "rests on z0; give --z0 4angstrom")
+        assert (results[name].value, results[name].reason) == (None, "rests on z0; give --z0 4angstrom")
     alone = Answer(question_about("v_stick"), Frame({"radius": 1e-7}, quartz, model="maugis"))
     assert str(alone.failure) == "sticking_speed: rests on z0; give --z0 4angstrom"
     said = Answer(QUESTIONS["contact"], Frame({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))

@@ -170,7 +170,7 @@ def test_python_has_the_reason_and_solve_the_number() -> None:
     """W0/(14πP_cξ), W0 = ½ · 1.0891e-17 kg · 0.01 m²/s², P_c = 11.781 nN."""
     given: dict[str, Any] = {"material": "quartz", "radius": 1e-7, "speed": 0.1}
     found = jkroll.answer("n-roll", **given)
-    assert (found["n_roll"].value, found["n_roll"].explanation) == (None, SLOW)
+    assert (found["n_roll"].value, found["n_roll"].reason) == (None, SLOW)
     assert str(found["n_roll"]) == f"no value: {SLOW}"
     assert f"{found['n_imp'].value:.4g}" == "0.001314"
     assert all("n_roll" not in values for values in found.alternatives.values())

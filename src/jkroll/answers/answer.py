@@ -81,7 +81,7 @@ _ALIKE = 0.2  # relative difference of radii that needs no scaling
 
 
 class Result:
-    """A quantity in SI units, or an explanation why it has no value; a text of it is rounded, as on a terminal.
+    """A quantity in SI units, or the reason why it has no value; a text of it is rounded, as on a terminal.
 
     `code` is that of the reason, `error` the relative error of a model of the moment, `growth` the largest factor by
     which relative errors of measured values enter an inferred one.
@@ -91,7 +91,7 @@ class Result:
         self,
         name: str,
         value: float | None,
-        explanation: str = "",
+        reason: str = "",
         code: str = "",  # of the reason
         error: float | None = None,
         growth: float | None = None,
@@ -100,7 +100,7 @@ class Result:
         law: str = "",  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
         of_law: str = "",  # the equation of the paper by which it does, or its source
     ) -> None:
-        self.name, self.value, self.explanation, self.code, self.error = name, value, explanation, code, error
+        self.name, self.value, self.reason, self.code, self.error = name, value, reason, code, error
         self.growth, self.by_law, self.bar, self.law = growth, by_law, bar, law
         self.equation = of_law if law else NOMENCLATURE[name].equation
 
@@ -108,7 +108,7 @@ class Result:
         return f"<{self.name}: {self}>"
 
     def __str__(self) -> str:
-        return f"no value: {self.explanation}" if self.measure is None else amount(self.name, self.measure)
+        return f"no value: {self.reason}" if self.measure is None else amount(self.name, self.measure)
 
     @property
     def unit(self) -> str:

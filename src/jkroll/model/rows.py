@@ -205,9 +205,9 @@ class Columns:
         if wanted.inputs:
             self._put_inputs(rows, results.inputs_shown(wanted.names))
         if wanted.doubts:
-            self.doubts[place] = results.bits
+            self.doubts[span] = results.bits
         elif not wanted.keeps_all:
-            self.doubts[place] = results.ending_bits
+            self.doubts[span] = results.ending_bits
         self._put_gaps(rows, results, bars)
 
     def refuse(self, row: int, error: JkrollError) -> None:

@@ -112,7 +112,7 @@ def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, An
         "shares": result.bar and result.bar.shares,
         "condition" if answer.condition is None else "growth": result.growth,
         "by_law": {law: form.number(result.name, value) for law, value in result.by_law.items()},
-        "reason": result.explanation,
+        "reason": result.reason,
         "reason_code": result.code,
         "relative_error": result.error,
     }

@@ -71,7 +71,7 @@ def _explanation(result: Result, answer: Answer, form: Format) -> list[str]:
     quantity, frame = NOMENCLATURE[result.name], answer.frame
     title = f"{result.name} — {quantity.sentence}" + (f", {result.source}" if result.source else "")
     if result.measure is None:
-        return [title, f"  {result.explanation}", ""]
+        return [title, f"  {result.reason}", ""]
     lines, facts = [title], [*_facts(result, answer, form)]
     if steps := [step for step in frame.plan(result.name).steps.values() if step.formula is not None]:
         *earlier, last = steps
