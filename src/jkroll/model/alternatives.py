@@ -13,7 +13,7 @@ from ..quantities.laws import BETWEEN, DEFAULT_LAW, other_law
 from ..quantities.nomenclature import INFINITY, XI
 from ..quantities.values import Interval, ends_of
 from .column import Column, first_of
-from .frame import DEFAULTS, IN_ITS_PLACE, Frame
+from .frame import DEFAULTS, IN_ITS_PLACE, Frame, once_a_frame
 from .plan import depends_on, plan_for
 from .ranges import LEAST, takes
 from .reasons import HIDDEN, reason
@@ -22,6 +22,7 @@ from .uncertainty import ErrorBar, error_bars, sources_of_results
 # --- By the other law -------------------------------------------------------------------------------------------------
 
 
+@once_a_frame
 def at_half_spacing(frame: Frame) -> Frame:
     """Return a frame whose atomic spacing is half as large, or the least that a frame takes."""
     return frame.replace(atomic_spacing=at_least(frame["atomic_spacing"] / 2, LEAST))
@@ -153,6 +154,7 @@ def is_like_rolled(frame: Frame) -> Any:
     return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
 
 
+@once_a_frame
 def displacements_where_measured(frame: Frame) -> tuple[float, float]:
     """Return the displacements that forces on SiO2 mean, with the work of adhesion, modulus and law in use."""
     ours = frame.numbers("work_of_adhesion", "contact_modulus") if rolled_solid(frame) == SIO2 else {}
@@ -163,6 +165,7 @@ def displacements_where_measured(frame: Frame) -> tuple[float, float]:
     return low, high
 
 
+@once_a_frame
 def measured_displacement(frame: Frame) -> Interval:
     """Return the displacement that forces on the solid of a frame mean, scaled to its radii."""
     displacement = _OF_POLYSTYRENE
@@ -172,11 +175,13 @@ def measured_displacement(frame: Frame) -> Interval:
     return displacement.scaled(2 * frame["reduced_radius"])
 
 
+@once_a_frame
 def at_least_measured(frame: Frame) -> Frame:
     """Return the frame with the least displacement that forces on the same solid mean."""
     return frame.replace(**{XI: measured_displacement(frame).low})
 
 
+@once_a_frame
 def at_most_measured(frame: Frame) -> Frame:
     """Return the frame with the largest displacement that forces on the same solid mean."""
     return frame.replace(**{XI: measured_displacement(frame).high})

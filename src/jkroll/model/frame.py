@@ -7,12 +7,12 @@ the names in DEFAULTS have values if nothing else is said. A frame takes numbers
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from functools import cached_property, reduce
+from functools import cached_property, lru_cache, reduce, wraps
 from itertools import product
 from math import nan
 from operator import and_
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
@@ -32,7 +32,7 @@ from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
 from .column import Column, at_row, first_of
 from .conversions import converted, lacked
-from .plan import OF_A_SOLID, Plan, depends_on, in_order, plan_for
+from .plan import KEPT, OF_A_SOLID, Plan, depends_on, in_order, plan_for
 from .ranges import OF_A_PLANE, SMALLEST, check_range, is_answer
 from .reasons import (
     HIDDEN,
@@ -93,6 +93,9 @@ _OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in
 # them.
 _ON_AREA = frozenset({"contact_modulus", "contact_shear_modulus", "shear_strength", "pull_off_force", "load_factor",
     "rolling_frequency_as_printed"})  # fmt: skip
+
+
+Made = TypeVar("Made")
 
 
 class Frame:
@@ -158,7 +161,8 @@ class Frame:
         self.displacement = self._displacement_of_solid()
         if self.displacement is not None:
             self.given[XI] = self.displacement.value
-        self.values = {**self._assumed(), **self.given}
+        has_displacement = any(solid.displacement is not None for solid, _ in self.materials)
+        self.values = {**_assumed(frozenset(self.given), has_displacement), **self.given}
         self.sources: dict[str, str] = {}  # by the name of a value that follows from an input, this input
         for source, values in _implied(self.values, self.law, self.uncertain).items():
             self.sources |= dict.fromkeys(values.keys() - self.values.keys(), source)
@@ -170,6 +174,7 @@ class Frame:
         # Arrays that were computed, with their reasons, by a step and the identities of its arguments. These are kept
         # beside them, so that no other value can have their identities.
         self._shared: dict[tuple[object, ...], tuple[tuple[Any, Any], Any]] = {}
+        self.derived: dict[Any, Any] = {}  # what functions made of the frame, by function: see `once_a_frame`
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle what was described; the rest is computed anew."""
@@ -251,15 +256,6 @@ class Frame:
         return material.displacement.scaled(
             2 * reduced_radius(radius=radius, radius2=self.given.get("radius2", radius))
         )
-
-    def _assumed(self) -> dict[str, float]:
-        """Return the defaults of what nothing else says. A solid says where rolling begins, if it was measured."""
-        said = {name for names in EXCLUSIVE if not self.given.keys().isdisjoint(names) for name in names}
-        if "hamaker" in self.given:  # from which both follow
-            said.add("atomic_spacing")
-        if any(solid.displacement is not None for solid, _ in self.materials):
-            said.add(XI)
-        return {name: value for name, value in DEFAULTS.items() if name not in said}
 
     @cached_property
     def data(self) -> Mapping[str, tuple[Material, str]]:
@@ -502,6 +498,19 @@ class Frame:
         return {name: self.error(name, n, row) for name, n in numbers.items() if n not in (0, reason(HIDDEN))}
 
 
+def once_a_frame(make: Callable[[Frame], Made]) -> Callable[[Frame], Made]:
+    """Return a function that makes something of a frame once, and then returns the same."""
+
+    @wraps(make)
+    def made(frame: Frame) -> Made:
+        if make not in frame.derived:
+            frame.derived[make] = make(frame)
+        derived: Made = frame.derived[make]
+        return derived
+
+    return made
+
+
 def made_of(step: Plan, given: Mapping[str, Any], reasons: Any) -> tuple[Any, Any]:
     """Return the values that a formula makes of its arguments, and the reasons of cells that have none.
 
@@ -544,9 +553,26 @@ def _described(
 
 def check_exclusive(given: Collection[str], word_of: Callable[[str], str] = str) -> None:
     """Raise BadRequest for inputs of which one follows from the other. `word_of` returns the word for an input."""
-    for names in EXCLUSIVE:
-        if len(both := [name for name in names if name in given]) > 1:
-            raise BadRequest(f"{listed(map(word_of, both))} exclude each other: one follows from the other")
+    if both := _exclusive_among(frozenset(given)):
+        raise BadRequest(f"{listed(map(word_of, both))} exclude each other: one follows from the other")
+
+
+@lru_cache(maxsize=KEPT)
+def _exclusive_among(given: frozenset[str]) -> list[str]:
+    """Return inputs of which one follows from the other, if such are given."""
+    several = ([name for name in names if name in given] for names in EXCLUSIVE)
+    return next((both for both in several if len(both) > 1), [])
+
+
+@lru_cache(maxsize=KEPT)
+def _assumed(given: frozenset[str], has_displacement: bool) -> Mapping[str, float]:
+    """Return the defaults of what nothing else says. A solid says where rolling begins, if it was measured."""
+    said = {name for names in EXCLUSIVE if not given.isdisjoint(names) for name in names}
+    if "hamaker" in given:  # from which both follow
+        said.add("atomic_spacing")
+    if has_displacement:
+        said.add(XI)
+    return {name: value for name, value in DEFAULTS.items() if name not in said}
 
 
 def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
