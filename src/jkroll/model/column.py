@@ -3,7 +3,7 @@
 from math import nan
 from typing import Any, NamedTuple
 
-from ..physics.elementary import NUMBER, where
+from ..physics.elementary import NUMBER, is_anywhere, where
 from .reasons import HIDDEN, reason
 
 
@@ -24,7 +24,7 @@ class Column(NamedTuple):
 
     def without(self, is_out: Any, number: int) -> "Column":
         """Return the column where some cells, if they have a value, have a reason in its place."""
-        if not (is_out if isinstance(is_out, bool) else is_out.any()):
+        if not is_anywhere(is_out):
             return self
         return Column(where(is_out, nan, self.values), first_of(self.reasons, where(is_out, number, 0)))
 

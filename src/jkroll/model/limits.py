@@ -7,7 +7,7 @@ from operator import ge, gt, le, lt, or_
 from typing import Any, Literal
 
 from ..errors import JkrollError
-from ..physics.elementary import at_least, at_most, ln, where
+from ..physics.elementary import at_least, at_most, is_anywhere, ln, where
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
 from .alternatives import factor_of_data, factor_of_law, is_smooth, rolled_solid
@@ -83,7 +83,7 @@ class Doubt:
     @property
     def is_exceeded(self) -> bool:
         """True if the number is in doubt."""
-        return bool(self.limit.is_beyond(self.judged, self.limit.threshold))
+        return bool(self.is_beyond)
 
     @property
     def code(self) -> str:
@@ -106,14 +106,26 @@ class Doubt:
         return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number})"
 
     @cached_property
+    def is_beyond(self) -> Any:
+        """Whether the number is beyond the first threshold; False if no row is, as for most limits."""
+        is_beyond = self.limit.is_beyond(self.judged, self.limit.threshold)
+        return is_beyond if is_anywhere(is_beyond) else False
+
+    @cached_property
     def bits(self) -> Any:
         """The code as a bit: a whole number, or an array."""
         if self.error is not None:
             return NOT_JUDGED
-        bits: Any = 0
-        for threshold, code in self.limit.codes.items():
-            bits = where(self.limit.is_beyond(self.judged, threshold), BITS.get(code, 0), bits)
+        first, *others = self.limit.codes.items()
+        bits = where(self.is_beyond, BITS.get(first[1], 0), 0)
+        for threshold, code in others if self.is_beyond is not False else ():
+            bits = where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
         return where(self.unjudged, NOT_JUDGED, bits)
+
+    @cached_property
+    def ends(self) -> Any:
+        """The reasons of rows in which the limit ends the meaning of results, 0 for the others."""
+        return where(self.is_beyond, reason(ENDS[next(iter(self.limit.codes.values()))]), 0)
 
 
 # What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does
@@ -353,8 +365,9 @@ def bits_of(frame: Frame, is_judged: Mapping[str, Any], every: Iterable[Doubt]) 
     bits: Any = 0
     is_same = all(rows is True for rows in is_judged.values())
     for doubt in every:
-        rows = True if is_same else rows_of(doubt.limit, frame, is_judged)
-        bits = bits | where(rows, doubt.bits, 0)
+        if not isinstance(doubt.bits, int) or doubt.bits:
+            rows = True if is_same else rows_of(doubt.limit, frame, is_judged)
+            bits = bits | where(rows, doubt.bits, 0)
     return bits
 
 

@@ -1,20 +1,18 @@
 """The results of a frame, of one row or many: columns, and what they rest on, computed when something shows it."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, reduce
 from math import nan
 from typing import Any
 
 from ..errors import JkrollError
-from ..physics.elementary import where
+from ..physics.elementary import is_anywhere, where
 from ..quantities.nomenclature import NOMENCLATURE
 from .column import Column, at_row, first_of
 from .frame import Frame
 from .limits import (
-    BITS,
     ENDING,
     ENDING_MEANING,
-    ENDS,
     INEXACT,
     NOT_JUDGED,
     NUMBERS_OF_LIMITS,
@@ -89,12 +87,7 @@ class Results:
         ending = () if name in NUMBERS_OF_LIMITS else self.ending
         concerned = tuple(index for index, doubt in enumerate(ending) if concerns(doubt.limit, self.frame, [name]))
         if concerned not in self._ends:
-            reasons: Any = 0
-            for index in concerned:
-                for code in ending[index].limit.codes.values():
-                    ends = where((ending[index].bits & BITS[code]) != 0, reason(ENDS[code]), 0)
-                    reasons = first_of(reasons, ends)
-            self._ends[concerned] = reasons if isinstance(reasons, int) or reasons.any() else 0
+            self._ends[concerned] = reduce(first_of, (ending[index].ends for index in concerned), 0)
         return self._ends[concerned]
 
     @cached_property
@@ -107,7 +100,7 @@ class Results:
         """The rows in which a limit ends the meaning of a result, by quantity: those that have such rows."""
         both = ((name, column, self.meant[name]) for name, column in self.computed.items())
         rows = {name: (old.reasons == 0) & (new.reasons != 0) for name, old, new in both if old is not new}
-        return {name: of_name for name, of_name in rows.items() if _has(of_name)}
+        return {name: of_name for name, of_name in rows.items() if is_anywhere(of_name)}
 
     # --- Inputs and error bars ----------------------------------------------------------------------------------------
 
@@ -145,20 +138,25 @@ class Results:
     def validity(self) -> Sequence[Doubt]:
         """The limits of the model, judged for the values with a meaning, or with the reason why not."""
         known = {name: column for name, column in self.judged_meant.items() if not column.is_empty}
-        unjudged = [doubt for doubt in self.inexact(self._resting) if doubt.error is not None]
+        unjudged = [doubt for doubt in self._of_resting if doubt.error is not None]
         return [*self.ending, *self.inexact(known), *unjudged]
 
     def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
         """Return the limits that end no meaning, judged for columns."""
         return doubts(self.frame, columns, INEXACT)
 
-    @property
+    @cached_property
+    def _of_resting(self) -> Sequence[Doubt]:
+        """The limits that end no meaning, judged for columns that rest on the atomic spacing."""
+        return self.inexact(self._resting)
+
+    @cached_property
     def _resting(self) -> dict[str, Column]:
         """The columns that have no value in some rows, as they rest on the atomic spacing, which was not given."""
         return {
             name: column
             for name, column in self.judged.items()
-            if self.frame.may_rest_on_spacing(name) and _has(column.reasons == reason(RESTS_ON_SPACING, name))
+            if self.frame.may_rest_on_spacing(name) and is_anywhere(column.reasons == reason(RESTS_ON_SPACING, name))
         }
 
     @property
@@ -168,7 +166,7 @@ class Results:
         has_meaning = {name: column.reasons == 0 for name, column in every if not column.is_empty}
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
         rests = {name: column.reasons == reason(RESTS_ON_SPACING, name) for name, column in self._resting.items()}
-        unjudged = bits_of(self.frame, rests, self.inexact(self._resting)) & NOT_JUDGED
+        unjudged = bits_of(self.frame, rests, self._of_resting) & NOT_JUDGED
         return self._bits_of_ending | bits_of(self.frame, has_meaning, inexact) | unjudged
 
     @property
@@ -209,7 +207,3 @@ def is_end_of_meaning(error: JkrollError) -> bool:
 def has_code(error: JkrollError) -> bool:
     """Return whether a code among the doubts says the same as an error."""
     return is_end_of_meaning(error) and error.args[0] != OF_ANOTHER_PAIR
-
-
-def _has(rows: Any) -> bool:
-    return rows if isinstance(rows, bool) else bool(rows.any())

@@ -240,7 +240,9 @@ class Columns:
         if isinstance(rows, int):
             parts = [(0, rows, rows)]
         else:
-            parts = [(int(part[0]), int(rows[part[0]]), rows[part]) for part in alike(_indices(len(rows)), arrays)]
+            is_in_all = remark is not None or any(each for each in distinct if isinstance(each, int))
+            lacking = _indices(len(rows)) if is_in_all else reduce(or_, arrays).nonzero()[0]
+            parts = [(int(part[0]), int(rows[part[0]]), rows[part]) for part in alike(lacking, arrays) if len(part)]
         for row, first, places in parts:
             reasons = {**results.errors(row), **(results.open_bars(row) if bars else {})}
             if remark is not None:

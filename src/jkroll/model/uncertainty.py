@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest
-from ..physics.elementary import absolute, at_least, at_most, hypot, where
+from ..physics.elementary import absolute, at_least, at_most, hypot, is_anywhere, where
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain
 from .column import Column, at_row
@@ -109,7 +109,7 @@ class ErrorBar(NamedTuple):
 
     def without(self, is_out: Any) -> "ErrorBar":
         """Return the error bar, where some rows have none."""
-        if not (is_out if isinstance(is_out, bool) else is_out.any()):
+        if not is_anywhere(is_out):
             return self
         sides = {side: where(is_out, nan, end) for side, end in self.sides.items()}
         return self._replace(sides=sides, place=where(is_out, 0, self.place))

@@ -136,6 +136,11 @@ def where(condition: Truth, value: FloatOrArray, otherwise: FloatOrArray) -> Flo
     return numpy.where(condition, value, otherwise)
 
 
+def is_anywhere(condition: Truth) -> bool:
+    """Return whether a condition holds, for arrays in any element."""
+    return condition if isinstance(condition, bool) else bool(condition.any())
+
+
 def within(condition: Truth, value: FloatOrArray) -> FloatOrArray:
     """Return a value that is defined under a condition.
 
