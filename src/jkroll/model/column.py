@@ -46,4 +46,4 @@ def first_of(reasons: Any, others: Any) -> Any:
 
 def at_row(values: Any, row: int) -> Any:
     """Return the number of a row, by its index, as a Python number."""
-    return values if isinstance(values, NUMBER) else values.flat[row].item()
+    return values if isinstance(values, NUMBER) else values.item(row)

@@ -282,7 +282,7 @@ class Frame:
         is_rigid = (modulus == INFINITY) & (modulus2 == INFINITY) & ("contact_modulus" not in self.given)
         return is_rigid if isinstance(is_rigid, bool) or is_rigid.any() else False
 
-    @property
+    @cached_property
     def is_identical(self) -> Any:
         """True if nothing was said that makes sphere 2 differ from sphere 1, element by element for arrays."""
         of_2 = {of_sphere(1, name): value for name, value in self.given.items() if NOMENCLATURE[name].sphere == 2}

@@ -1,6 +1,6 @@
 """The limits of the model in one table, and how they are judged for the results of a frame."""
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cache, cached_property, reduce
 from math import exp, inf, nan
 from operator import ge, gt, le, lt, or_
@@ -12,7 +12,7 @@ from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
 from .alternatives import factor_of_data, factor_of_law, is_smooth, rolled_solid
 from .column import Column
-from .frame import Frame
+from .frame import Frame, once_a_frame
 from .plan import taken_by
 from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, cause_and_step, reason, register
 
@@ -144,6 +144,7 @@ SOFT = 1e8  # contact modulus below which solids, rubbers and gels, close over t
 RUBBERY = 0.49  # Poisson's ratio from which on a solid is stretched, and does not yield
 
 
+@once_a_frame
 def _may_be_rough(frame: Frame) -> Any:
     """Return whether roughness can part two solids: not soft ones, nor mica from mica."""
     if is_smooth(frame.material) and (frame.material2 is None or is_smooth(frame.material2)):
@@ -151,6 +152,7 @@ def _may_be_rough(frame: Frame) -> Any:
     return frame.numbers("contact_modulus").get("contact_modulus", INFINITY) >= SOFT
 
 
+@once_a_frame
 def _is_rubbery(frame: Frame) -> Any:
     """Return whether the softer of two bodies keeps its volume, as rubbers and gels do."""
     known = frame.numbers("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2")
@@ -357,23 +359,23 @@ def concerns(limit: Limit, frame: Frame, names: Collection[str]) -> bool:
     return limit.applies is None or limit.applies(frame, names)
 
 
-def bits_of(frame: Frame, is_judged: Mapping[str, Any], every: Iterable[Doubt]) -> Any:
+def bits_of(frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]], every: Iterable[Doubt]) -> Any:
     """Return the codes of doubts as bits, of each limit in the rows where a quantity that it concerns is judged.
 
-    `is_judged`: the rows, by quantity.
+    `judged`: rows, with the quantities that are judged there.
     """
     bits: Any = 0
-    is_same = all(rows is True for rows in is_judged.values())
+    is_same = all(rows is True for rows, _ in judged)
     for doubt in every:
         if not isinstance(doubt.bits, int) or doubt.bits:
-            rows = True if is_same else rows_of(doubt.limit, frame, is_judged)
+            rows = True if is_same else rows_of(doubt.limit, frame, judged)
             bits = bits | where(rows, doubt.bits, 0)
     return bits
 
 
-def rows_of(limit: Limit, frame: Frame, is_judged: Mapping[str, Any]) -> Any:
+def rows_of(limit: Limit, frame: Frame, judged: Sequence[tuple[Any, Sequence[str]]]) -> Any:
     """Return the rows in which some quantity is judged that a limit concerns."""
-    return reduce(or_, (rows for name, rows in is_judged.items() if concerns(limit, frame, [name])), False)
+    return reduce(or_, (rows for rows, names in judged if concerns(limit, frame, names)), False)
 
 
 @cache  # many rows have the same doubts

@@ -21,6 +21,7 @@ OF_A_SOLID = frozenset(
     for name, quantity in NOMENCLATURE.items()
     if quantity.sphere == 1 and quantity.option and computed_as(name) != "radius"
 )
+_POSITIONS = {name: position for position, name in enumerate(NOMENCLATURE)}
 KEPT = 5_000  # plans that are remembered: of each set of inputs there are some hundred
 
 
@@ -111,7 +112,7 @@ def arguments_of(name: str) -> tuple[tuple[str, str], ...]:
 
 def in_order(names: Collection[str]) -> tuple[str, ...]:
     """Return names in the order of the nomenclature."""
-    return tuple(name for name in NOMENCLATURE if name in names)
+    return tuple(sorted(_POSITIONS.keys() & names, key=_POSITIONS.__getitem__))
 
 
 @cache

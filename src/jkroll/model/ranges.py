@@ -55,5 +55,7 @@ OF_A_PLANE = [
 def is_answer(name: str, value: Any) -> Any:
     """Return whether doubles are results with all digits, or a zero or an infinity that the physics has."""
     size = abs(value)
-    is_zero = (value == 0) & NOMENCLATURE[name].may_be_zero
-    return (size >= SMALLEST) & ((size < INFINITY) | (name in OF_A_PLANE)) | is_zero
+    has_digits = size >= SMALLEST
+    if name not in OF_A_PLANE:
+        has_digits = has_digits & (size < INFINITY)
+    return has_digits | (size == 0) if NOMENCLATURE[name].may_be_zero else has_digits

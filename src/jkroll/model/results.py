@@ -21,7 +21,7 @@ from .limits import (
     concerns,
     doubts,
 )
-from .reasons import HIDDEN, OF_ANOTHER_PAIR, OF_IDENTICAL_SPHERES, RESTS_ON_SPACING, EndOfMeaning, Failure, reason
+from .reasons import OF_ANOTHER_PAIR, OF_IDENTICAL_SPHERES, RESTS_ON_SPACING, EndOfMeaning, Failure, reason
 from .uncertainty import ErrorBar, Sources, error_bars, no_error_bar, sources_of_results
 
 ROW = ""  # stands for the row as a whole, in place of the name of a quantity
@@ -162,12 +162,11 @@ class Results:
     @property
     def bits(self) -> Any:
         """The codes of the limits that do not hold as bits, by row; UNCHECKED is one of them."""
-        every = self.judged_meant.items()
-        has_meaning = {name: column.reasons == 0 for name, column in every if not column.is_empty}
         inexact = [doubt for doubt in self.validity if not doubt.limit.ends_meaning]
-        rests = {name: column.reasons == reason(RESTS_ON_SPACING, name) for name, column in self._resting.items()}
-        unjudged = bits_of(self.frame, rests, self._of_resting) & NOT_JUDGED
-        return self._bits_of_ending | bits_of(self.frame, has_meaning, inexact) | unjudged
+        bits = bits_of(self.frame, _rows_with_values(self.judged_meant), inexact)
+        every = self._resting.items()
+        rests = [(column.reasons == reason(RESTS_ON_SPACING, name), [name]) for name, column in every]
+        return self._bits_of_ending | bits | bits_of(self.frame, rests, self._of_resting) & NOT_JUDGED
 
     @property
     def ending_bits(self) -> Any:
@@ -176,8 +175,7 @@ class Results:
 
     @property
     def _bits_of_ending(self) -> Any:
-        has_value = {name: column.reasons == 0 for name, column in self.judged.items() if not column.is_empty}
-        return bits_of(self.frame, has_value, self.ending)
+        return bits_of(self.frame, _rows_with_values(self.judged), self.ending)
 
     # --- Reasons ------------------------------------------------------------------------------------------------------
 
@@ -186,9 +184,10 @@ class Results:
 
         ROW stands for all of them, where none concerns the row.
         """
-        if all(at_row(column.reasons, row) == reason(HIDDEN) for column in self.columns.values()):
+        errors = self.described.errors(self.columns, row)
+        if not errors and all(at_row(column.reasons, row) for column in self.columns.values()):  # all are hidden
             return {ROW: Failure(OF_IDENTICAL_SPHERES)}
-        return self.described.errors(self.columns, row)
+        return errors
 
     def open_bars(self, row: int = 0) -> dict[str, JkrollError]:
         """Return why values have no error bar in a row, as there is no value at an end of an input."""
@@ -197,6 +196,15 @@ class Results:
             for name, bar in self.bars.items()
             if at_row(bar.place, row)
         }
+
+
+def _rows_with_values(columns: Mapping[str, Column]) -> list[tuple[Any, list[str]]]:
+    """Return the rows in which quantities have values, once for those that have the same reasons."""
+    names_of: dict[int, list[str]] = {}
+    for name, column in columns.items():
+        if not column.is_empty:
+            names_of.setdefault(id(column.reasons), []).append(name)
+    return [(columns[names[0]].reasons == 0, names) for names in names_of.values()]
 
 
 def is_end_of_meaning(error: JkrollError) -> bool:
