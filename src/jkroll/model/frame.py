@@ -409,7 +409,7 @@ class Frame:
                 if step.name not in self.values:
                     self._take(step)
         column = Column(self.values[plan.name], self.reasons.get(plan.name, 0))
-        if column.is_empty or not self.law.by_spacing:
+        if not self.law.by_spacing or column.is_empty:
             return column
         return column.without(self.rests_on_spacing(name), reason(RESTS_ON_SPACING, name))
 
