@@ -116,8 +116,8 @@ class Doubt:
         """The code as a bit: a whole number, or an array."""
         if self.error is not None:
             return NOT_JUDGED
-        first, *others = self.limit.codes.items()
-        bits = where(self.is_beyond, BITS.get(first[1], 0), 0)
+        (_, code), *others = self.limit.codes.items()
+        bits = where(self.is_beyond, BITS.get(code, 0), 0)
         for threshold, code in others if self.is_beyond is not False else ():
             bits = where(self.limit.is_beyond(self.judged, threshold), BITS[code], bits)
         return where(self.unjudged, NOT_JUDGED, bits)
