@@ -21,6 +21,7 @@ from jkroll.answers.questions import EVERYTHING
 from jkroll.errors import BadTable
 from jkroll.materials.library import known_materials
 from jkroll.quantities.nomenclature import computed_as
+from jkroll.tables.header import Header as Understood
 from jkroll.tables.header import understood
 from jkroll.tables.table import Asked
 from jkroll.tables.unread import Supply
@@ -36,6 +37,13 @@ class Header(NamedTuple):
     is_plain: bool  # ASCII, with the unit in brackets
     is_of_2: bool  # it is of sphere 2 alone
     others: tuple[str, ...] = ()  # inputs that it may mean as well
+    share: float = 1.0  # of the number below it that is the input: a radius is half of a diameter
+
+    @property
+    def advice(self) -> set[str]:
+        """The inputs that may be advised for it."""
+        names = {self.name, *self.others}
+        return {name.replace("radius", "diameter") for name in names} if self.share == 0.5 else names
 
 
 class Term(NamedTuple):
@@ -460,7 +468,7 @@ def _header(term: Term, chance: Random) -> Header:
     )  # radius_m is in metres for all who read it
     whole = whole if is_lost else mangled
     name, *others = names or ("",)
-    return Header(whole, name, factor * term.share, is_plain and not how, is_of_2, tuple(others))
+    return Header(whole, name, factor * term.share, is_plain and not how, is_of_2, tuple(others), term.share)
 
 
 def meant_headers(seed: int, count: int = 12_000) -> list[Header]:
@@ -492,18 +500,32 @@ def _supply(columns: frozenset[str]) -> Supply:
     return _ASKED.supply(columns)
 
 
+def _understood(text: str) -> Understood:
+    """Return the columns of a table with a header beside a column of materials and a radius that is an option."""
+    return understood(
+        ("material", text),
+        [["quartz", "0.3"]],
+        given=_ASKED.inputs,
+        supply_of=lambda columns: _supply(frozenset(columns)),
+    )
+
+
+def advice_for(text: str) -> set[str]:
+    """Return the inputs that the refusal of a header names; none if it is not refused."""
+    try:
+        _understood(text)
+    except BadTable as error:
+        return advised(str(error))
+    return set()
+
+
 def outcome(header: Header) -> str:
     """Return what becomes of a header beside a column of materials and a radius that is an option."""
     try:
-        found = understood(
-            ("material", header.text),
-            [["quartz", "0.3"]],
-            given=_ASKED.inputs,
-            supply_of=lambda columns: _supply(frozenset(columns)),
-        )
+        found = _understood(header.text)
     except BadTable as error:
         meanings = advised(str(error))
-        return ADVISED if meanings and header.name and meanings.isdisjoint({header.name, *header.others}) else REFUSED
+        return ADVISED if meanings and header.name and meanings.isdisjoint(header.advice) else REFUSED
     if not found.inputs:
         supplied = _supply(frozenset({"material"})).clauses
         return IDLE if header.name and supplied.keys().isdisjoint({header.name, *header.others}) else PASSED
@@ -519,8 +541,9 @@ def outcome(header: Header) -> str:
 
 def advised(message: str) -> set[str]:
     """Return the inputs that a message names for a column."""
-    columns = re.findall(r"--column '(?:[^']*)=(\w+)|--column \"(?:[^\"]*)=(\w+)|a column (\w+)", message)
-    return {next(filter(None, names)) for names in columns}
+    columns = re.findall(r"--column '(?:[^']*)=(\w+)|--column \"(?:[^\"]*)=(\w+)", message)
+    places = re.findall(r"a column (.*?) in place of", message)
+    return {*map("".join, columns), *(name for place in places for name in re.findall(r"[a-z]\w+", place))} - {"or"}
 
 
 def counts(headers: Iterable[Header]) -> Counter[str]:

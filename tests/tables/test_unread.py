@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from harness import Run
-from meant_headers import IDLE, MISREAD, PASSED, groups_of, meant_headers, outcome
+from meant_headers import IDLE, MISREAD, PASSED, REFUSED, Header, advice_for, groups_of, meant_headers, outcome
 from relative import approx
 
 BESIDE = "material,radius [nm]"  # of quartz
-REFUSED = {
+ADVISED = {
     "Interface Energy (J/m^2)": "work_of_adhesion [J/m^2]",
     "dens. of solid (g/cm3)": "density [g/cm3]",
     "impact vel (m/s)": "speed [m/s]",
@@ -39,14 +39,14 @@ def _wide(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "2000")
 
 
-@pytest.mark.parametrize("head", REFUSED)
+@pytest.mark.parametrize("head", ADVISED)
 def test_a_column_that_may_be_an_input_is_refused_and_the_advice_reads_it(run: Run, head: str) -> None:
     said = ran(run, f"{BESIDE},{head}", "quartz,100,3")
     assert said.startswith("2: ")
     advised = [shlex.split(word)[0] for word in re.findall(r"--column ('[^']*')", said)]
-    assert f"{head}={REFUSED[head]}" in advised
+    assert f"{head}={ADVISED[head]}" in advised
     assert f"{head}=" in advised
-    assert ran(run, f"{BESIDE},{head}", "quartz,100,3", shlex.join(["--column", f"{head}={REFUSED[head]}"]))[0] in "01"
+    assert ran(run, f"{BESIDE},{head}", "quartz,100,3", shlex.join(["--column", f"{head}={ADVISED[head]}"]))[0] in "01"
 
 
 @pytest.mark.parametrize("head", PASSING)
@@ -136,3 +136,63 @@ def test_a_number_read_from_the_wall_is_that_of_sphere_2(run: Run) -> None:
     assert run("batch x.csv --quantities contact_modulus --material2 gold -o out.csv").code == 0
     value = float(Path("out.csv").read_text().splitlines()[1].split(",")[5])
     assert value == approx(1e9 / ((1 - 0.04) / 70 + (1 - 0.16) / 3), rel=1e-12)
+
+
+MANGLED = {
+    "E2 (N/mm?)": "youngs_modulus2",
+    "rho_p, kg?m??": "density",
+    "dupre_work_dyne_cm_": "work_of_adhesion",
+    "W__mJ_m__": "work_of_adhesion",
+    "e_0_pj": "energy",
+    "grain size [A]": "radius",
+    "ENERGIA CINETICA/EV": "energy",
+    "r_m / nanometer": "radius",
+    "W_of_A / erg/cm2": "work_of_adhesion",
+}
+
+
+@pytest.mark.parametrize("head", MANGLED)
+def test_a_unit_that_a_program_has_mangled_is_one(head: str) -> None:
+    """Capitals changed, signs and powers lost, and Å written as A."""
+    assert outcome(Header(head, MANGLED[head], 1.0, is_plain=False, is_of_2=False)) == REFUSED
+
+
+@pytest.mark.parametrize("head", ["радиус (um)", "半径_m", "������ [nm]", "нагрузка (nN)", "Ñ€Ð°Ð´Ð¸ÑƒÑ\x81 (nm)"])
+def test_the_unit_alone_decides_beside_a_word_in_another_script(head: str) -> None:
+    assert outcome(Header(head, "radius", 1.0, is_plain=False, is_of_2=False)) == REFUSED
+
+
+@pytest.mark.parametrize(
+    "head",
+    ["fx [N]", "fz (nN)", "F [N]", "x (m)", "z [um]", "dx [nm]", "time (s)", "torque_x [N m]", "sp_A", "area (nm2)",
+     "current [A]", "viscosity (Pa s)", "100 um", "T (K)", "D (m2/s)"],
+)  # fmt: skip
+def test_a_column_of_a_simulation_passes(head: str) -> None:
+    assert outcome(Header(head, "", 1.0, is_plain=False, is_of_2=False)) == PASSED
+
+
+ADVICE = {
+    "nu_w": {"poisson_ratio", "poisson_ratio2"},
+    "xi_r (nm)": {"yield_displacement"},
+    "d50 [um]": {"diameter"},
+    "d_min (nm)": {"diameter", "atomic_spacing"},
+    "delta_roll (nm)": {"yield_displacement", "approach_at_load"},
+    "dGamma in N/m": {"surface_energy", "work_of_adhesion"},
+    "delta_w (mJ/m2)": {"adhesion_hysteresis"},
+    "modulo ridotto [GPa]": {"contact_modulus"},
+    "Particle density, wall [kg/m3]": {"density2"},
+    "elastic modulus of the wall_N_m_2": {"youngs_modulus2"},
+    "DMT modulus of the plate, measured (Pa)": {"youngs_modulus2", "contact_modulus"},
+    "R_asp (um)": set(),
+}
+
+
+@pytest.mark.parametrize("head", ADVICE)
+def test_no_advice_changes_the_sense(head: str) -> None:
+    assert advice_for(head) <= ADVICE[head]
+    assert bool(advice_for(head)) == bool(ADVICE[head])
+
+
+def test_a_unit_in_brackets_stands_before_one_behind_a_gap() -> None:
+    """The load P_n in N is not in nN."""
+    assert outcome(Header("P_n {N}", "load", 1.0, is_plain=False, is_of_2=False)) != MISREAD

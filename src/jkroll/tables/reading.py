@@ -161,6 +161,8 @@ def splits_of(text: str) -> Iterator[Split]:
 def _exact(split: Split, known: Mapping[str, Meaning]) -> Reading | None:
     """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
     word, unit, is_explicit, is_mangled = split.word, split.unit, split.is_explicit, split.is_mangled
+    if not is_explicit and re.search(r"[\s_.][\[({<]", unit):
+        return None  # the unit begins there: P_n {N} is in N
     if key(word) not in known and words.with_symbol(word) is None:
         word = words.without_body(word)
     meaning = known.get(key(word))
@@ -282,11 +284,12 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         name, is_shared = meaning.names[0], word in words.SHARED
         if name == "radius" and not words.ASPERITIES.isdisjoint(plain_words(split.word)):
             name = "asperity_radius"
-        sphere = words.sphere_of(words.tokens_of(split.word))
+        behind = re.findall(r"[a-z]{3,}[12]?|(?<=[#(])[12]", split.unit.casefold())  # as in modulus of the wall, GPa
+        sphere = words.sphere_of(words.tokens_of(split.word)) or words.sphere_of(behind)
         name = of_sphere(sphere, name) if sphere else name
         is_open = not sphere and not is_slip and NOMENCLATURE[name].sphere == 1
         names = [name, NOMENCLATURE[name].twin] if is_open else [name]
-        names = [*meaning.names] if meaning.names[1:] else names
+        names = [of_sphere(sphere, each) if sphere else each for each in meaning.names] if meaning.names[1:] else names
         if split.unit and word == key(split.word):
             tail = re.findall(r"[a-z]+", _CUT.sub(" ", split.unit).casefold())
             is_label = name in MATERIALS or split.unit in words.INDICES or not words.LABELS.isdisjoint(tail)
@@ -320,9 +323,10 @@ def _doubtful(
         *PREFIXES,
         spelt_out(NOMENCLATURE[name].symbol.removesuffix("1")).casefold(),
     }
-    if of_pair and not words.OF_PAIR.isdisjoint(others):
+    is_difference = name == "surface_energy" and not others.isdisjoint(("d", "delta"))  # Δγ is w
+    if of_pair and (is_difference or words.is_of_pair(others)):
         names, problem, is_neutral = [name, of_pair], f"it may be {name} or {of_pair}", True
-    elif not words.OF_PAIR.isdisjoint(others):
+    elif words.is_of_pair(others):
         names = names[:1]  # as an equivalent diameter, not one of sphere 2
     if not meaning.has_remedy or not words.FUNCTIONS.isdisjoint(others):
         names = []
@@ -361,6 +365,7 @@ def _word_in(text: str, known: Mapping[str, Meaning], unit: str) -> tuple[str, b
             fitting = [run for run in every if any(unit_for(unit, name) for name in known[run].names)] if unit else []
             return (fitting or every)[-1], False
     slip = next(filter(None, map(words.slips().get, words.lacking_a_letter(letters))), "")
+    slip = "" if letters[1:] == slip else slip  # dgamma is Δγ
     return slip, bool(slip)
 
 

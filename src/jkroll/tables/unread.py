@@ -21,7 +21,7 @@ from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, co
 from ..quantities.synonyms import QUANTITY_SYNONYMS
 from ..quantities.units import is_in_table
 from ..quantities.values import QuantityError, value_of
-from ..text import shown
+from ..text import ascii_text, shown
 from . import words
 from .cells import has_no_value, is_number
 from .reading import FACTOR_INSIDE, FACTOR_OF_UNIT, Reading, Split, normalized, reading_of, splits_of
@@ -157,21 +157,23 @@ def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split,
         return split, {}
     tokens = tokens_of(split.word)
     spheres = {0, sphere_of(tokens) or 1, sphere_of(tokens) or 2}
-    possible = (name for name in candidates if NOMENCLATURE[name].sphere in spheres and _points_to(tokens, name))
+    possible = [name for name in candidates if NOMENCLATURE[name].sphere in spheres]
+    if not _is_unreadable(split.word):
+        possible = [name for name in possible if _points_to(tokens, name)]
     return split, {name: candidates[name] for name in possible}
 
 
 @lru_cache(maxsize=5000)
 def _unit(split: Split, name: str) -> str:
     """Return the unit of an input that a header has, UNIT where it cannot be read as it is; "" for another unit."""
-    if not split.unit or (is_in_table(split.unit) and not fits(split.unit, name)):
+    is_of_other = is_in_table(split.unit) and not split.unit.isupper() and not fits(split.unit, name)  # Å as A
+    if not split.unit or (is_of_other):
         return ""
     if unit := unit_for(split.unit, name, is_explicit=split.is_explicit):
         return unit
-    spelt = re.sub(FACTOR_OF_UNIT, "", split.unit).casefold()
-    spelt = words.UNITS_OF_OTHERS.get(spelt, spelt.rstrip("s"))
-    is_certain = split.is_explicit or len(split.unit) > 3
-    return "UNIT" if is_certain and any(fits(each, name) for each in (spelt, spelt.upper())) else ""
+    is_behind_number = re.match(r"[12][\W_]*(?!e[-\d])[^\W\d]", split.unit)  # of a sphere
+    spelt = re.sub(FACTOR_OF_UNIT, "", split.unit) + "_" * split.is_mangled
+    return "UNIT" if not is_behind_number and words.may_be_unit(spelt, name) else ""
 
 
 def _without_unit(text: str, cells: Sequence[str], supply: Supply) -> list[str]:
@@ -234,10 +236,13 @@ def _plain(text: str) -> str:
 
 
 def _is_unit(split: Split) -> bool:
-    if not split.is_explicit and len(split.unit) == 1 and (split.unit not in "mNJ" or len(split.word) < 3):
+    is_certain = split.is_explicit or split.is_mangled or not split.word.isascii()
+    if not is_certain and len(split.unit) == 1 and len(split.word) < 3:
         return False  # an index
     if key(split.unit) in words.meanings(""):
         return False  # specific gravity
+    if not split.is_explicit and re.search(r"\s(?:in|[/,;:|])\s|[\s_.][\[({<]", split.unit):
+        return False  # the unit begins there: r_m / nm, A_22 [J]
     return is_in_table(split.unit) or any(_unit(split, name) for name in _OF_EACH_UNIT.values())
 
 
@@ -257,6 +262,11 @@ def _symbols_of_inputs() -> Collection[str]:
     return {symbol_of(name).removesuffix("1") for name in INPUTS} | {symbol_of(name) for name in INPUTS}
 
 
+def _is_unreadable(word: str) -> bool:
+    """Return whether all letters of a word are of another script, or lost: its unit alone says what it may be."""
+    return not re.search(r"[a-zA-Z]", ascii_text(word)) and re.search(r"[^\W\d]|[?\ufffd]", word) is not None
+
+
 def _points_to(tokens: Sequence[str], name: str) -> bool:
     """Return whether the words of a column leave it an input of its dimension."""
     first, unit = of_sphere(1, name), NOMENCLATURE[name].unit
@@ -268,22 +278,24 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
         of_others = {*(token for token in tokens if len(token) > 2), "".join(tokens)}  # k alone, and k_n
         if is_other or not (words.OTHERS | others).isdisjoint(of_others):
             return False
+    if first in ("radius", "diameter", "reduced_radius") and not words.ASPERITIES.isdisjoint({*tokens}):
+        return False
     if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS
     symbols, stems = words.POINTERS[first]
-    joined = map("".join, pairwise(tokens))  # F_n, cut-off
-    bare = {*tokens, *joined, *(_bare(token) for token in tokens)}
-    return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in tokens)
+    bare = {*tokens, *map("".join, pairwise(tokens)), *map(_bare, tokens)}  # F_n, cut-off
+    return not bare.isdisjoint(symbols) or any(stem in token for stem in stems for token in bare)
 
 
 def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> tuple[list[str], bool]:
     """Return which of some inputs the words of a column mean most likely, and whether a word tells."""
-    sphere, is_of_pair = sphere_of(tokens), not words.OF_PAIR.isdisjoint(tokens)
+    sphere, is_of_pair = sphere_of(tokens), words.is_of_pair(tokens)
     if is_of_pair:
         names = [name for name in names if name in words.PAIRS.values()]
-    if not sphere:
+    if not sphere and _index(tokens) in "psti":  # another letter may be of either sphere
         names = [name for name in names if NOMENCLATURE[name].sphere != 2 or of_sphere(1, name) not in supply.clauses]
-    scores = {name: _score(tokens, name) for name in names}
+    telling = tokens[:1] if _index(tokens) else tokens
+    scores = {name: _score(telling, name) for name in names}
     best = max(scores.values(), default=0)
     likeliest = [name for name in names if scores[name] == best]
     if sphere:
@@ -292,16 +304,23 @@ def _likeliest(tokens: Sequence[str], names: Sequence[str], supply: Supply) -> t
     return [name for name in likeliest if is_told or name in supply.direct], is_told
 
 
+def _index(tokens: Sequence[str]) -> str:
+    """Return the letter behind a symbol, as in E_w, xi_r and rho_B; "" for none."""
+    return tokens[1] if len(tokens) == 2 and len(tokens[0]) < 4 and len(tokens[1]) == 1 else ""
+
+
 def _score(tokens: Sequence[str], name: str) -> int:
     """Return how many words of a header are those of an input, or begin like them."""
     first = of_sphere(1, name)
     symbols, vocabulary = [_bare(token) for token in tokens_of(symbol_of(first))], _vocabulary(first)
-    return sum(_is_one_of(_bare(token), symbols, vocabulary) for token in tokens)
+    pairs = [*map("".join, pairwise(tokens))]  # dGamma
+    found = [token for token in tokens if _is_one_of(_bare(token), symbols, vocabulary)]
+    return len(found) + 2 * sum(pair in vocabulary for pair in pairs)
 
 
 def _bare(token: str) -> str:
-    """Return a word of a header without the number of a sphere."""
-    return re.sub("[12]$", "", token)
+    """Return a word of a header without the number of a sphere, or that of a start or a percentile: v0, d50."""
+    return re.sub(r"(?<=[a-z])(?:[12]|\d?0)$", "", token)
 
 
 def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]) -> bool:
@@ -316,5 +335,5 @@ def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]
 def _vocabulary(name: str) -> Collection[str]:
     """Return the words of an input: of its name, its option, and those of others."""
     texts = [name, *(word for of in (OPTION_WORDS, QUANTITY_SYNONYMS) for word, meant in of.items() if meant == name)]
-    texts += words.WORDS_BESIDES.get(name, ())
-    return {token for text in texts for token in tokens_of(text) if len(token) > 1} - words.GENERIC
+    tokens = {token for text in texts for token in tokens_of(text) if len(token) > 1}
+    return tokens - words.GENERIC | {*words.WORDS_BESIDES.get(name, ())}

@@ -1,7 +1,7 @@
 """The words of headers as data: those that mean an input, those that may mean one, those that mean something else."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from itertools import groupby
 from typing import NamedTuple
@@ -87,23 +87,22 @@ OTHERS = {
     storage loss dynamic complex flexural bending section rupture resilience polar dispersive water liquid
     apparent apparente hydrodynamic pore crater capillary meniscus kelvin""".split()
 }
-# Beside a word they leave it what it is: of which body it is, and the mean of several.
-NEUTRAL = {*"""mean average avg nominal measured applied indentation particle particles sphere spheres grain grains bead
-    beads monomer monomers tip probe indenter sample surface wall substrate plate body solid target projectile first
-    second s""".split()}  # fmt: skip
 # Bodies that are sphere 1, which moves, and sphere 2; of a sample it is not certain.
 BODIES = {
     1: {*"tip probe indenter colloid projectile impactor intruder particle sphere ball bead grain monomer".split()},
     2: {*"wall substrate sub plate plane target counterface counterbody boundary geometry".split()},
 }
+# Beside a word they leave it what it is: of which body it is, and the mean of several.
+NEUTRAL = {
+    *"mean average avg nominal measured applied indentation sample surface body solid first second s".split(),
+    *(f"{body}{plural}" for bodies in BODIES.values() for body in bodies for plural in ("", "s")),
+}
 # Beside a word they make it a function of the quantity.
 FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
-# Beside a word they make it that of the pair.
-OF_PAIR = {
-    *"""equivalent effective reduced combined composite harmonic reduzierter effektiver reduit effectif
-    reducido""".split()
-}
-ASPERITIES = {*"asperity asperities".split()}  # whose radius is none of a sphere
+# Beside a word they, or words with these stems, make it that of the pair.
+_INDICES_OF_PAIR = {*"eff red eq star".split()}
+_STEMS_OF_PAIR = re.compile("redu[czi]|ridott|effe[ck]|equiv|combined|composite|harmoni")
+ASPERITIES = {*"asperity asperities asp rasp".split()}  # whose radius is none of a sphere
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
@@ -243,14 +242,24 @@ def tokens_of(text: str) -> list[str]:
     return re.findall(r"[a-z]+\d*|\d+", parted.casefold())
 
 
+def is_of_pair(tokens: Iterable[str]) -> bool:
+    """Return whether a word of a header says that the quantity is that of the pair.
+
+    >>> is_of_pair(["modulo", "ridotto"]), is_of_pair(["e", "eff"]), is_of_pair(["red", "grain"]), is_of_pair(["e"])
+    (True, True, True, False)
+    """
+    return any(token in _INDICES_OF_PAIR or _STEMS_OF_PAIR.search(token) for token in tokens)
+
+
 _ORDINALS = {"first": 1, "second": 2}
 
 
 def sphere_of(tokens: Sequence[str]) -> int:
     """Return the sphere that words of a header name, by its number or a body; 0 for none."""
-    numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*[12]", token)]
+    numbers = [int(token[-1]) for token in tokens if re.fullmatch(r"[a-z]*([12])\1?", token)]  # A22
     numbers += [_ORDINALS[token] for token in tokens if token in _ORDINALS]
     bodies = [sphere for token in tokens for sphere, bodies in BODIES.items() if token in bodies]
+    bodies.sort(reverse=True)  # particle density of the wall
     return next(iter([*numbers, *bodies, *(2 for token in tokens[-1:] if token == "j")]), 0)
 
 
@@ -349,6 +358,8 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
     What is in no brackets is looked for in the shipped table alone: to load pint takes as long as many rows. Programs
     change capitals there, so that MN may be mN.
     """
+    if text in _COMMON:
+        return text if fits(text, name) else ""  # nm is no N/m
     letters, by_letters, is_known = squeezed(text), units_by_letters(), is_in_table(text)
     small = letters.casefold()
     is_clear = is_known and (letters in by_letters or small not in by_letters)
@@ -360,6 +371,51 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
         is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.removesuffix("1").casefold()
         units = [unit for unit in units if unit == text or not (is_symbol or unit[1:2].islower())]
     return next((unit for unit in units if fits(unit, name)), "")
+
+
+_IN_ANY_CASE = str.maketrans("µμΜÅå", "uuuaa")
+_Parts = tuple[tuple[str, str], ...]  # of a unit: letters, each with its power, "" for 1
+
+
+def _in_small_letters(unit: str) -> str:
+    return unit.translate(SUPERSCRIPTS).translate(_IN_ANY_CASE).casefold()
+
+
+def _parts_of(unit: str) -> _Parts:
+    """Return the letters of a unit in small letters, without signs, with the digits behind each."""
+    parts: list[tuple[str, str]] = re.findall(r"([a-z]+)[^a-z\d]*(\d*)", _in_small_letters(unit))
+    return tuple((letters, power.removeprefix("1")) for letters, power in parts if letters != "per")
+
+
+def _joined(parts: _Parts) -> _Parts:
+    return (("".join(letters for letters, _ in parts), parts[-1][1] if parts else ""),)
+
+
+@cache
+def _units_by_parts() -> dict[_Parts, list[str]]:
+    """Return common and rare units by their parts, by those in one if they end with a power, and without this power."""
+    units: dict[_Parts, list[str]] = {(("a", ""),): ["angstrom"]}
+    for unit in (*_COMMON, *_RARE):
+        parts = _parts_of(unit)
+        spelt = {parts, (*parts[:-1], (parts[-1][0], "lost")), *([_joined(parts)] if parts[-1][1] else ())}
+        for each in spelt:
+            units.setdefault(each, []).append(_MEANT_BY.get(unit, unit))
+    return units
+
+
+def may_be_unit(text: str, name: str) -> bool:
+    """Return whether a text may be a unit of a quantity, written by a program that changes capitals or loses signs.
+
+    >>> [may_be_unit(text, "density") for text in ("kg?m??", "g_cm_", "KgM3", "kg", "kgm")]
+    [True, True, True, False, False]
+    """
+    if re.search(r"[^\W\d_a-z]", _in_small_letters(text)):
+        return False  # the end of a word
+    parts = _parts_of(text)
+    spelt = [parts, _joined(parts)] if not any(power for _, power in parts) else [parts]
+    if parts[1:] and not (text[-1].isalnum() or parts[-1][1]):
+        spelt.append((*parts[:-1], (parts[-1][0], "lost")))
+    return any(fits(unit, name) for each in spelt for unit in _units_by_parts().get(each, ()))
 
 
 def is_like_unit(token: str) -> bool:
@@ -374,34 +430,42 @@ def headed(name: str, unit_text: str = "UNIT") -> str:
 
 # --- Words of columns that are not read -------------------------------------------------------------------------------
 
-# Spellings of units that are not read, as a column of them may be an input.
-UNITS_OF_OTHERS = {"a": "angstrom", "ang": "angstrom", "mum": "um", "sec": "s", "n/m2": "Pa", "n/mm2": "MPa"}
+# Units besides common ones, which are not read in any spelling, as a column of them may be an input.
+_RARE = """angstrom angstroms ang micron microns nanometer micrometer nanometre micrometre GN/m2 MN/m2 kN/m2 N/m2
+    dyne/cm dyne/cm2 psi gigapascal megapascal joule nJ pJ keV meV erg newton nanonewton dyn dyne nanoN kg/dm3 t/m3
+    kg/cum m/sec mps us ns ps sec""".split()
+_MEANT_BY = {"ang": "angstrom", "m/sec": "m/s", "mps": "m/s", "nanoN": "nN", "kg/cum": "kg/m3", "sec": "s"}
 # Beside a word they make it a multiple or a part of the quantity.
 SENSES = {*"half double twice fwhm hwhm squared square inv times per ratio rel relative change rate".split()}
 # SI units so common that a word must point to an input.
 COMMON_UNITS = ("m", "N", "s", "1")
+_OF_BODIES = """size groess gross grain partic sphere bead kugel korn partikel colloid monomer indenter bille tamano
+    taille tip probe ball""".split()
 # For inputs in these units: symbols, and parts of words, which point to them.
 POINTERS: Mapping[str, tuple[Sequence[str], Sequence[str]]] = {
-    "poisson_ratio": (["nu"], "poiss querkontrak".split()),
+    "poisson_ratio": ("nu pr".split(), "poiss querkontrak".split()),
     "hysteresis_fraction": ((), ["hyst"]),
     "hamaker": ("a ah".split(), ["hamaker"]),
-    "adhesion_hysteresis": ((), ["hyst"]),
+    "adhesion_hysteresis": ("dw deltaw".split(), ["hyst"]),
     "radius": (
-        "r r0 a rp rs rt rw ri rj d d10 d32 d43 d50 d90 dp ds dt dw di dj rad dia tip probe ball".split(),
-        """radi rayon diam durchm size groess gross grain partic sphere bead kugel korn partikel colloid monomer
-        indenter bille tamano taille raio straal rtip""".split(),
+        "r a rp rs rt rw ri rj rm rad roc".split(),
+        ["radi", "rayon", "raggi", "halbmess", "raio", "straal", *_OF_BODIES],
     ),
-    "reduced_radius": ("r reff".split(), "radi rayon".split()),
-    "yield_displacement": ("xi".split(), "displac verschieb deplac critic krit".split()),
+    "diameter": ("d d32 d43 dp ds dt dw di dj dv x10 x50 x90 vmd dia".split(), ["diam", "durchm", *_OF_BODIES]),
+    "reduced_radius": ("r reff rstar".split(), "radi rayon raggi".split()),
+    "yield_displacement": ("xi ksi".split(), "displac verschieb deplac crit krit roll".split()),
     "atomic_spacing": (
-        "z0 d0 h0 hmin eps eps0".split(),
-        "spacing interatom atomic minim separation attract equilib".split(),
+        "z0 d0 h0 hmin dmin eps".split(),
+        "spacing atom minim closest separation attract equilib gleichgew".split(),
     ),
-    "cutoff": ("d0 cutoff".split(), "cutoff".split()),
-    "approach_at_load": ("delta deltan".split(), "indent approach overlap penetr deform eindring enfonc".split()),
+    "cutoff": ("d0 rcut dcut".split(), ["cutoff"]),
+    "approach_at_load": (
+        "delta deltan ind hind dind".split(),
+        "indent approach overlap uberlapp ueberlapp penetr deform verform indring enfonc".split(),
+    ),
     "load": (
-        "fn fz p ext external app set pre preload trigger".split(),
-        "load last charge setpoint applied normal carga trigger".split(),
+        "fn p pn l ext external app set pre".split(),
+        "load last charge setpoint applied norm carg caric trigger press aufl belast".split(),
     ),
 }
 GENERIC = {
@@ -412,27 +476,32 @@ NO_INPUTS: Mapping[str, frozenset[str]] = {
     unit: frozenset(text.split())
     for unit, text in {
         "J/m^2": """stiffness spring constant steifigkeit federkonstante raideur k kn kt kc ks kr cantilever lever
-            liquid water fluence dose gradient slope sensitivity polar dispersive film""",
+            liquid water fluence dose gradient slope sensitivity polar dispersive film torque moment drehmoment""",
         "Pa": """uts festigkeit vickers knoop pressure press druck pression stress spannung yield hardness haerte
-            durete strength tensile compressive vacuum vapour vapor hertz hertzian tresca mises p sigma""",
+            durete strength compressive vacuum vapour vapor tresca mises p sigma""",
         "kg/m^3": "gas air fluid liquid water medium bulk tap tapped packing loose number charge",
         "J": """potential ioni chemical atom molecule mol formation exfoliation decomposition vbm cbm heat thermal
             activation bond lattice band bandgap gap photon fermi dissipation dissipated lost loss barrier kt kbt break
-            breaking rolling roll fold sticking pull binding strain internal""",
+            breaking rolling roll fold sticking pull binding strain internal torque moment drehmoment""",
         "m/s": """sound schall thermal friction shear vx vy vz wave wind flow gas fluid scan ramp retract
             retraction terminal settling sticking rebound rotation angular escape crack pull stick""",
         "m": """contact gyration height thickness width length position distance dist roughness rms rq ra
             wavelength box film layer lattice pore mesh grid tube bend orbital separation lambda mfp path trajectory
             screen debye""",
-        "N": """adhesion adhesive pull off pulloff friction lateral shear measured max peak snap detach detachment
+        "N": """adhesion adhesive pull off pulloff friction lateral shear measured snap detach detachment
             rupture capillary drag electrostatic""",
     }.items()
 }
 # Words that others use for an input, and that are not certain to mean it.
 WORDS_BESIDES: Mapping[str, Sequence[str]] = {
+    "radius": "radius radii rad raggio halbmesser roc".split(),
+    "atomic_spacing": "minimum closest".split(),
+    "cutoff": "cutoff cut minimum closest".split(),
+    "diameter": "d32 d43 dp ds dt dw di dj dv x10 x50 x90 vmd".split(),
     "surface_energy": "surface surf tension sfe".split(),
-    "work_of_adhesion": "adhesion adh interface interfacial fracture release separation dupre haft gc gic jkr".split(),
-    "adhesion_hysteresis": ["hysteresis"],
+    "work_of_adhesion": """adhesion adh interface interfacial fracture release separation dupre haft gc gic jkr
+        dgamma""".split(),
+    "adhesion_hysteresis": "hysteresis dw deltaw".split(),
     "youngs_modulus": "young elastic modul dmt ym".split(),
     "contact_modulus": "contact reduced reduz reduit reducido red effective effekt eff equivalent eq star".split(),
     "shear_strength": "friction strength tau".split(),
