@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from harness import Run
+from meant_headers import ADVISED as ADVISED_OTHERS
 from meant_headers import IDLE, MISREAD, PASSED, REFUSED, Header, advice_for, groups_of, meant_headers, outcome
 from relative import approx
 
@@ -107,12 +108,12 @@ def test_a_column_of_a_table_of_ours_is_none(run: Run) -> None:
     assert "not read" not in again.err
 
 
-MOST = {"inputs": 0.09, "plain": 0.08, "sphere 2": 0.15}  # of the headers of a group that may pass
+MOST = {"inputs": 0.03, "plain": 0.04, "sphere 2": 0.07}  # of the headers of a group that may pass
 
 
 @pytest.mark.parametrize(("seed", "count"), [(4, 600), pytest.param(5, 12_000, marks=pytest.mark.slow)])
 def test_few_headers_that_mean_an_input_pass(seed: int, count: int) -> None:
-    """Nearly none does that is a plain word with a unit in brackets, and none is misread."""
+    """Nearly none does that is a plain word with a unit in brackets, none is misread, and few advices are wrong."""
     headers = meant_headers(seed, count)
     outcomes = {header.text: outcome(header) for header in headers}
     assert MISREAD not in outcomes.values()
@@ -121,7 +122,8 @@ def test_few_headers_that_mean_an_input_pass(seed: int, count: int) -> None:
         passed = [each.text for each in groups[group] if outcomes[each.text] == PASSED]
         assert len(passed) <= most * len(groups[group]), (group, passed)
     none = [each.text for each in groups["none"] if outcomes[each.text] in (PASSED, IDLE)]
-    assert len(none) > 0.6 * len(groups["none"])
+    assert len(none) > 0.68 * len(groups["none"])
+    assert [*outcomes.values()].count(ADVISED_OTHERS) <= 0.012 * len(groups["inputs"])
 
 
 def test_a_reduced_radius_beside_half_a_sense_is_no_advice(run: Run) -> None:
@@ -183,6 +185,9 @@ ADVICE = {
     "Particle density, wall [kg/m3]": {"density2"},
     "elastic modulus of the wall_N_m_2": {"youngs_modulus2"},
     "DMT modulus of the plate, measured (Pa)": {"youngs_modulus2", "contact_modulus"},
+    "indenterdiameter_micron": {"diameter", "approach_at_load"},
+    "Er__dyne/cm^2": {"contact_modulus"},
+    "A_22 [Joule]": {"hamaker2"},
     "R_asp (um)": set(),
 }
 

@@ -284,7 +284,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         name, is_shared = meaning.names[0], word in words.SHARED
         if name == "radius" and not words.ASPERITIES.isdisjoint(plain_words(split.word)):
             name = "asperity_radius"
-        behind = re.findall(r"[a-z]{3,}[12]?|(?<=[#(])[12]", split.unit.casefold())  # as in modulus of the wall, GPa
+        behind = re.findall(r"[a-z]{3,}|(?<=[#(])[12]", split.unit.casefold())  # as in modulus of the wall, GPa
         sphere = words.sphere_of(words.tokens_of(split.word)) or words.sphere_of(behind)
         name = of_sphere(sphere, name) if sphere else name
         is_open = not sphere and not is_slip and NOMENCLATURE[name].sphere == 1

@@ -236,7 +236,7 @@ def _plain(text: str) -> str:
 
 
 def _is_unit(split: Split) -> bool:
-    is_certain = split.is_explicit or split.is_mangled or not split.word.isascii()
+    is_certain = split.is_explicit or split.is_mangled or not f"{split.word}{split.unit}".isascii()
     if not is_certain and len(split.unit) == 1 and len(split.word) < 3:
         return False  # an index
     if key(split.unit) in words.meanings(""):
@@ -327,7 +327,7 @@ def _is_one_of(token: str, symbols: Collection[str], vocabulary: Collection[str]
     if len(token) < 3:
         return token in symbols or token in vocabulary
     return token in symbols or any(
-        len(word) > 2 and (word.startswith(token) or token.startswith(word[:5])) for word in vocabulary
+        len(word) > 2 and (word.startswith(token) or word[:5] in token) for word in vocabulary
     )
 
 

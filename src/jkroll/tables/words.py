@@ -228,7 +228,7 @@ def with_index(text: str) -> str:
     >>> with_index("E_s"), with_index("ρp"), with_index("E_loss"), with_index("num")
     ('youngsmodulus', 'density', '', '')
     """
-    parts = _WITH_INDEX.fullmatch(ascii_text(text))
+    parts = _WITH_INDEX.fullmatch(ascii_text(text)) if spelt_out(text) not in symbols() else None  # Er is E*
     return key(symbols()[parts[1]].names[0]) if parts and (parts[2] or "").casefold() not in {*OTHERS, *LABELS} else ""
 
 
@@ -503,7 +503,7 @@ WORDS_BESIDES: Mapping[str, Sequence[str]] = {
         dgamma""".split(),
     "adhesion_hysteresis": "hysteresis dw deltaw".split(),
     "youngs_modulus": "young elastic modul dmt ym".split(),
-    "contact_modulus": "contact reduced reduz reduit reducido red effective effekt eff equivalent eq star".split(),
+    "contact_modulus": "contact reduced reduz reduit reducido red effective effekt eff equivalent eq star er".split(),
     "shear_strength": "friction strength tau".split(),
     "energy": "kinetic impact collision ekin".split(),
     "speed": "relative impact collision rel".split(),
