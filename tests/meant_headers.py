@@ -463,9 +463,8 @@ def _header(term: Term, chance: Random) -> Header:
         how = chance.choice(_OF_GREEK)
         how = "decomposed" if how == "lost" and not text.isascii() else how
     mangled = _MANGLINGS[how](whole) if how else whole
-    is_lost = re.search("[µμ]", whole) and re.search(
-        r"[^\W_][_.]m$", mangled
-    )  # radius_m is in metres for all who read it
+    in_metres = re.search("[µμ]", whole) and re.search(r"[^\W_][_.]m$", mangled)  # radius_m is, for all who read it
+    is_lost = in_metres or ("*" in text and "*" not in mangled)  # E_GPa is no E*
     whole = whole if is_lost else mangled
     name, *others = names or ("",)
     return Header(whole, name, factor * term.share, is_plain and not how, is_of_2, tuple(others), term.share)
