@@ -198,6 +198,7 @@ def test_no_advice_changes_the_sense(head: str) -> None:
     assert bool(advice_for(head)) == bool(ADVICE[head])
 
 
-def test_a_unit_in_brackets_stands_before_one_behind_a_gap() -> None:
+@pytest.mark.parametrize("head", ["P_n {N}", "P_n / N", "P_n-N", "P_n_N", "P_n N"])
+def test_the_index_of_a_symbol_is_no_prefix_of_its_unit(head: str) -> None:
     """The load P_n in N is not in nN."""
-    assert outcome(Header("P_n {N}", "load", 1.0, is_plain=False, is_of_2=False)) != MISREAD
+    assert outcome(Header(head, "load", 1.0, is_plain=False, is_of_2=False)) != MISREAD
