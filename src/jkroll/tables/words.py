@@ -369,7 +369,8 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
         units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is no N/m
     if parted := re.match(r"([^\W\d_])[\W_]+\w", text):  # m_j is mJ, but c_m is no cm, and the load P in N no pN
         is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.removesuffix("1").casefold()
-        is_symbol |= not (text.islower() or text.isupper())  # nor P_n / N in nN: who parts nN changes capitals
+        is_index = not (text.islower() or text.isupper())  # nor P_n / N in nN: who parts nN changes capitals
+        units = [unit for unit in units if unit == text or not (is_index and unit[1:2].isalpha())]
         units = [unit for unit in units if unit == text or not (is_symbol or unit[1:2].islower())]
     return next((unit for unit in units if fits(unit, name)), "")
 
