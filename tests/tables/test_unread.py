@@ -150,6 +150,10 @@ MANGLED = {
     "ENERGIA CINETICA/EV": "energy",
     "r_m / nanometer": "radius",
     "W_of_A / erg/cm2": "work_of_adhesion",
+    "v [ms-1]": "speed",
+    "interface_energy_mJPerM2": "work_of_adhesion",
+    "vdw_hamaker_constant [eV]": "hamaker",
+    "Γ [mJ/m2]": "surface_energy",
 }
 
 
@@ -202,3 +206,14 @@ def test_no_advice_changes_the_sense(head: str) -> None:
 def test_the_index_of_a_symbol_is_no_prefix_of_its_unit(head: str) -> None:
     """The load P_n in N is not in nN."""
     assert outcome(Header(head, "load", 1.0, is_plain=False, is_of_2=False)) != MISREAD
+
+
+@pytest.mark.parametrize("head", ["IMPACT_ENERGY_PJ", "impact energy pj"])
+def test_a_prefix_whose_case_is_lost_is_asked_for(head: str) -> None:
+    """Pico or peta?"""
+    assert outcome(Header(head, "energy", 1e-12, is_plain=False, is_of_2=False)) != MISREAD
+
+
+def test_the_symbol_of_sphere_2_is_no_prefix() -> None:
+    """The Hamaker constant A in J is not in aJ."""
+    assert outcome(Header("WALL_HAMAKER_A_J", "hamaker2", 1.0, is_plain=False, is_of_2=True)) == REFUSED

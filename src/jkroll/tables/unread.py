@@ -38,6 +38,7 @@ _OF_PARTS = (
     "cutoff",
     "poisson_ratio",
     "hysteresis_fraction",
+    "hamaker",
 )
 _OF_EACH_UNIT = {NOMENCLATURE[name].unit: name for name in INPUTS}
 NOT_READ = "not read, and "  # what stands in for it, behind
@@ -166,8 +167,11 @@ def _candidates(text: str, cells: Sequence[str], supply: Supply) -> tuple[Split,
 @lru_cache(maxsize=5000)
 def _unit(split: Split, name: str) -> str:
     """Return the unit of an input that a header has, UNIT where it cannot be read as it is; "" for another unit."""
+    quotient = re.sub(r"(?<=\w)([ms])\^?[-−]1$", r"/\1", split.unit)
+    if quotient != split.unit and fits(quotient, name):
+        return "UNIT"  # ms-1
     is_of_other = is_in_table(split.unit) and not split.unit.isupper() and not fits(split.unit, name)  # Å as A
-    if not split.unit or (is_of_other):
+    if not split.unit or is_of_other:
         return ""
     if unit := unit_for(split.unit, name, is_explicit=split.is_explicit):
         return unit

@@ -327,7 +327,7 @@ def units_by_letters() -> dict[str, list[str]]:
         reciprocal = f"{letters}1" if "/" in unit and not letters[-1].isdigit() else letters  # m.s-1
         for spelt in {letters, letters.casefold(), reciprocal}:
             units.setdefault(spelt, []).append(unit)
-    return units | {"mn": [], "mj": []}  # milli or mega?
+    return units | {"mn": [], "mj": [], "pj": []}  # milli or mega, pico or peta?
 
 
 def squeezed(text: str) -> str:
@@ -368,7 +368,7 @@ def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
         others = by_letters.get(letters, []) + (by_letters.get(small, []) if text.islower() or text.isupper() else [])
         units += [unit for unit in others if not (is_explicit and "/" in unit and text.isalnum())]  # Nm is no N/m
     if parted := re.match(r"([^\W\d_])[\W_]+\w", text):  # m_j is mJ, but c_m is no cm, and the load P in N no pN
-        is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.removesuffix("1").casefold()
+        is_symbol = parted[1].casefold() == NOMENCLATURE[name].symbol.rstrip("12").casefold()
         is_index = not (text.islower() or text.isupper())  # nor P_n / N in nN: who parts nN changes capitals
         units = [unit for unit in units if unit == text or not (is_index and unit[1:2].isalpha())]
         units = [unit for unit in units if unit == text or not (is_symbol or unit[1:2].islower())]
@@ -380,13 +380,13 @@ _Parts = tuple[tuple[str, str], ...]  # of a unit: letters, each with its power,
 
 
 def _in_small_letters(unit: str) -> str:
-    return unit.translate(SUPERSCRIPTS).translate(_IN_ANY_CASE).casefold()
+    return unit.translate(SUPERSCRIPTS).translate(_IN_ANY_CASE).casefold().replace("per", "/")  # mJperm2
 
 
 def _parts_of(unit: str) -> _Parts:
     """Return the letters of a unit in small letters, without signs, with the digits behind each."""
     parts: list[tuple[str, str]] = re.findall(r"([a-z]+)[^a-z\d]*(\d*)", _in_small_letters(unit))
-    return tuple((letters, power.removeprefix("1")) for letters, power in parts if letters != "per")
+    return tuple((letters, power.removeprefix("1")) for letters, power in parts)
 
 
 def _joined(parts: _Parts) -> _Parts:
