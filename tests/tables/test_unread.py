@@ -210,7 +210,7 @@ def test_the_index_of_a_symbol_is_no_prefix_of_its_unit(head: str) -> None:
 
 @pytest.mark.parametrize("head", ["IMPACT_ENERGY_PJ", "impact energy pj"])
 def test_a_prefix_whose_case_is_lost_is_asked_for(head: str) -> None:
-    """Pico or peta?"""
+    """It may be pico or peta."""
     assert outcome(Header(head, "energy", 1e-12, is_plain=False, is_of_2=False)) != MISREAD
 
 
