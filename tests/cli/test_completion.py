@@ -92,6 +92,12 @@ def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: p
         ("jkroll contact --gamma 5mJ", ["5mJ/m2"]),
         ("jkroll contact --material2 = ir", ["iron"]),  # as bash divides --material2=ir
         ("jkroll contact --radius2 = 100n", ["100nm"]),
+        ("jkroll contact --model = ma", ["maugis"]),
+        ("jkroll contact --material2=ir", ["iron"]),
+        ("jkroll pull-off quartz gamma=5mJ", ["5mJ/m2"]),
+        ("jkroll pull-off quartz gama=", []),
+        ("jkroll pull-off --quiet=25", []),
+        ("jkroll --json gamma=", []),
         ("jkroll batch --jo", ["--jobs"]),
         ("jkroll batch gr", []),
         ("jkroll --v", ["--version"]),
@@ -104,6 +110,8 @@ def test_candidates(line: str, candidates: list[str]) -> None:
 def test_an_option_is_offered_once() -> None:
     assert "--radius2" in offered("jkroll r-min --")
     assert "--radius2" not in offered("jkroll r-min --radius2 1um --")
+    assert "--radius2" not in offered("jkroll r-min --radius2=1um --")
+    assert "-o" not in offered("jkroll r-min -ox.csv -")
 
 
 def test_no_name_in_a_file_becomes_a_command(shell: Shell) -> None:

@@ -193,6 +193,7 @@ ADVICE = {
     "Er__dyne/cm^2": {"contact_modulus"},
     "A_22 [Joule]": {"hamaker2"},
     "R_asp (um)": set(),
+    "asperitytipradius(nm)": set(),
 }
 
 

@@ -7,7 +7,7 @@ and stay where they are when typer changes. A key is answered without typer, who
 import os
 import shlex
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from typing import Any
 
 from ..errors import FAILED, JkrollError
@@ -16,7 +16,7 @@ from ..quantities.nomenclature import ANY, NOMENCLATURE
 from ..text import say
 from .commands import COMMANDS, Command, flags_of
 from .options import Option
-from .process import finished
+from .process import finished, flag_and_value
 
 SHELLS = ("bash", "zsh", "fish", "powershell", "pwsh")
 
@@ -107,21 +107,26 @@ def _fitting(words: Sequence[str], begun: str) -> Iterable[Candidate]:
     command = next((COMMANDS[word] for word in words if word in COMMANDS), None)
     flags = flags_of(command.name if command else None)
     if begun.startswith("-") and "=" not in begun and "--" not in words:
-        return _options(words, flags.values())
+        return _options({flag_and_value(word, flags)[0] for word in words}, flags.values())
     if command is None:
-        return [(each.name, each.sentence) for each in COMMANDS.values()]
-    name, is_joined, value = begun.partition("=")
-    before = [*(word for word in words if word != "="), *([name] if is_joined and name else [])]  # as bash divides
-    option = flags.get(before[-1]) if before else None
-    value = value if is_joined else begun
-    places = [option.name] if option is not None and option.metavar else _placeholders(command, value)
+        return [] if "=" in begun else [(each.name, each.sentence) for each in COMMANDS.values()]
+    flag, is_joined, value = begun.partition("=")
+    if begun == "=" or words[-1:] == ["="]:  # as bash divides --to=nN
+        flag, is_joined, value = words[-2 if begun != "=" else -1], "=", begun.strip("=")
+    if not is_joined:
+        flag, value = words[-1], begun
+    option = flags.get(flag if flag.startswith("-") or not is_joined else f"--{flag}")  # gamma=25mJ/m2
+    if option is not None and option.metavar:
+        places: Sequence[str] = [option.name]
+    else:
+        places = [] if is_joined else _placeholders(command, value)
     return [(word, "") for place in places for word in _values(place, value)]
 
 
-def _options(words: Sequence[str], options: Iterable[Option[Any]]) -> Iterator[Candidate]:
-    """Iterate over the options that are shown, without those that stand among the words."""
+def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candidate]:
+    """Iterate over the options that are shown, but for those that were given and do not repeat."""
     for option in dict.fromkeys(options):
-        if not option.hidden and (option.repeats or not any(flag in words for flag in option.flags)):
+        if not option.hidden and (option.repeats or given.isdisjoint(option.flags)):
             for flag in option.flags:
                 yield flag, option.sentence()
 

@@ -92,7 +92,8 @@ def draw_contact(call: Call) -> int:
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
-    for name in ("quantities", "to", "digits", "no_doubt", *(output.name for output in CHOSEN)):  # of numbers
+    _ = call.output  # which a name of a file may exclude
+    for name in (*(output.name for output in CHOSEN), "quantities", "to", "digits", "no_doubt"):  # of numbers
         if name in call.given:
             raise BadRequest(f"{flag} and --{name.replace('_', '-')} exclude each other")
     if (count := len(call.sweep) // len(call.models)) > 1:

@@ -208,7 +208,7 @@ def _parsed(
         elif not word.startswith("-") or word == "-" or ("IN" in placeholders and _is_negative(word)):
             arguments.append(_with_unit(word, rest) if "RADIUS" in placeholders else word)
             continue
-        flag, value = _split(word, flags)
+        flag, value = flag_and_value(word, flags)
         meant = SYNONYMS.get(f"{flag} {rest[0] if value is None and rest else value}")  # --format json
         if meant and flag not in flags:
             if value is None:
@@ -230,7 +230,7 @@ def _parsed(
     return arguments, given
 
 
-def _split(word: str, flags: Mapping[str, Option[Any]]) -> tuple[str, str | None]:
+def flag_and_value(word: str, flags: Mapping[str, Option[Any]]) -> tuple[str, str | None]:
     """Return the option of a word, and the value that is joined to it, if there is one: --to=nN, -ox.csv."""
     flag, has_value, value = word.partition("=")
     short = flags.get(word[:2])

@@ -282,7 +282,7 @@ def _refused(splits: Sequence[Split], known: Mapping[str, Meaning]) -> Reading |
         if not meaning.names:
             return None  # another quantity
         name, is_shared = meaning.names[0], word in words.SHARED
-        if name == "radius" and not words.ASPERITIES.isdisjoint(plain_words(split.word)):
+        if name == "radius" and words.is_of_asperity(plain_words(split.word)):
             name = "asperity_radius"
         behind = re.findall(r"[a-z]{3,}|(?<=[#(])[12]", split.unit.casefold())  # as in modulus of the wall, GPa
         sphere = words.sphere_of(words.tokens_of(split.word)) or words.sphere_of(behind)

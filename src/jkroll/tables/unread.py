@@ -282,7 +282,7 @@ def _points_to(tokens: Sequence[str], name: str) -> bool:
         of_others = {*(token for token in tokens if len(token) > 2), "".join(tokens)}  # k alone, and k_n
         if is_other or not (words.OTHERS | others).isdisjoint(of_others):
             return False
-    if first in ("radius", "diameter", "reduced_radius") and not words.ASPERITIES.isdisjoint({*tokens}):
+    if first in ("radius", "diameter", "reduced_radius") and words.is_of_asperity(tokens):
         return False
     if first not in words.POINTERS:
         return unit not in words.COMMON_UNITS

@@ -102,7 +102,6 @@ FUNCTIONS = {*"log ln lg exp inv inverse reciprocal sqrt normalized".split()}
 # Beside a word they, or words with these stems, make it that of the pair.
 _INDICES_OF_PAIR = {*"eff red eq star".split()}
 _STEMS_OF_PAIR = re.compile("redu[czi]|ridott|effe[ck]|equiv|combined|composite|harmoni")
-ASPERITIES = {*"asperity asperities asp rasp".split()}  # whose radius is none of a sphere
 PAIRS = {"radius": "reduced_radius", "youngs_modulus": "contact_modulus", "surface_energy": "work_of_adhesion"}
 # Behind a word they make it a label or a count: material_id, load case.
 LABELS = {*"""id ids no nr num number name names type types class classes case cases code codes key group category kind
@@ -249,6 +248,15 @@ def is_of_pair(tokens: Iterable[str]) -> bool:
     (True, True, True, False)
     """
     return any(token in _INDICES_OF_PAIR or _STEMS_OF_PAIR.search(token) for token in tokens)
+
+
+def is_of_asperity(tokens: Iterable[str]) -> bool:
+    """Return whether a word of a header is that of an asperity.
+
+    >>> is_of_asperity(["asperitytipradius"]), is_of_asperity(["r", "asp"]), is_of_asperity(["grasp"])
+    (True, True, False)
+    """
+    return any("asperit" in token or token in ("asp", "rasp") for token in tokens)
 
 
 _ORDINALS = {"first": 1, "second": 2}
