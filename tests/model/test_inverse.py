@@ -520,3 +520,15 @@ def test_rows_that_fail_show_their_inputs(run: Run) -> None:
 
 def test_without_a_load_no_contact_is_lost(run: Run) -> None:
     assert "beyond pull-off" not in run("infer gamma quartz 1um --measured a=10±5nm").err
+
+
+def test_two_unknowns_of_uncertain_solids_in_rows_are_those_of_single_ones(run: Run) -> None:
+    """Error bars of many solids are found at places of arrays with two axes."""
+    words = "radius,gamma {} --measured pull_off_force={} --measured contact_radius=5nm --csv --quiet"
+    rows = run("infer", *words.format("silica-humid,silica-dry,mica", "1nN:1uN:5").split()).out.splitlines()
+    heads, rows = rows[0].split(","), rows[1:]
+    silica = dict(zip(heads, next(row for row in rows if row.startswith("silica-humid,")).split(","), strict=True))
+    head, single = run("infer", *words.format("silica-humid", "1nN").split()).out.splitlines()
+    for name, cell in zip(head.split(","), single.split(","), strict=True):
+        is_text = name in ("material", "doubt", "status") or not cell
+        assert silica[name] == cell if is_text else float(silica[name]) == approx(float(cell), rel=1e-9), name

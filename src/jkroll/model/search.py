@@ -349,8 +349,8 @@ class Pairs:
         self.load = problem.unknowns.index("load") if "load" in problem.unknowns else None
         self.axes = [_LOADS if name == "load" else numpy.log(grid(name, SIZES[name])) for name in problem.unknowns]
         self.ends = [numpy.array([[axis[end]] for axis in self.axes]) for end in (0, -1)]
-        size = prod(problem.shape)
-        self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
+        levels = (numpy.broadcast_to(level, problem.shape).ravel() for level in problem.levels.values())
+        self.levels = numpy.array([*levels], dtype=float)
 
     def points(self, places: Any) -> tuple[Any, Any, Any]:
         """Return at places the values of the unknowns, the quantities, and by how much these are above their levels."""
