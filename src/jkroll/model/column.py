@@ -1,8 +1,10 @@
 """The columns of a frame: values and the reasons of cells without one, as numbers that hold for all rows, or arrays."""
 
+from collections.abc import Mapping
 from math import nan
 from typing import Any, NamedTuple
 
+from ..errors import BadRequest
 from ..physics.elementary import NUMBER, is_anywhere, where
 from .reasons import HIDDEN, reason
 
@@ -47,3 +49,16 @@ def first_of(reasons: Any, others: Any) -> Any:
 def at_row(values: Any, row: int) -> Any:
     """Return the number of a row, by its index, as a Python number."""
     return values if isinstance(values, NUMBER) else values.item(row)
+
+
+def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
+    """Return the shape of the arrays together; raise BadRequest if they do not broadcast."""
+    if not arrays:
+        return ()
+    import numpy
+
+    try:
+        return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {value.shape}" for name, value in arrays.items())
+        raise BadRequest(f"these arrays do not broadcast: {shapes}") from None

@@ -30,7 +30,7 @@ from ..quantities.nomenclature import (
 )
 from ..quantities.values import Interval, Uncertain, is_uncertain, middle
 from ..text import listed
-from .column import Column, at_row, first_of
+from .column import Column, at_row, broadcast, first_of
 from .conversions import converted, lacked
 from .plan import KEPT, OF_A_SOLID, Plan, depends_on, in_order, plan_for
 from .ranges import OF_A_PLANE, SMALLEST, check_range, is_answer
@@ -573,19 +573,6 @@ def _assumed(given: frozenset[str], has_displacement: bool) -> Mapping[str, floa
     if has_displacement:
         said.add(XI)
     return {name: value for name, value in DEFAULTS.items() if name not in said}
-
-
-def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
-    """Return the shape of the arrays together; raise BadRequest if they do not broadcast."""
-    if not arrays:
-        return ()
-    import numpy
-
-    try:
-        return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
-    except ValueError:
-        shapes = ", ".join(f"{name} {value.shape}" for name, value in arrays.items())
-        raise BadRequest(f"these arrays do not broadcast: {shapes}") from None
 
 
 def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) -> dict[str, Mapping[str, float]]:

@@ -9,8 +9,8 @@ from ..errors import BadRequest, JkrollError, NoResult
 from ..physics.elementary import NUMBER, where
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.values import is_uncertain, middle
-from .column import Column
-from .frame import Frame, broadcast, check_exclusive
+from .column import Column, broadcast
+from .frame import Frame, check_exclusive
 from .plan import Plan, formula_of, in_order
 from .reasons import MissingInput, reason_of
 from .search import Problem, Solution, solved

@@ -11,8 +11,9 @@ from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, UnknownQuantity, named
 from ..quantities.values import QuantityError, is_uncertain
 from ..text import listed
+from .column import broadcast
 from .containers import Reader, units_of
-from .frame import Frame, broadcast
+from .frame import Frame
 from .plan import parameters_of
 from .reasons import NO_DOUBLE, Failure, failure_of, reason_for
 from .uncertainty import error_bars, no_error_bar
