@@ -260,6 +260,7 @@ BESIDE: Mapping[str, str] = {
     "the size that was measured": "yield-force PS '1e-5 m,5e-6 m'",
     "standard uncertainties": "yield-force quartz '1e-7 m,1e-6 m' --gamma '0.022±0.002 J/m^2,0.024 J/m^2'",
     "ranges": "r-min quartz '2e-7 to 3e-7 m,1e-6 m'",
+    "of identical spheres alone": "aggregates quartz '1e-6 m' --radius2 '1e-7 m,1e-6 m' --young2 rigid",
     "an uncertain load": "n-roll quartz '1e-7 m,1e-6 m' --load '1e-9±1e-10 N,1e-8±1e-10 N' --model maugis",
     "an uncertain atomic spacing": "pull-off quartz '1e-7 m,1e-6 m' --z0 '3e-10±1e-10 m,2e-10 to 4e-10 m'",
     "sources of two kinds": "pull-off quartz '1e-7 m,1e-6 m' --gamma '0.022±0.002 J/m^2' --z0 '2e-10 to 4e-10 m'",
@@ -422,7 +423,7 @@ def _reason(error: JkrollError, scene: Frame) -> str:
     """Return an error without what it begins with: a prompt has the command, or the option, in place of a name."""
     if isinstance(error, Failure) and error.cause == BEYOND_PULL_OFF:
         error = with_force_by_maugis(error, scene)
-    return str(getattr(error, "reason", error.__str__)())
+    return str(getattr(error, "explanation", error.__str__)())
 
 
 def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str], *, by_arrays: bool) -> Iterator[str]:

@@ -20,6 +20,11 @@ class Column(NamedTuple):
         """True if no row has a value, all for one reason."""
         return isinstance(self.reasons, int) and self.reasons != 0
 
+    @property
+    def is_hidden(self) -> Any:
+        """Whether the quantity is not shown, by row."""
+        return self.reasons == reason(HIDDEN)
+
     def or_else(self, number: float) -> Any:
         """Return the values, and a number where there is none: nan has no place in the order of numbers."""
         return where(self.reasons == 0, self.values, number)

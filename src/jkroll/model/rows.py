@@ -121,7 +121,7 @@ class Wanted:
         names_of = {by: [name for name in names if name in shown] for by, names in self.alternatives.items()}
         every = alternatives_of(results.frame, names_of) if self.alternatives else {}
         return {
-            f"{name}{_BY}{by}": each.without(results.ended.get(name, False))
+            f"{name}{_BY}{by}": each.without(results.ended.get(name, False) | shown[name].is_hidden)
             for by, of_by in every.items()
             for name, each in of_by.items()
         }
