@@ -278,7 +278,7 @@ def _between(first: Alternative, second: Alternative, is_near: Any) -> Alternati
     Two values that are the same are one.
     """
     reasons = first_of(first.column.reasons, second.column.reasons)
-    ends = [*_ends(first), *_ends(second)]
+    ends = [*ends_of_alternative(first), *ends_of_alternative(second)]
     low, high = reduce(at_most, ends), reduce(at_least, ends)
     value = (first.column.values + second.column.values) / 2
     column = Column(value, reasons).without(where(is_near, False, True), reason(HIDDEN))
@@ -289,7 +289,7 @@ def _between(first: Alternative, second: Alternative, is_near: Any) -> Alternati
     return Alternative(column, ErrorBar(Interval, sides))
 
 
-def _ends(alternative: Alternative) -> tuple[Any, Any]:
+def ends_of_alternative(alternative: Alternative) -> tuple[Any, Any]:
     """Return the ends of the error bar of an alternative, or twice its value where it has none."""
     value, bar = alternative.column.values, alternative.bar
     if bar is None or not bar.sides:
