@@ -278,6 +278,8 @@ def write_table(
     Those below the first leave out rows in which all cells are `silent`. Where trailing ones make a row of values that
     are compared, the first stands in them again, if it has room.
     """
+    if not columns:
+        say("\n".join(_lines(leading)), out)
     repeated = columns[:1] if trailing else []
     while columns:
         room = terminal_width() + _GAP - _size([*leading, *trailing])

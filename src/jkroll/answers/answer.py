@@ -31,6 +31,7 @@ from ..model.alternatives import (
 )
 from ..model.column import Column
 from ..model.frame import Frame
+from ..model.estimate import Estimate, Ranges
 from ..model.limits import (
     ASSUMED_DISPLACEMENT,
     CONTACT_EXCEEDS_SPHERE,
@@ -252,6 +253,16 @@ class Answer(Results):
         """Return the error bar of a result; None without one."""
         bar = self.bars.get(name)
         return bar if bar is not None and bar.sides else None
+
+    @cached_property
+    def ranges(self) -> Ranges:
+        """The ranges that laws and measurements give."""
+        return Ranges(self)
+
+    @cached_property
+    def estimates(self) -> Mapping[str, Estimate]:
+        """The best ranges of results that have a value."""
+        return {name: self.ranges.estimate(name) for name in self.ranges.names}
 
     @cached_property
     def laws(self) -> Mapping[str, Mapping[str, Any]]:

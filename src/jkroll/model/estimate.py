@@ -57,12 +57,6 @@ Make = Callable[[Frame], Frame]
 Rule = tuple[Any, Any, Any, int]  # the rows to which it applies, the ends there, and its number
 
 
-def estimates(results: Results, names: Iterable[str]) -> dict[str, Estimate]:
-    """Return the estimates of results that have values in some row."""
-    ranges = _Ranges(results)
-    return {name: _first(ranges.rules(name)) for name in names if name in ranges.names}
-
-
 def _first(rules: Iterable[Rule]) -> Estimate:
     """Return for each row what the first rule says that applies to it; the last one applies to all."""
     *others, (_, low, high, by) = rules
@@ -72,7 +66,7 @@ def _first(rules: Iterable[Rule]) -> Estimate:
     return found
 
 
-class _Ranges:
+class Ranges:
     """The ranges of results that laws and measurements give, each computed once."""
 
     def __init__(self, results: Results) -> None:
@@ -80,7 +74,11 @@ class _Ranges:
         self.names = [name for name, column in results.columns.items() if not column.is_empty]
         self._made: dict[Make, Mapping[str, Alternative]] = {}
 
-    def rules(self, name: str) -> Iterator[Rule]:
+    def estimate(self, name: str) -> Estimate:
+        """Return the estimate of a result that has a value in some row."""
+        return _first(self._rules(name))
+
+    def _rules(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules that may apply to a result, each with its range; the last one applies to all rows."""
         own, is_rolling = self.hull(name, _itself), bool(rolling([name]))
         yield self.results.columns[name].reasons != 0, nan, nan, NONE
@@ -113,13 +111,17 @@ class _Ranges:
         if (rolled := ROLLED.get(solid_that_rolled(self.frame))) is not None:
             ends = (then(law, end) for law in (_itself, *_BETTER) for end in rolled.ends)
             yield rolled.is_near(self.frame), *self.hull(name, *ends), SCALED
-        least, most = self.hull(name, *_BETTER), self.hull(name, *(then(law, at_full_hysteresis) for law in _BETTER))
+        least, most = self.hull(name, *_BETTER), self.at_full_hysteresis(name)
         is_past = self.hull("hysteresis_ratio", *_BETTER)[1] >= 1  # more is lost at 2 Å than there is
         rises = (most[1] > least[1]) != is_past
         low, high = at_most(least[0], most[0]), at_least(least[1], most[1])
         low = where(is_past, where(rises, nan, most[0]), low)
         high = where(is_past, where(rises, most[1], nan), high)
         yield True, low, high, XI_UNKNOWN
+
+    def at_full_hysteresis(self, name: str) -> tuple[Any, Any]:
+        """Return the ends of a result where all of the work of adhesion is lost, by the better law."""
+        return self.hull(name, *(then(law, at_full_hysteresis) for law in _BETTER))
 
     # --- What follows by other laws, and from what was measured ---
 

@@ -5,7 +5,9 @@ from itertools import chain
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..model.alternatives import DATA, SIO2, rolled_solid
+from ..answers.ranges import lines_on_ranges
+from ..model.alternatives import DATA
+from ..model.estimate import DEFINITION, NONE, WORDS
 from ..model.limits import LAW, codes
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
@@ -13,10 +15,11 @@ from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
-from ..text import TextColumn, first_of, fit_terminal, say_wrapped, text_columns, write_table
+from ..text import TextColumn, first_of, fit_terminal, say, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
+    from ..model.estimate import Estimate
     from ..model.rows import Columns
 
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
@@ -92,13 +95,13 @@ def _write_inputs(
 
 
 def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write the inputs of one frame, and its results below each other, beside what may stand in their place."""
+    """Write the inputs of one frame, its results below each other, each with its best range, and why it has that.
+
+    Conventions of other codes stand below the others.
+    """
     _write_inputs("", answer.measures, answer.assumed, out, form)
-    law, data = head_of(answer.frame.law.name), "by 1 µm data" if rolled_solid(answer.frame) == SIO2 else "by 5 µm data"
-    others = {data if by == DATA else head_of(by): values for by, values in answer.alternatives.items()}
-    if (limit := "pull_off_force_dmt") in answer.question.without_row and limit in answer.values:
-        others[head_of("dmt")] = {"pull_off_force": answer.result(limit).measure}
-    rows = [["quantity", "symbol", "unit", law, *others]]
+    law = head_of(answer.frame.law.name)
+    physics, conventions = [], []
     # A quantity with a note of its own has no row where it is one without.
     usual = {result.value for result in answer.results if not NOMENCLATURE[result.name].note} - {None}
     units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last one, in which a value below 1 is read as easily
@@ -106,19 +109,47 @@ def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
         name, quantity = result.name, NOMENCLATURE[result.name]
         if name in answer.question.without_row or (quantity.note and result.value in usual):
             continue
-        same = None if result.value is None else f"as {law}"
-        values = [result.measure, *(of_other.get(name, same) for of_other in others.values())]
-        if same and answer.frame.by_law.may_rest_on_spacing(name):
-            values = [_NEEDS_SPACING if value is None else value for value in values]
-        first = next((value for value in values if isinstance(value, float | Uncertain)), 0.0)
-        unit = units.get(quantity.unit)
+        first, unit = result.measure or 0.0, units.get(quantity.unit)
         if not unit or not _LEAST <= abs(convert(middle(first), unit[1])) < 1:
             unit = form.common_unit(name, [first])
         units |= {quantity.unit: unit} if first else {}
-        texts = [quantity.sentence, symbol_among(name, answer.inputs), unit[0]]
-        rows.append([*texts, *(_cell(value, unit, form) for value in values)])
-    words, symbols, in_units, *columns = text_columns(rows, words=3)
-    write_table([words, symbols], columns, out, [in_units], _SILENT)
+        estimate = answer.estimates.get(name)
+        row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
+        row += [_cell(result.measure, unit, form), unit[0]]
+        (conventions if estimate and estimate.by == DEFINITION else physics).append(row)
+    if physics:
+        _write_results(physics, law, out)
+        for line in lines_on_ranges(answer):
+            say_wrapped(line, out)
+    if conventions:
+        say("conventions of other codes, exact by definition", out)
+        _write_results(conventions, law, out)
+
+
+def _write_results(rows: Sequence[Sequence[str]], law: str, out: TextIO) -> None:
+    """Write rows of results; without ranges where all of them are those of the law in use."""
+    heads = ["quantity", "symbol", "best range", "by", law, "unit"]
+    if {row[3] for row in rows} <= {head_of(DEFAULT_LAW), WORDS[DEFINITION], "–"}:
+        heads, rows = [*heads[:2], *heads[4:]], [[*row[:2], *row[4:]] for row in rows]
+    columns = text_columns([heads, *rows], words=2)
+    write_table([column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns], [], out)
+
+
+def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) -> list[str]:
+    """Return the best range of a result and its word; an end that is open is not there."""
+    if estimate is None or estimate.by == NONE:
+        return ["–", "–"]
+    low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
+    digits = form.digits or 2
+    if isnan(low) and isnan(high):
+        text = "–"
+    elif isnan(high):
+        text = f"≥ {significant(low, digits + 1)}"
+    elif isnan(low):
+        text = f"≤ {significant(high, digits)}"
+    else:
+        text = from_to(low, high, digits if high > 1.02 * low else digits + 1)
+    return [text, WORDS[estimate.by]]
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
