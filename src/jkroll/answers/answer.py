@@ -1,6 +1,6 @@
 """The answer of a command for one frame: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping
 from copy import copy
 from functools import cached_property
 from math import isfinite
@@ -9,34 +9,15 @@ from typing import Any
 
 from ..errors import JkrollError
 from ..model.alternatives import (
-    DATA,
-    FORCES,
-    ROLLED,
-    SIO2,
-    alternatives_of,
-    at_full_hysteresis,
-    at_half_spacing,
-    at_most_measured,
-    at_other_reading,
-    by_law_at_spacing,
     factor_of_law,
-    farthest,
     has_other_formulas,
-    is_at_displacement,
-    moved_by_law,
-    names_with_alternatives,
-    rolled_solid,
-    rolling,
-    with_bars,
 )
 from ..model.column import Column
-from ..model.frame import Frame
 from ..model.estimate import Estimate, Ranges
+from ..model.frame import Frame
 from ..model.limits import (
-    ASSUMED_DISPLACEMENT,
     CONTACT_EXCEEDS_SPHERE,
     INEXACT,
-    JUMP,
     LAW,
     LAW_MATTERS,
     Doubt,
@@ -54,9 +35,9 @@ from ..model.reasons import (
 from ..model.results import ROW, Results, has_code
 from ..model.uncertainty import ErrorBar
 from ..quantities.formatting import amount, in_words, span
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS, other_law
+from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..quantities.values import Interval, Uncertain, ends_of, is_uncertain, middle
+from ..quantities.values import Uncertain, is_uncertain, middle
 from .inferred import about_limit, by_each_law, proofs
 from .notes import (
     Note,
@@ -167,11 +148,6 @@ def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
     return Failure(HELD_BY_MAUGIS, numbers=(*error.numbers, -force)) if force >= -error.numbers[0] else error
 
 
-def readings_of(law: str) -> tuple[str, str]:
-    """Return the keys of the two readings of a rolling quantity."""
-    return f"over_{law}_at_equal_displacement", f"over_{law}_at_equal_hysteresis"
-
-
 # --- Answers ----------------------------------------------------------------------------------------------------------
 
 
@@ -246,7 +222,7 @@ class Answer(Results):
         if name in unknowns:
             growth = self.described.solution.growths[name]
             result.growth = growth if isfinite(growth) else None
-            result.by_law = {law: middle(values[name]) for law, values in self.alternatives.items()}
+            result.by_law = {law: middle(values[name]) for law, values in self.by_law.items()}
         return result
 
     def bar(self, name: str) -> ErrorBar | None:
@@ -265,73 +241,26 @@ class Answer(Results):
         return {name: self.ranges.estimate(name) for name in self.ranges.names}
 
     @cached_property
-    def laws(self) -> Mapping[str, Mapping[str, Any]]:
-        """The results under the other law, also over these: with the atomic spacing, and with half of it.
-
-        One has its error bar, and a rolling quantity both readings: at equal displacement, and at equal hysteresis.
-        """
-        frame, law = self.frame, self.frame.law.name
-        if frame.missing(["tabor_parameter"]):
-            return {}
-        values = self.others.get(other_law(law), {})
-        ours = {name: self.values[name] for name in values if self.values.get(name)}
-        numbers = {name: middle(values[name]) for name in ours}
-        columns = {f"over_{law}": numbers}
-        if law != BETWEEN:
-            at_half = at_half_spacing(frame.by_law).numbers(*ours)
-            columns[f"over_{law}_at_half_spacing"] = dict.fromkeys(ours) | at_half
-        rolled = rolling(ours)
-        if rolled and (reading := at_other_reading(frame, frame.by_law)) is not None:
-            readings = reading.numbers(*rolled)
-            both = [{name: numbers[name] for name in readings}, readings]
-            columns |= zip(readings_of(law), both if is_at_displacement(frame) else reversed(both), strict=True)
-        entries: dict[str, dict[str, Any]] = {name: {"value": number} for name, number in numbers.items()}
-        for key, column in columns.items():
-            for name, number in column.items():
-                entries[name][key] = None if number is None else number / ours[name]
-        for name in filter(lambda name: is_uncertain(values[name]), entries):
-            entries[name]["uncertainty"] = values[name]
-        return entries
-
-    @cached_property
     def of_jkr(self) -> Mapping[str, float]:
         """The values of JKR, to stand beside those of another law."""
         numbers = self.frame.under(DEFAULT_LAW).numbers(*(self.columns.keys() - self.ended.keys()))
         return {name: number for name, number in numbers.items() if number < INFINITY}
 
     @cached_property
-    def others(self) -> Mapping[str, Mapping[str, Any]]:
-        """Values that may stand in place of the results, by the name of the other law, or by DATA.
-
-        None stands for a result that the other law lacks.
-        """
-        if not self.values or self.described.unknowns:
-            return {}
-        meant = [name for name in self.computed if name not in self.ended]
-        names_of = names_with_alternatives([self.frame], meant)
-        names_of[other_law(self.frame.law.name)] += self.frame.by_law.missing(meant)
-        every = alternatives_of(self.frame, names_of)
-        return {by: {name: each.measure for name, each in of_by.items()} for by, of_by in every.items()}
-
-    @cached_property
-    def alternatives(self) -> Mapping[str, Mapping[str, Any]]:
-        """Those of these values that matter: by the other law where it moves a result, and by measured forces.
-
-        Of inferred values they are those by each law that has the measured quantities by other formulas.
-        """
-        if self.described.unknowns:
-            return by_each_law(self.described) if self.values and not self.ended else {}
-        is_shown = self.frame.law.name == BETWEEN or any(doubt.limit is LAW for doubt in self.exceeded)
-        return {by: values for by, values in self.others.items() if is_shown or by not in LAWS}
+    def by_law(self) -> Mapping[str, Mapping[str, Any]]:
+        """Inferred values, with error bars, by each law that has the measured quantities by other formulas."""
+        return by_each_law(self.described) if self.described.unknowns and self.values and not self.ended else {}
 
     def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
         """Return the limits that end no meaning, with that of an assumed displacement."""
-        return doubts(self.frame, columns, (*INEXACT, ASSUMED_DISPLACEMENT))
+        return doubts(self.frame, columns, INEXACT)
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
         notes = []
         for doubt in self.exceeded:
+            if doubt.limit is LAW and not self.described.unknowns:
+                continue  # the best ranges say so
             severity: Severity = "caveat" if doubt.limit.is_told else "more"
             notes.append(Note("warning" if doubt.limit.ends_meaning else severity, self.about(doubt)))
         return notes
@@ -367,14 +296,7 @@ class Answer(Results):
         """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
         if self.described.unknowns:
             return about_limit(doubt, self)
-        frame, known = self.frame, [name for name in self.values if name not in self.ended]
-        headline = [name for name in known if name in self.question.headline]
-        if doubt.limit is LAW and doubt.is_exceeded:
-            return _about_law(doubt, frame, headline, known, self.others.get(BETWEEN, {}))
-        rolled = rolling(headline) or rolling(known)  # none where ξ itself was asked for
-        if doubt.limit is ASSUMED_DISPLACEMENT and doubt.is_exceeded and rolled:
-            return _about_displacement(frame, {name: self.others[DATA][name] for name in rolled[:MAX_TOLD]})
-        return _about_roughness(frame) if doubt.code == "rough-matters" else doubt.text
+        return _about_roughness(self.frame) if doubt.code == "rough-matters" else doubt.text
 
     @cached_property
     def _entering(self) -> tuple[set[str], list[str]]:
@@ -434,72 +356,6 @@ class Answer(Results):
 # --- What stands in place of results, in words ------------------------------------------------------------------------
 
 
-def _about_law(
-    doubt: Doubt, frame: Frame, headline: Sequence[str], known: Sequence[str], by_law: Mapping[str, Any]
-) -> str:
-    """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by …".
-
-    `by_law`: the answers by Maugis' law, with their error bars.
-    """
-    spacing = span("atomic_spacing", frame["atomic_spacing"] / 2, frame["atomic_spacing"], digits=3)
-    scale = f"(Tabor parameter {doubt.value:.2g}, z0 = {spacing})"
-    for names in (headline, known if not headline or doubt.value >= JUMP else ()):
-        texts = {name: advised(frame, name, by_law.get(name)) for name in names}
-        if told := [name for name in names if texts[name]][:MAX_TOLD]:
-            values = ", ".join(f"{NOMENCLATURE[name].symbol} {texts[name]}" for name in told)
-            at_displacement = " at equal ξ" if rolling(told) and is_at_displacement(frame) else ""
-            better = f"better here than {frame.law.title} {scale}: --model {BETWEEN}"
-            return f"{values} by {law_advised(told)}{at_displacement}, {better}"
-    return f"energies and speeds are rough here: neither {frame.law.title} nor Maugis' law is exact {scale}"
-
-
-def law_advised(names: Collection[str]) -> str:
-    """Return by which law quantities are advised: a pull-off force up to that of Lennard-Jones."""
-    return "Maugis' or Lennard-Jones' law" if "pull_off_force" in names else "Maugis' law"
-
-
-def advised(frame: Frame, name: str, by_law: Any = None) -> str:
-    """Return what a quantity is by Maugis' law, from half the atomic spacing on: "= 14–15 nN"; empty if it is the same.
-
-    `by_law`: this with its error bar, of which a range counts, as it is of the inputs.
-
-    A pull-off force by Lennard-Jones' law is above Maugis' in every frame that was tried. Below the Tabor parameter of
-    a jump, Maugis' law is no correction to the energies that separate spheres, and what follows from them: a well of
-    Lennard-Jones' law is deeper still, and its contacts form and open without a jump.
-    """
-    other, ours = by_law_at_spacing(frame, [name]), frame.numbers(name).get(name)
-    has_energy = NOMENCLATURE[name].unit in ("J", "m/s") or name == "restitution"
-    is_no_correction = has_energy and not rolling([name]) and frame["tabor_parameter"] < JUMP
-    if ours is None or is_no_correction or not moved_by_law(frame, [name]):
-        return ""
-    fit = ["pull_off_force_lennard_jones"] if name == "pull_off_force" else []
-    others = [*other.numbers(name, *fit).values(), *at_half_spacing(other).numbers(name).values()]
-    if not others:
-        return "has no value"
-    is_moved = not farthest((value, ours) for value in others) <= LAW_MATTERS
-    if isinstance(by_law, Interval):
-        at_half = with_bars(frame, [name], lambda frame: at_half_spacing(by_law_at_spacing(frame, [name])))
-        at_half = at_half[name].measure
-        others += [*ends_of(by_law), *(ends_of(at_half) if at_half is not None else ())]
-    return f"= {span(name, min(others), max(others))}" if is_moved else ""
-
-
-def _about_displacement(frame: Frame, values: Mapping[str, Any]) -> str:
-    """Return what stands in place of answers with the assumed ξ: "Q = 89–270 pN by forces on SiO2 of 1 µm".
-
-    The moment is proportional to what adhesion hysteresis supplies, which has an end.
-    """
-    told = (f"{NOMENCLATURE[name].symbol} = {span(name, *ends_of(value))}" for name, value in values.items() if value)
-    text = f"{', '.join(told)} by {_forces(frame)}"
-    most = at_most_measured(frame)
-    if most.numbers("hysteresis_ratio").get("hysteresis_ratio", 0.0) > 1:
-        name = next(iter(values))
-        end = with_bars(frame, [name], at_full_hysteresis, ["hysteresis_ratio"])[name].measure
-        bound = "at most" if middle(end) < most[name] else "at least"
-        text += f"; adhesion alone gives {NOMENCLATURE[name].symbol} = {span(name, *ends_of(end))} {bound}"
-    return f"{text}; ξ is assumed (--xi)"  # the head says this, too: it may be cut from a short note
-
-
 def _about_roughness(frame: Frame) -> str:
     """Return what was measured where the pull-off force is that of smooth spheres."""
     force = frame.numbers("pull_off_force").get("pull_off_force", 0.0)
@@ -508,13 +364,3 @@ def _about_roughness(frame: Frame) -> str:
         f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 "
         f"({rough})"
     )
-
-
-def _forces(frame: Frame) -> str:
-    """Return what was measured, and how it was brought to the size of a frame."""
-    if rolled_solid(frame) != SIO2:
-        return "displacements of polystyrene on glass at 5 µm, scaled to this size"
-    text = f"forces on {SIO2} of 1 µm"
-    if abs(2 * frame["reduced_radius"] / ROLLED["radius"] - 1) < _ALIKE:
-        return text
-    return f"{text} ({span('yield_force', *FORCES)}), scaled to this size"

@@ -46,7 +46,7 @@ def about_limit(doubt: Doubt, answer: "Answer") -> str:
         return f"{unknowns}: for smooth spheres; rough ones give an effective value, of this size alone"
     if not (doubt.is_exceeded and doubt.limit is LAW):
         return doubt.text
-    values = answer.alternatives.get(BETWEEN, {})
+    values = answer.by_law.get(BETWEEN, {})
     told = [f"{symbols[name]} = {span(name, middle(value), middle(value))}" for name, value in values.items()]
     if told:
         better = f"by Maugis' law, better here than {answer.frame.law.title}"

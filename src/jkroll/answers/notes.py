@@ -8,10 +8,6 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 from ..errors import JkrollError
 from ..model.alternatives import (
     SIO2,
-    assumes_displacement,
-    displacements_where_measured,
-    is_like_rolled,
-    rolled_solid,
     rolling,
     solid_of_pair,
 )
@@ -55,7 +51,7 @@ _RULES = {  # by which quantities follow that could have been given
 }
 _UNLIKE = 3.0  # ratio of two surface energies from which on their geometric mean is too much
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
-_MAX_NOTES = 2  # below results, with the warning
+_MAX_NOTES = 1  # below results, besides the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
 _MAX_CODES = 4  # of doubts, which are named
 
@@ -157,27 +153,9 @@ def about_values(frame: Frame, names: Collection[str], computed: Collection[str]
         yield Note("remark", "a = 0: the spheres are bound without touching")
     if rolling(names):
         values = frame.numbers(XI, "hysteresis_ratio", "displacement_ratio")
-        if assumes_displacement(frame) and not is_like_rolled(frame):
-            is_possible = values.get("displacement_ratio", 0.0) < 1  # else a warning says more
-            yield Note("caveat" if is_possible else "remark", about_displacement(frame, ""))
         if (ratio := values.get("hysteresis_ratio", 1.0)) < 1 and XI in values:
             lost = f"{significant(100 * ratio, 2)} % of w must be lost where the contact opens and closes"
             yield Note("more", f"to roll at ξ = {amount(XI, values[XI])}, {lost}")
-
-
-def about_displacement(frame: Frame, solid: str) -> str:
-    """Return what was measured where ξ is assumed for a frame, or for rows for which it stands.
-
-    `solid`: that on which rolling was measured, if spheres may be like those; else empty.
-    """
-    if frame.material is not None and not solid:
-        spheres = frame.material.name if frame.material2 is None else "this pair"
-        like_these = " at this size and γ" if rolled_solid(frame) else ""
-        return f"ξ is assumed (--xi): no ξ of {spheres} was measured{like_these}"
-    ends = span(XI, *displacements_where_measured(frame))
-    of_silica = f"forces on {SIO2} of 1 µm mean {ends} under {frame.law.title}"
-    measured = of_silica if solid in ("", SIO2) else "polystyrene has 42 nm at 5 µm"  # Sümer & Sitti
-    return f"ξ is assumed (--xi): {measured}, and it grows with the sphere"
 
 
 # --- What is missing --------------------------------------------------------------------------------------------------
@@ -269,8 +247,6 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
         with suppress(JkrollError):  # each row says which sources do not go together
             every += about_left_out(sources_of_results(frame, possible) if frame.uncertainties else None)
         every += about_given(frame, possible, frame.inputs_of(*possible))
-        if rolling(possible) and assumes_displacement(frame):
-            every.append(Note("caveat", about_displacement(frame, rolled_solid(frame))))
         every += about_limits(doubts(frame, frame.columns(possible)))
     return [*dict.fromkeys(every), *about_idle(idle_in(groups)), *about_assumed(assumed_in(groups))]
 
@@ -289,7 +265,7 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     if quiet:
         return lines
     others = [f"note: {text}" for text in (*texts["caveat"], *texts["remark"])]
-    shown = [_first_clauses(line) for line in others[: _MAX_NOTES - len(lines)]]
+    shown = [_first_clauses(line) for line in others[:_MAX_NOTES]]
     has_more = shown != others or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
 

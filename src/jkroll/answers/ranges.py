@@ -1,9 +1,9 @@
 """The words for best ranges: by which rule each stands, in a line, and what it holds and leaves out."""
 
 from collections.abc import Callable, Iterator, Mapping
+from math import isnan
 from typing import TYPE_CHECKING
 
-from ..model.alternatives import SIO2, solid_of_pair
 from ..model.estimate import (
     ADHESION_ONLY,
     AT_LEAST,
@@ -12,6 +12,7 @@ from ..model.estimate import (
     SCALED,
     WORDS,
     XI_UNKNOWN,
+    Estimate,
     solid_that_rolled,
 )
 from ..model.limits import JUMP
@@ -25,8 +26,24 @@ if TYPE_CHECKING:
 def lines_on_ranges(answer: "Answer") -> Iterator[str]:
     """Iterate over a line for each rule by which results have a range, in the order of the results."""
     for by in dict.fromkeys(estimate.by for estimate in answer.estimates.values()):
-        if by in _WORDS:
-            yield f"{WORDS[by]}: {_WORDS[by](answer)}"
+        if text := why(by, answer):
+            yield f"{WORDS[by]}: {text}"
+
+
+def range_in_words(name: str, estimate: Estimate) -> str:
+    """Return a best range with its unit: "14–15 nN", "≥ 1.5e-18 J", or "–" for none."""
+    low, high = estimate.low, estimate.high
+    if isnan(low) and isnan(high):
+        return "–"
+    if isnan(low) or isnan(high):
+        end = low if isnan(high) else high
+        return f"{'≥' if isnan(high) else '≤'} {span(name, end, end)}"
+    return span(name, low, high)
+
+
+def why(by: int, answer: "Answer") -> str:
+    """Return why results have a range by a rule, what it holds and leaves out; empty for the law in use."""
+    return _WORDS[by](answer) if by in _WORDS else ""
 
 
 def _better_law(answer: "Answer") -> str:
@@ -35,7 +52,7 @@ def _better_law(answer: "Answer") -> str:
     tabor = f"Tabor parameter {significant(parameter, 2)}–{significant(2 * parameter, 2)}, JKR needs 5"
     spacings = f"atomic spacing {span('atomic_spacing', spacing / 2, spacing)} (--z0)"
     force = "; P_c up to Lennard-Jones' law, of smooth and dry spheres" if "pull_off_force" in answer.estimates else ""
-    return f"the law for spheres this small and stiff ({tabor}), {spacings}{force}"
+    return f"the law for this size and stiffness ({tabor}), {spacings}{force}"
 
 
 def _scaled(answer: "Answer") -> str:
@@ -61,7 +78,7 @@ def _ceiling(answer: "Answer") -> str:
     return f". Adhesion supplies {span('yield_force', *ceiling)} at most; above it another loss supplies the rest"
 
 
-def _xi_unknown(answer: "Answer") -> str:
+def _xi_unknown(_: "Answer") -> str:
     text = "limits, no error bar: from one atom (2 Å, by Maugis' law) to all of w lost in opening and closing"
     return f"{text}; measure it or give --xi"
 

@@ -129,16 +129,19 @@ class Options:
     digits = _number("--digits", "Significant digits", "N", 17)
     json = _switch("--json", _FORMAT, excludes="bare")
     csv = _switch("--csv", _FORMAT, excludes="bare json")
-    bare = _switch("--bare", _FORMAT, excludes="alternatives")
+    bare = _switch(
+        "--bare",
+        _FORMAT,
+    )
     target = _text("-o", "Write a file", "OUT")
     no_doubt = _switch("--no-doubt", "Omit the column of doubts")
-    alternatives = _switch("--alternatives", "Add results by Maugis' law, by measured forces", excludes="infer")
-    explain = _switch("--explain", _INSTEAD, excludes="bare json csv alternatives curve")
-    cite = _switch("--cite", _INSTEAD, excludes="bare json csv explain alternatives curve")
+    best = _switch("--best", "Add columns of the best range of each result", excludes="infer bare")
+    explain = _switch("--explain", _INSTEAD, excludes="bare json csv best curve")
+    cite = _switch("--cite", _INSTEAD, excludes="bare json csv explain best curve")
     tex = _switch("--tex", "Instead of BibTeX, a paragraph for a Methods section", needs="cite")
     measured = _texts("--measured", "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
         "QUANTITY=VALUE", group="Measured")  # fmt: skip
-    curve = _switch("--curve", "Whole force curve; with -o x.svg a picture", excludes="alternatives")
+    curve = _switch("--curve", "Whole force curve; with -o x.svg a picture", excludes="best")
 
     # Of pictures
     x = _text("--x", _AXIS, "AXIS", group="Axes")

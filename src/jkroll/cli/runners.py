@@ -96,10 +96,10 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
     else:
         wanted = sweep.wanted(question.quantities, question.named, keeps_all=call.output.keeps_all)
-        if call.alternatives:
-            wanted = wanted.with_alternatives(sweep.groups, wanted.names)
+        if call.best:
+            wanted = wanted.with_best(wanted.names)
         elif is_shown and len(sweep.models) == 1 and not call.measured:
-            wanted = wanted.with_alternatives(sweep.groups, question.headline)
+            wanted = wanted.with_best(question.headline)
     blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single)]
     single = None if call.quiet else single
     return _write_columns(call, wanted, [*sweep.noted(wanted)], blocks, form, is_table=is_shown, single=single)
@@ -192,7 +192,7 @@ def _write_answers(
         else:
             from ..output.answered import write_plain
 
-            write_plain(next(watched()), out, form, alternatives=call.alternatives)
+            write_plain(next(watched()), out, form)
         out.flush()
     if single is not None and call.output.has_rows:
         for line in lines_of(single.sentences, has_head=call.output is TABLE, quiet=call.quiet):
@@ -309,8 +309,8 @@ def run_infer(call: Call) -> int:
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
     names = tuple(inputs_named(call.subject.split(",")))
-    if call.alternatives:
-        raise BadRequest("infer writes no --alternatives; --json has the values by each law")
+    if call.best:
+        raise BadRequest("infer has no --best; --json has the values by each law")
     check_format(call)
     sweep = call.sweep.seeking(names, _measured(call, names))
     return answer_rows(call, sweep, Question(names, names, names), call.form(names))
@@ -354,7 +354,7 @@ def run_batch(call: Call) -> int:
         infer=infer,
         measured=measured,
         doubt=not call.no_doubt,
-        alternatives=call.alternatives,
+        best=call.best,
         uncertainty=call.uncertainty,
     )
     job = Job(

@@ -5,10 +5,12 @@ that nothing was measured, make a range of it: by the first rule that applies, r
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cache, partial, reduce
+from contextlib import suppress
+from functools import cache, partial
 from math import inf, nan
 from typing import Any, NamedTuple
 
+from ..errors import NoResult
 from ..physics.elementary import at_least, at_most, cbrt, where
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
@@ -28,6 +30,7 @@ from .alternatives import (
 from .frame import Frame
 from .limits import JUMP, LAW_MATTERS
 from .ranges import takes
+from .reasons import MissingInput
 from .results import Results
 
 # --- Rules ------------------------------------------------------------------------------------------------------------
@@ -64,6 +67,12 @@ def _first(rules: Iterable[Rule]) -> Estimate:
     for applies, *rule in reversed(others):
         found = Estimate(*(where(applies, new, old) for new, old in zip(rule, found, strict=True)))
     return found
+
+
+def estimates(results: Results, names: Iterable[str]) -> dict[str, Estimate]:
+    """Return the estimates of those of some results that have a value in some row."""
+    ranges = Ranges(results)
+    return {name: ranges.estimate(name) for name in names if name in ranges.names}
 
 
 class Ranges:
@@ -111,12 +120,13 @@ class Ranges:
         if (rolled := ROLLED.get(solid_that_rolled(self.frame))) is not None:
             ends = (then(law, end) for law in (_itself, *_BETTER) for end in rolled.ends)
             yield rolled.is_near(self.frame), *self.hull(name, *ends), SCALED
-        least, most = self.hull(name, *_BETTER), self.at_full_hysteresis(name)
-        is_past = self.hull("hysteresis_ratio", *_BETTER)[1] >= 1  # more is lost at 2 Å than there is
-        rises = (most[1] > least[1]) != is_past
-        low, high = at_most(least[0], most[0]), at_least(least[1], most[1])
-        low = where(is_past, where(rises, nan, most[0]), low)
-        high = where(is_past, where(rises, most[1], nan), high)
+        laws = _BETTER if name in self._columns(_between) else (_itself,)
+        at_an_atom, further = self.hull(name, *laws), self.hull(name, *(then(law, _at_twice) for law in laws))
+        low, high = self.hull(name, *(then(law, at_full_hysteresis) for law in laws))
+        is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # more is lost at 2 Å than there is
+        rises = further[1] > at_an_atom[1]
+        low = where(rises, where(is_past, nan, at_an_atom[0]), low)
+        high = where(rises, high, where(is_past, nan, at_an_atom[1]))
         yield True, low, high, XI_UNKNOWN
 
     def at_full_hysteresis(self, name: str) -> tuple[Any, Any]:
@@ -129,15 +139,20 @@ class Ranges:
         """Return the least and the largest value of a result among what is made of the frame, with error bars."""
         found = (self._columns(make).get(name) for make in makers)
         ends = [end for each in found if each is not None for end in ends_of_alternative(each)]
-        low = reduce(at_most, (where(end == end, end, inf) for end in ends), inf)
-        high = reduce(at_least, (where(end == end, end, -inf) for end in ends), -inf)
+        low: Any = inf
+        high: Any = -inf
+        for end in ends:
+            has_value = end - end == 0
+            low, high = at_most(low, where(has_value, end, inf)), at_least(high, where(has_value, end, -inf))
         return where(low < inf, low, nan), where(high > -inf, high, nan)
 
     def _columns(self, make: Make) -> Mapping[str, Alternative]:
         """Return the results of what is made of the frame, with their error bars, once."""
         if make not in self._made:
-            possible = make(self.frame).possible([*self.names, "hysteresis_ratio"])
-            self._made[make] = with_bars(self.results.described, possible, make)
+            self._made[make] = {}
+            with suppress(MissingInput, NoResult):
+                possible = make(self.frame).possible([*self.names, "hysteresis_ratio"])
+                self._made[make] = with_bars(self.results.described, possible, make)
         return self._made[make]
 
     @property
@@ -163,6 +178,11 @@ def _between(frame: Frame) -> Frame:
 
 def _between_at_half(frame: Frame) -> Frame:
     return at_half_spacing(_between(frame))
+
+
+def _at_twice(frame: Frame) -> Frame:
+    """Return the frame with twice the displacement."""
+    return frame.replace(**{XI: 2 * frame[XI]})
 
 
 _BETTER = (_between, _between_at_half)

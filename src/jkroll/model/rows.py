@@ -17,8 +17,8 @@ from ..errors import BadRequest, JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Measured, Uncertain, is_uncertain
 from ..text import first_of, listed
-from .alternatives import DATA, Alternative, alternatives_of, names_with_alternatives
 from .column import Column, at_row
+from .estimate import estimates
 from .frame import FOLLOWS, Frame
 from .limits import BITS, EVERY_DOUBT, LAW, NOT_JUDGED
 from .ranges import takes
@@ -43,7 +43,7 @@ DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as 
 STATUS = "status"  # the column of reasons
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 _NO_DOUBTS: Counter[int] = Counter()
-_BY = "_by_"  # in a key, between a quantity and the law or DATA by which another value may stand in its place
+_BEST = "_best_"  # in the keys of the columns of a best range, behind the quantity
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
 Gaps = tuple[int, int, str]  # rows with one status: their number, the first, counted from 1, and its reasons in full
 _NONE: Mapping[str, Any] = {}  # which can be pickled
@@ -59,23 +59,16 @@ class Wanted:
         inputs: Sequence[str] = (),  # that stand before them
         sides: Collection[str] | None = None,  # those of uncertainties that have columns; None: they are not wanted
         doubts: bool = True,  # whether limits are judged
-        # By a law or DATA, the quantities that have columns of what may stand in their place.
-        alternatives: Mapping[str, Sequence[str]] = _NONE,
+        best: Sequence[str] = (),  # those that have columns of their best range
         keeps_all: bool = False,  # whether numbers without a meaning stay
     ) -> None:
         self.names, self.named, self.inputs, self.sides = names, named, inputs, sides
-        self.doubts, self.alternatives, self.keeps_all = doubts, alternatives, keeps_all
+        self.doubts, self.best, self.keeps_all = doubts, best, keeps_all
 
-    def with_alternatives(self, frames: Sequence[Frame], names: Collection[str]) -> "Wanted":
-        """Return the same quantities, some of them with columns of what may stand in their place.
-
-        `frames`: of each group of rows.
-        """
-        names_of = names_with_alternatives(frames, [name for name in self.names if name in names])
-        of_law, sides = next(iter(names_of.values())), {*(self.sides or ())}
-        with suppress(JkrollError):  # ± and ranges together give no error bars
-            sides |= sides_in((frame.by_law, of_law) for frame in frames)
-        return Wanted(self.names, self.named, self.inputs, sides, self.doubts, names_of, self.keeps_all)
+    def with_best(self, names: Collection[str]) -> "Wanted":
+        """Return the same quantities, some of them with columns of their best range."""
+        best = [name for name in self.names if name in names]
+        return Wanted(self.names, self.named, self.inputs, self.sides, self.doubts, best, self.keeps_all)
 
     @cached_property
     def keys(self) -> tuple[str, ...]:
@@ -83,22 +76,21 @@ class Wanted:
         return tuple(key for name in self.names for key in self.keys_of(name))
 
     def keys_of(self, name: str) -> list[str]:
-        """Return the keys of the columns of a quantity and of what may stand in its place, with their uncertainties."""
-        values = (name, *self.alternatives_of(name).values())
-        return [each for key in values for each in (key, *self.sides_of(key).values())]
+        """Return the keys of the columns of a quantity: its value, its uncertainties, and its best range."""
+        return [name, *self.sides_of(name).values(), *self.best_of(name)]
 
-    def sides_of(self, key: str) -> dict[str, str]:
-        """Return the keys of the columns of the uncertainty of a column, by the side: "radius_minus"."""
-        sides = ("low", "high") if key.endswith(f"{_BY}{DATA}") else self.sides or ()
-        return {side: f"{key}_{side}" for side in SIDES if side in sides}
+    def sides_of(self, name: str) -> dict[str, str]:
+        """Return the keys of the columns of the uncertainty of a quantity, by the side: "radius_minus"."""
+        return {side: f"{name}_{side}" for side in SIDES if side in (self.sides or ())}
 
-    def alternatives_of(self, name: str) -> dict[str, str]:
-        """Return the keys of the columns of what may stand in place of a quantity: "pull_off_force_by_maugis"."""
-        return {by: f"{name}{_BY}{by}" for by, names in self.alternatives.items() if name in names}
+    def best_of(self, name: str) -> list[str]:
+        """Return the keys of the columns of the best range of a quantity: its ends, and the rule by which it stands."""
+        return [f"{name}{_BEST}{part}" for part in ("low", "high", "by")] if name in self.best else []
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
-        return [header(name).replace(name, key, 1) for name in self.names for key in self.keys_of(name)]
+        keys = ((name, key) for name in self.names for key in self.keys_of(name))
+        return [key if key.endswith(f"{_BEST}by") else header(name).replace(name, key, 1) for name, key in keys]
 
     def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
         """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
@@ -106,25 +98,14 @@ class Wanted:
 
     @property
     def reported_doubts(self) -> int:
-        """The bits of the doubts to report. Those of the law are left out where columns have the other law."""
-        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.alternatives else 0)
+        """The bits of the doubts to report. Those of the law are left out beside best ranges."""
+        return EVERY_DOUBT ^ NOT_JUDGED ^ (LAW.bits if self.best else 0)
 
     # --- Results ------------------------------------------------------------------------------------------------------
 
     def results(self, frame: Frame) -> Results:
         """Return the results of a frame."""
         return Results(frame, frame.shown(self.names, self.named), keeps_all=self.keeps_all)
-
-    def alternatives_to(self, results: Results) -> dict[str, Alternative]:
-        """Return what may stand in place of results that have a meaning, by the keys of columns."""
-        shown = results.computed
-        names_of = {by: [name for name in names if name in shown] for by, names in self.alternatives.items()}
-        every = alternatives_of(results.frame, names_of) if self.alternatives else {}
-        return {
-            f"{name}{_BY}{by}": each.without(results.ended.get(name, False) | shown[name].is_hidden)
-            for by, of_by in every.items()
-            for name, each in of_by.items()
-        }
 
     def places(self, frame: Frame) -> int:
         """Return the number of places of uncertain inputs at which rows are computed for their error bars."""
@@ -194,12 +175,14 @@ class Columns:
         wanted, span = self.wanted, rows
         if not isinstance(rows, int) and len(rows) == len(self):
             span = slice(None)
-        others = wanted.alternatives_to(results)
         bars = results.bars if wanted.has_bars(results) else {}
-        for key, column in (*results.columns.items(), *((key, other.column) for key, other in others.items())):
-            self.column(key)[span] = column.values
-        for key, bar in (*bars.items(), *((key, other.bar) for key, other in others.items() if other.bar)):
-            for side, of_side in wanted.sides_of(key).items():
+        for name, column in results.columns.items():
+            self.column(name)[span] = column.values
+        for name, estimate in estimates(results, wanted.best).items():
+            for key, part in zip(wanted.best_of(name), estimate, strict=True):
+                self.column(key)[span] = part
+        for name, bar in bars.items():
+            for side, of_side in wanted.sides_of(name).items():
                 if side in bar.sides:
                     self.column(of_side)[span] = bar.sides[side]
         if wanted.inputs:
@@ -267,8 +250,7 @@ class Columns:
 
     def leave_out_bars(self, rows: Mapping[int, JkrollError]) -> None:
         """Empty the error bars of rows that have values. `rows`: the reasons, by row."""
-        others = (key for name in self.wanted.names for key in (name, *self.wanted.alternatives_of(name).values()))
-        keys = [side for key in others if not key.endswith(DATA) for side in self.wanted.sides_of(key).values()]
+        keys = [side for name in self.wanted.names for side in self.wanted.sides_of(name).values()]
         for row, error in rows.items():
             gap = self.gap_of(row)
             reasons = _NONE if gap is None else gap.reasons

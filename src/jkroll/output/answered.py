@@ -1,44 +1,32 @@
 """An answer as text and as objects: plain lines in a pipe, JSON, and what `jkroll.answer` returns."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from functools import cached_property
+from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.answer import Answer, Result
 from ..answers.questions import QUESTIONS, Question, question_about
+from ..answers.ranges import why
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
-from ..model.alternatives import (
-    DATA,
-    assumes_displacement,
-    at_least_measured,
-    at_most_measured,
-    displacements_where_measured,
-    rolling,
-)
+from ..model.estimate import NONE, WORDS, Estimate
 from ..model.frame import Frame
 from ..quantities.formatting import AS_USUAL, Format, in_words
-from ..quantities.laws import other_law
-from ..quantities.nomenclature import NOMENCLATURE, XI, named
-from ..quantities.values import Uncertain, ends_of, is_uncertain, middle
+from ..quantities.nomenclature import NOMENCLATURE, named
+from ..quantities.values import Uncertain, is_uncertain, middle
 from ..text import json_text, listed, quoted, say, spelled
 
 if TYPE_CHECKING:
     from ..model.limits import Doubt
 
 
-def write_plain(answer: Answer, out: TextIO, form: Format, *, alternatives: bool = False) -> None:
-    """Write a line `name value unit` for each result of a frame, and for each side of its uncertainty.
-
-    `alternatives`: whether what may stand in its place has lines, too.
-    """
-    others = answer.others if alternatives else {}
+def write_plain(answer: Answer, out: TextIO, form: Format) -> None:
+    """Write a line `name value unit` for each result of a frame, and for each side of its uncertainty."""
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
     for result in answer.results:
-        measures = {result.name: result.measure}
-        measures |= {f"{result.name}_by_{by}": values.get(result.name) for by, values in others.items()}
-        write_measure(result.name, measures, out, form)
+        write_measure(result.name, {result.name: result.measure}, out, form)
 
 
 def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None], out: TextIO, form: Format) -> None:
@@ -77,14 +65,6 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     entry["results"] = [_result_object(result, answer, form) for result in answer.results]
     if answer.condition is not None:
         entry["condition"] = answer.condition
-    if answer.laws:
-        entry["laws"] = {
-            other_law(answer.frame.law.name): {
-                name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()
-            }
-        }
-    if rolled := rolling(answer.values) if assumes_displacement(answer.frame) else ():
-        entry["displacement"] = _displacement_object(answer, rolled, form)
     entry["validity"] = [_doubt_object(doubt, answer.about(doubt)) for doubt in answer.validity if doubt.error is None]
     entry["notes"] = [note.text for note in answer.notes]
     entry["version"] = __version__
@@ -105,6 +85,9 @@ def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, An
         entry["model"] = result.law
         jkr = answer.of_jkr.get(result.name)
         entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
+    if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
+        low, high = (None if isnan(end) else form.number(result.name, end) for end in best[:2])
+        entry["best"] = {"low": low, "high": high, "by": WORDS[best.by], "why": why(best.by, answer)}
     bar = result.uncertain
     further = {
         **{key: getattr(quantity, key) for key in (("note",) if result.law else ("note", "definition", "reference"))},
@@ -122,28 +105,6 @@ def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, An
 def bar_object(name: str, bar: Uncertain, form: Format = AS_USUAL) -> dict[str, Any]:
     """Return the kind of an error bar and its sides, in the unit of a quantity."""
     return {"kind": bar.kind, **{side: form.number(name, number) for side, number in bar.sides.items()}}
-
-
-def _law_object(name: str, numbers: Mapping[str, Any], form: Format) -> dict[str, Any]:
-    """Return what stands in place of a quantity under another law, with its error bar, in its unit."""
-    value, bar = numbers["value"], numbers.get("uncertainty")
-    shown = {"value": None if value is None else form.number(name, value)}
-    return {**numbers, **shown, **({"uncertainty": bar_object(name, bar, form)} if bar else {})}
-
-
-def _displacement_object(answer: Answer, rolled: Sequence[str], form: Format) -> dict[str, Any]:
-    """Return the measured displacement there and here, and results with it, also over those with the assumed one."""
-    frame, values = answer.frame, answer.values
-    entry: dict[str, Any] = {"at_pair": [*displacements_where_measured(frame)], "here": None, "over_assumed": {}}
-    if DATA in answer.others:
-        ends = at_least_measured(frame), at_most_measured(frame)
-        low, high = (end.numbers(*rolled) for end in ends)
-        both = [name for name in rolled if values[name] and name in low and name in high]
-        ranges = {name: ends_of(answer.others[DATA][name]) for name in both}
-        entry["here"] = [end[XI] for end in ends]
-        entry["over_assumed"] = {name: [low[name] / values[name], high[name] / values[name]] for name in both}
-        entry["values"] = {name: [form.number(name, end) for end in range_] for name, range_ in ranges.items()}
-    return entry
 
 
 def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
@@ -186,7 +147,7 @@ class Answered:
     """The answer to a question about one scene.
 
     `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
-    not hold, `alternatives` what may stand in place of the values, `notes` the other sentences. `as_dict()` is the
+    not hold, `best` the best ranges of the values, `notes` the other sentences. `as_dict()` is the
     object of `--json`.
     """
 
@@ -213,9 +174,9 @@ class Answered:
         return tuple(Exceeded(self._answer.about(doubt), doubt) for doubt in self._answer.exceeded)
 
     @cached_property
-    def alternatives(self) -> Mapping[str, Mapping[str, float | Uncertain | None]]:
-        """The values that may stand in place of these: "maugis", by the law that holds, "data", by measured forces."""
-        return self._answer.alternatives
+    def best(self) -> Mapping[str, Estimate]:
+        """The best ranges of the results, by name: `low`, `high`, of which nan is open, and `by`."""
+        return {name: estimate._replace(by=WORDS[estimate.by]) for name, estimate in self._answer.estimates.items()}
 
     @cached_property
     def notes(self) -> tuple[str, ...]:

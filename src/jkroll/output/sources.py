@@ -10,17 +10,19 @@ from math import log
 from typing import TYPE_CHECKING, Any, TextIO
 
 from .. import __version__
-from ..answers.answer import Answer, Result, readings_of
+from ..answers.answer import Answer, Result
 from ..answers.notes import every_line
+from ..answers.ranges import range_in_words
 from ..errors import BadRequest
 from ..materials.library import data_of
 from ..model.alternatives import has_other_formulas
+from ..model.estimate import NONE, WORDS
 from ..model.frame import Frame
 from ..model.plan import Plan
 from ..model.ranges import takes
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import Format, amount, symbol_of
-from ..quantities.laws import BETWEEN, LAWS, other_law
+from ..quantities.laws import BETWEEN
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import CONVERTED, INFINITY, NOMENCLATURE
 from ..text import listed, say, say_wrapped
@@ -114,12 +116,8 @@ def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, 
         errors = f"relative errors of these enter times {result.growth:.3g} at most"
         yield "inferred", f"with the other input, so that both have their measured values; {errors}"
     yield "by law", ", ".join(f"{shown(value)} ({law})" for law, value in result.by_law.items())
-    law, numbers = answer.frame.law.name, answer.laws.get(result.name, {})
-    readings = [numbers[key] for key in readings_of(law) if numbers.get(key)]
-    if len(readings) == len(readings_of(law)):
-        at_displacement, at_hysteresis = (shown(ratio * result.value) for ratio in readings)
-        title = LAWS[other_law(law)].title
-        yield "by law", f"{at_displacement} at equal ξ, {at_hysteresis} at equal hysteresis ({title})"
+    if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
+        yield "best", f"{range_in_words(result.name, best)} ({WORDS[best.by]})"
 
 
 def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str]:

@@ -6,9 +6,8 @@ from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.ranges import lines_on_ranges
-from ..model.alternatives import DATA
-from ..model.estimate import DEFINITION, NONE, WORDS
-from ..model.limits import LAW, codes
+from ..model.estimate import DEFINITION, NONE, WORDS, Estimate
+from ..model.limits import codes
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import DEFAULT_LAW, LAWS
@@ -19,7 +18,6 @@ from ..text import TextColumn, first_of, fit_terminal, say, say_wrapped, text_co
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
-    from ..model.estimate import Estimate
     from ..model.rows import Columns
 
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
@@ -101,7 +99,8 @@ def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
     """
     _write_inputs("", answer.measures, answer.assumed, out, form)
     law = head_of(answer.frame.law.name)
-    physics, conventions = [], []
+    physics: list[list[str]] = []
+    conventions: list[list[str]] = []
     # A quantity with a note of its own has no row where it is one without.
     usual = {result.value for result in answer.results if not NOMENCLATURE[result.name].note} - {None}
     units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last one, in which a value below 1 is read as easily
@@ -132,7 +131,9 @@ def _write_results(rows: Sequence[Sequence[str]], law: str, out: TextIO) -> None
     if {row[3] for row in rows} <= {head_of(DEFAULT_LAW), WORDS[DEFINITION], "–"}:
         heads, rows = [*heads[:2], *heads[4:]], [[*row[:2], *row[4:]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
-    write_table([column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns], [], out)
+    write_table(
+        [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns], [], out
+    )
 
 
 def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) -> list[str]:
@@ -175,7 +176,8 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
             leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
     for name in columns.wanted.names:
         if name not in inputs:
-            results += columns_of(name, _values(columns, name), form)
+            results += columns_of(name, {symbol_among(name, columns.inputs): _measures(columns, name)}, form)
+            results += _best(columns, name, form)
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
     if any(doubts):
@@ -186,22 +188,17 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     write_table(leading, results, out)
 
 
-def _values(columns: "Columns", name: str) -> dict[str, list[Any]]:
-    """Return the values of a result, and those by data and by the other law, if that moves a result of the pairs."""
-    law_matters = any(bits & LAW.bits for bits in columns.counted_doubts)
-    symbol = symbol_among(name, columns.inputs)
-    values = {symbol: _measures(columns, name)}
-    for by, key in columns.wanted.alternatives_of(name).items():
-        others = _measures(columns, key)
-        if by == DATA and any(value is not None for value in others):
-            has_value = [value is not None for value in values[symbol]]
-            values[f"{symbol} by data"] = [
-                "no data" if value is None and is_here else value
-                for value, is_here in zip(others, has_value, strict=True)
-            ]
-        elif by == DEFAULT_LAW or (by in LAWS and law_matters):
-            values[f"{symbol} by {head_of(by)}"] = others
-    return values
+def _best(columns: "Columns", name: str, form: Format) -> list[TextColumn]:
+    """Return the columns of the best range of a quantity and of its rule, if some row has another than the law."""
+    if not columns.wanted.best_of(name):
+        return []
+    lows, highs, rules = (as_list(columns.column(key)) for key in columns.wanted.best_of(name))
+    words = [WORDS[NONE] if isnan(by) else WORDS[int(by)] for by in rules]
+    if {*words} <= {head_of(DEFAULT_LAW), WORDS[NONE]}:
+        return []
+    unit = form.common_unit(name, _measures(columns, name))
+    ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, map(int, rules), strict=True)]
+    return [TextColumn("best", ranges), TextColumn("by", words, is_right=False)]
 
 
 def _measures(columns: "Columns", key: str) -> list[Any]:

@@ -15,6 +15,7 @@ from math import isnan
 from typing import Any, BinaryIO, TextIO, cast
 
 from ..errors import BadRequest
+from ..model.estimate import WORDS
 from ..model.limits import codes
 from ..model.rows import DOUBT, Columns, Wanted, as_list
 from ..quantities.formatting import Format, in_words, pretty
@@ -208,7 +209,7 @@ def _in_words(name: str, column: Any) -> Any:
 def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
     """Return the columns of results, in their units and with their digits, and of remarks."""
     texts = [_codes(columns) if name == DOUBT else columns.status for name in remarks]
-    if columns.few or any(map(form.changes, columns.wanted.names)):
+    if columns.few or columns.wanted.best or any(map(form.changes, columns.wanted.names)):
         return [*_formatted(columns, form), *texts]
     return [columns.numbers, *texts]
 
@@ -229,7 +230,9 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
     for name in columns.wanted.names:
         for key in columns.wanted.keys_of(name):
             column = columns.column(key)
-            if form.changes(name):
+            if key.endswith("_best_by"):
+                column = [None if isnan(by) else WORDS[int(by)] for by in as_list(column)]
+            elif form.changes(name):
                 column = [value if isnan(value) else form.number(name, value) for value in as_list(column)]
             yield column
 

@@ -7,13 +7,16 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..answers.answer import advised, equation_of, law_advised
+from ..answers.answer import equation_of
 from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, entering
+from ..answers.ranges import range_in_words
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
+from ..model.estimate import BETTER_LAW, estimates
 from ..model.frame import Frame
 from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
 from ..model.reasons import RESTS_ON_SPACING, Cause, Failure, MissingInput, explanation_of
+from ..model.results import Results
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, computed_as
@@ -330,9 +333,10 @@ def _farthest_off(x: Axis, layer: Layer) -> Iterator[str]:
         excess = numpy.where(layer.known, doubt.excess, -numpy.inf)
         value = float(x.values()[excess.argmax()])
         quantity, here = layer.quantity, layer.given.replace(**x.inputs(value))
-        if excess.max() > 0 and (told := advised(here, quantity)):
+        best = estimates(Results(here, here.columns([quantity])), [quantity]).get(quantity)
+        if excess.max() > 0 and best is not None and best.by == BETTER_LAW:
             place, shown = amount(x.name, value, _TWO), amount(quantity, here[quantity], _THREE)
             yield (
-                f"{here.law.title} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} {told} by "
-                f"{law_advised([quantity])}, {shown} here."
+                f"{here.law.title} is farthest off at {symbol(x.name)} = {place}: {symbol(quantity)} = "
+                f"{range_in_words(quantity, best)} by Maugis' law, {shown} here."
             )

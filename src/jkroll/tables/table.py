@@ -40,7 +40,7 @@ class Asked(NamedTuple):
     infer: str = ""  # the input that is sought
     measured: str = ""  # the quantity from which it follows, whose measured values a column has
     doubt: bool = True  # whether there is a column of doubts
-    alternatives: bool = False  # whether there are columns of the results under the other law
+    best: bool = False  # whether there are columns of the best range of each result
     uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
 
     @property
@@ -84,7 +84,7 @@ class Table:
         sides = {*SIDES} if asked.uncertainty else {side for each in self.sources for side in each.sides}
         sides |= {side for value in self.fixed.values() if is_uncertain(value) for side in value.sides}
         wanted = Wanted(self.names, named=named, sides=sides, doubts=asked.doubt)
-        self.wanted = wanted.with_alternatives(frames, self.names) if asked.alternatives else wanted
+        self.wanted = wanted.with_best(self.names) if asked.best else wanted
         if any(solid and solid.displacement for lookup in self.lookups.values() for solid in lookup.known):
             self.given |= {XI}  # it is not assumed
         # Of each group of rows a frame, with the quantities that it shows, or that were measured.
