@@ -8,10 +8,6 @@ from types import MappingProxyType
 from typing import Any
 
 from ..errors import JkrollError
-from ..model.alternatives import (
-    factor_of_law,
-    has_other_formulas,
-)
 from ..model.column import Column
 from ..model.estimate import Estimate, Ranges
 from ..model.frame import Frame
@@ -25,6 +21,7 @@ from ..model.limits import (
     doubts,
     touched,
 )
+from ..model.other_law import factor_of_law, has_other_formulas
 from ..model.reasons import (
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,

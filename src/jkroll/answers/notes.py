@@ -6,13 +6,9 @@ from math import erfc, hypot, sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
-from ..model.alternatives import (
-    SIO2,
-    rolling,
-    solid_of_pair,
-)
 from ..model.frame import DEFAULTS, Frame
 from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doubts, touched
+from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
 from ..model.reasons import grouped
 from ..model.uncertainty import Sources, error_bars, sources_of_results

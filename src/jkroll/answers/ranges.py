@@ -8,14 +8,13 @@ from ..model.estimate import (
     ADHESION_ONLY,
     AT_LEAST,
     BETTER_LAW,
-    ROLLED,
     SCALED,
     WORDS,
     XI_UNKNOWN,
     Estimate,
-    solid_that_rolled,
 )
 from ..model.limits import JUMP
+from ..model.measured import ROLLED, solid_that_rolled
 from ..quantities.formatting import amount, significant, span
 from ..quantities.nomenclature import XI
 

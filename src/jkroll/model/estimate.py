@@ -4,34 +4,31 @@ A result has the value of the law in use. A law that holds better here, forces t
 that nothing was measured, make a range of it: by the first rule that applies, row by row.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from functools import cache, partial
+from functools import cache
 from math import inf, nan
 from typing import Any, NamedTuple
 
-from ..errors import NoResult
-from ..physics.elementary import at_least, at_most, cbrt, where
+from ..errors import JkrollError, NoResult
+from ..physics.elementary import at_least, at_most, where
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
-from .alternatives import (
-    POLYSTYRENE,
-    SIO2,
-    Alternative,
-    assumes_displacement,
-    at_full_hysteresis,
-    at_half_spacing,
-    ends_of_alternative,
-    farthest,
-    measured_solid,
-    rolling,
-    with_bars,
-)
+from ..quantities.values import ends_of
 from .frame import Frame
 from .limits import JUMP, LAW_MATTERS
-from .ranges import takes
+from .measured import (
+    ROLLED,
+    Make,
+    assumes_displacement,
+    at_full_hysteresis,
+    rolling,
+    solid_that_rolled,
+)
+from .other_law import at_half_spacing, farthest
 from .reasons import MissingInput
 from .results import Results
+from .uncertainty import ErrorBar, error_bars
 
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
@@ -56,7 +53,7 @@ class Estimate(NamedTuple):
     by: Any
 
 
-Make = Callable[[Frame], Frame]
+Ends = tuple[Any, Any]  # nan where there is none
 Rule = tuple[Any, Any, Any, int]  # the rows to which it applies, the ends there, and its number
 
 
@@ -81,7 +78,7 @@ class Ranges:
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
         self.names = [name for name, column in results.columns.items() if not column.is_empty]
-        self._made: dict[Make, Mapping[str, Alternative]] = {}
+        self._made: dict[Make, Mapping[str, Ends]] = {}
 
     def estimate(self, name: str) -> Estimate:
         """Return the estimate of a result that has a value in some row."""
@@ -103,7 +100,7 @@ class Ranges:
             return
         if name in _IMPACT:
             yield self._is_smooth, nan, own[1] if name in _AT_MOST else nan, ADHESION_ONLY
-        if name not in self._columns(_between):
+        if name not in self._ends(_between):
             yield True, *own, LAW_ONLY
             return
         if name in _SEPARATION:
@@ -120,7 +117,7 @@ class Ranges:
         if (rolled := ROLLED.get(solid_that_rolled(self.frame))) is not None:
             ends = (then(law, end) for law in (_itself, *_BETTER) for end in rolled.ends)
             yield rolled.is_near(self.frame), *self.hull(name, *ends), SCALED
-        laws = _BETTER if name in self._columns(_between) else (_itself,)
+        laws = _BETTER if name in self._ends(_between) else (_itself,)
         at_an_atom, further = self.hull(name, *laws), self.hull(name, *(then(law, _at_twice) for law in laws))
         low, high = self.hull(name, *(then(law, at_full_hysteresis) for law in laws))
         is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # more is lost at 2 Å than there is
@@ -129,30 +126,27 @@ class Ranges:
         high = where(rises, high, where(is_past, nan, at_an_atom[1]))
         yield True, low, high, XI_UNKNOWN
 
-    def at_full_hysteresis(self, name: str) -> tuple[Any, Any]:
+    def at_full_hysteresis(self, name: str) -> Ends:
         """Return the ends of a result where all of the work of adhesion is lost, by the better law."""
         return self.hull(name, *(then(law, at_full_hysteresis) for law in _BETTER))
 
     # --- What follows by other laws, and from what was measured ---
 
-    def hull(self, name: str, *makers: Make) -> tuple[Any, Any]:
+    def hull(self, name: str, *makers: Make) -> Ends:
         """Return the least and the largest value of a result among what is made of the frame, with error bars."""
-        found = (self._columns(make).get(name) for make in makers)
-        ends = [end for each in found if each is not None for end in ends_of_alternative(each)]
         low: Any = inf
         high: Any = -inf
-        for end in ends:
-            has_value = end - end == 0
-            low, high = at_most(low, where(has_value, end, inf)), at_least(high, where(has_value, end, -inf))
+        for least, most in (ends[name] for ends in map(self._ends, makers) if name in ends):
+            has_value = most - least >= 0
+            low, high = at_most(low, where(has_value, least, inf)), at_least(high, where(has_value, most, -inf))
         return where(low < inf, low, nan), where(high > -inf, high, nan)
 
-    def _columns(self, make: Make) -> Mapping[str, Alternative]:
-        """Return the results of what is made of the frame, with their error bars, once."""
+    def _ends(self, make: Make) -> Mapping[str, Ends]:
+        """Return the ends of the error bars of results of what is made of the frame, once, or their values."""
         if make not in self._made:
             self._made[make] = {}
             with suppress(MissingInput, NoResult):
-                possible = make(self.frame).possible([*self.names, "hysteresis_ratio"])
-                self._made[make] = with_bars(self.results.described, possible, make)
+                self._made[make] = _ends_by(make, self.results.described, [*self.names, "hysteresis_ratio"])
         return self._made[make]
 
     @property
@@ -165,6 +159,30 @@ class Ranges:
         numbers = self.frame.numbers("pull_off_force", "pull_off_force_lennard_jones")
         force = numbers.get("pull_off_force_lennard_jones", nan)
         return self.frame[name] * (force / numbers["pull_off_force"])
+
+
+def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, Ends]:
+    """Return the ends of the error bars of quantities of what is made of a frame; where there is none, twice the value.
+
+    Raises a JkrollError for several rows of which some have no error bars.
+    """
+    other = make(frame)
+    columns, bars = other.columns(other.possible(names)), dict[str, ErrorBar]()
+    if frame.uncertainties:
+        try:
+            bars = error_bars(frame, columns, make)
+        except JkrollError:
+            if frame.shape:  # of several rows, one may be to blame
+                raise
+    return {name: _with_bar(column.values, bars.get(name)) for name, column in columns.items() if not column.is_empty}
+
+
+def _with_bar(value: Any, bar: ErrorBar | None) -> Ends:
+    if bar is None or not bar.sides:
+        return value, value
+    low, high = ends_of(bar.of(value))
+    has_bar = high - low >= 0
+    return where(has_bar, low, value), where(has_bar, high, value)
 
 
 def _itself(frame: Frame) -> Frame:
@@ -192,62 +210,3 @@ _BETTER = (_between, _between_at_half)
 def then(first: Make, second: Make) -> Make:
     """Return what makes a frame by one function and another one of it by the second: always the same."""
     return lambda frame: second(first(frame))
-
-
-# --- What was measured of spheres that rolled -------------------------------------------------------------------------
-
-
-class Rolled(NamedTuple):
-    """What was measured on identical pairs of a radius, and the pairs to which it is scaled: as R^(2/3) or as R."""
-
-    name: str  # of the quantity, the force or the displacement that starts rolling
-    low: float
-    high: float
-    radius: float
-    radii: tuple[float, float]
-    energies: tuple[float, float] = (0.0, INFINITY)  # surface energies
-
-    @property
-    def ends(self) -> tuple[Make, Make]:
-        """What makes of a frame the one with the least, and with the largest, displacement that was measured."""
-        return _end_of(self, at_most, self.low), _end_of(self, at_least, self.high)
-
-    def is_near(self, frame: Frame) -> Any:
-        """Return whether what was measured is scaled to a pair, by element for arrays."""
-        known = frame.numbers("work_of_adhesion", "reduced_radius")
-        (least, most), (low, high) = self.radii, self.energies
-        radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
-        return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
-
-
-@cache
-def _end_of(rolled: Rolled, choose: Callable[[Any, Any], Any], measured: float) -> Make:
-    return partial(_rolled_at, rolled, choose, measured)
-
-
-def _rolled_at(rolled: Rolled, choose: Callable[[Any, Any], Any], measured: float, frame: Frame) -> Frame:
-    """Return a frame with the displacement that an end of what was measured means, under its law and without load."""
-    radius = 2 * frame["reduced_radius"]
-    scale = radius / rolled.radius
-    displacement = measured * choose(scale, cbrt(scale) * cbrt(scale))
-    if rolled.name != XI:  # a force, which acts at the centre of a sphere
-        displacement = frame[XI] * (displacement * radius / frame["unloaded_moment"])
-    return frame.replace(**{XI: where(takes(XI, displacement), displacement, frame[XI])})
-
-
-ROLLED: Mapping[str, Rolled] = {
-    # Heim et al. 1999 and Blum & Wurm 2000: 0.85 ± 0.16 and 1.21 ± 0.36 nN
-    SIO2: Rolled("yield_force", 0.69e-9, 1.57e-9, 0.95e-6, (1e-7, 3e-6), (0.02, 0.025)),
-    # Sümer & Sitti 2008: 42 nm, spheres of 5 µm on a plane
-    POLYSTYRENE: Rolled(XI, 42e-9, 42e-9, 1e-5, (3e-6, 1e-4)),
-    # Gundlach et al. 2011: 11.48 ± 2.38 nN
-    "ice-warm": Rolled("yield_force", 9.10e-9, 13.86e-9, 1.45e-6, (0.5e-6, 5e-6)),
-}
-
-
-def solid_that_rolled(frame: Frame) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it."""
-    solid = frame.material
-    if solid is None or frame.material2 not in (None, solid):
-        return ""
-    return solid.name if solid.name in ROLLED else measured_solid(solid)

@@ -9,10 +9,11 @@ from typing import Any, Literal
 from ..errors import JkrollError
 from ..physics.elementary import at_least, at_most, is_anywhere, ln, where
 from ..quantities.formatting import Format, amount
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI
-from .alternatives import factor_of_data, factor_of_law, is_smooth, rolled_solid
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD
 from .column import Column
 from .frame import Frame, once_a_frame
+from .measured import is_smooth
+from .other_law import factor_of_law
 from .plan import taken_by
 from .reasons import MISSING, RESTS_ON_SPACING, EndOfMeaning, Failure, cause_and_step, reason, register
 
@@ -296,14 +297,6 @@ INEXACT = (
     ),
 )  # fmt: skip
 LIMITS = (*ENDING, *INEXACT)
-
-# Of an answer about one pair alone, without a code: rows of several solids are judged together, and have no name.
-ASSUMED_DISPLACEMENT = Limit(
-    XI, _DISPLACEMENT, ">", {1.0: ""},
-    "ξ is assumed, and forces measured on the same solid mean another",
-    lambda frame, _: bool(rolled_solid(frame)) and not frame.missing(["reduced_radius"]),
-    factor=factor_of_data,
-)  # fmt: skip
 
 # In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
 UNCHECKED = "unchecked"

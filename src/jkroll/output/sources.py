@@ -15,9 +15,9 @@ from ..answers.notes import every_line
 from ..answers.ranges import range_in_words
 from ..errors import BadRequest
 from ..materials.library import data_of
-from ..model.alternatives import has_other_formulas
 from ..model.estimate import NONE, WORDS
 from ..model.frame import Frame
+from ..model.other_law import has_other_formulas
 from ..model.plan import Plan
 from ..model.ranges import takes
 from ..physics.accuracy import accuracy_of

@@ -17,7 +17,7 @@ import orjson
 
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, UnclearMaterial
-from ..model.alternatives import is_smooth, measured_solid
+from ..model.measured import is_smooth, measured_solid
 from ..model.rows import Numbers
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import Unit, dimension_of, exponent_of

@@ -1,0 +1,114 @@
+"""What was measured on solids: the forces and displacements that start rolling, and whose surfaces are smooth."""
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache, partial
+from typing import Any, NamedTuple
+
+from ..materials.library import Material
+from ..physics.elementary import at_least, at_most, cbrt, where
+from ..quantities.nomenclature import INFINITY, XI
+from .frame import IN_ITS_PLACE, Frame
+from .plan import depends_on
+from .ranges import takes
+
+Make = Callable[[Frame], Frame]
+SIO2, POLYSTYRENE, MICA = "SiO2", "polystyrene", "mica"
+
+
+def is_smooth(material: Material | None) -> bool:
+    """Return whether the surfaces of a material are smooth atom by atom: those of mica, which is cleaved."""
+    return material is not None and MICA in (material.name, *material.aliases)
+
+
+def measured_solid(material: Material) -> str:
+    """Return the solid on which rolling was measured, if a material is of it.
+
+    The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
+    """
+    if SIO2 in material.aliases:
+        return SIO2
+    return POLYSTYRENE if material.name in (POLYSTYRENE, "polystyrene-glassy") else ""
+
+
+def solid_of_pair(frame: Frame) -> str:
+    """Return the solid that was measured, if both spheres are of it."""
+    solid = frame.material
+    measured = measured_solid(solid) if solid is not None else ""  # none of several, whose properties are arrays
+    return measured if frame.material2 in (None, solid) else ""
+
+
+# --- What was measured of spheres that rolled -------------------------------------------------------------------------
+
+
+class Rolled(NamedTuple):
+    """What was measured on identical pairs of a radius, and the pairs to which it is scaled: as R^(2/3) or as R."""
+
+    name: str  # of the quantity, the force or the displacement that starts rolling
+    low: float
+    high: float
+    radius: float
+    radii: tuple[float, float]
+    energies: tuple[float, float] = (0.0, INFINITY)  # surface energies
+
+    @property
+    def ends(self) -> tuple[Make, Make]:
+        """What makes of a frame the one with the least, and with the largest, displacement that was measured."""
+        return _end_of(self, at_most, self.low), _end_of(self, at_least, self.high)
+
+    def is_near(self, frame: Frame) -> Any:
+        """Return whether what was measured is scaled to a pair, by element for arrays."""
+        known = frame.numbers("work_of_adhesion", "reduced_radius")
+        (least, most), (low, high) = self.radii, self.energies
+        radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
+        return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
+
+
+@cache
+def _end_of(rolled: Rolled, choose: Callable[[Any, Any], Any], measured: float) -> Make:
+    return partial(_rolled_at, rolled, choose, measured)
+
+
+def _rolled_at(rolled: Rolled, choose: Callable[[Any, Any], Any], measured: float, frame: Frame) -> Frame:
+    """Return a frame with the displacement that an end of what was measured means, under its law and without load."""
+    radius = 2 * frame["reduced_radius"]
+    scale = radius / rolled.radius
+    displacement = measured * choose(scale, cbrt(scale) * cbrt(scale))
+    if rolled.name != XI:  # a force, which acts at the centre of a sphere
+        displacement = frame[XI] * (displacement * radius / frame["unloaded_moment"])
+    return frame.replace(**{XI: where(takes(XI, displacement), displacement, frame[XI])})
+
+
+ROLLED: Mapping[str, Rolled] = {
+    # Heim et al. 1999 and Blum & Wurm 2000: 0.85 ± 0.16 and 1.21 ± 0.36 nN
+    SIO2: Rolled("yield_force", 0.69e-9, 1.57e-9, 0.95e-6, (1e-7, 3e-6), (0.02, 0.025)),
+    # Sümer & Sitti 2008: 42 nm, spheres of 5 µm on a plane
+    POLYSTYRENE: Rolled(XI, 42e-9, 42e-9, 1e-5, (3e-6, 1e-4)),
+    # Gundlach et al. 2011: 11.48 ± 2.38 nN
+    "ice-warm": Rolled("yield_force", 9.10e-9, 13.86e-9, 1.45e-6, (0.5e-6, 5e-6)),
+}
+
+
+def solid_that_rolled(frame: Frame) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it."""
+    solid = frame.material
+    if solid is None or frame.material2 not in (None, solid):
+        return ""
+    return solid.name if solid.name in ROLLED else measured_solid(solid)
+
+
+# --- Rolling ---
+
+
+def rolling(names: Iterable[str]) -> list[str]:
+    """Return those of some quantities that follow from the yield displacement, under every law the same."""
+    return [name for name in names if name != XI and XI in depends_on((name,))]
+
+
+def assumes_displacement(frame: Frame) -> bool:
+    """Return whether the paper's displacement is assumed where rolling begins, under a law by which forces mean one."""
+    return XI in frame.values and frame.given.keys().isdisjoint(IN_ITS_PLACE) and not frame.plan("yield_force").lacking
+
+
+def at_full_hysteresis(frame: Frame) -> Frame:
+    """Return the frame with the displacement at which all of the work of adhesion is lost."""
+    return frame.replace(**{XI: frame[XI] / frame["hysteresis_ratio"]})

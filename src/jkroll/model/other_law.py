@@ -1,0 +1,64 @@
+"""The law of attraction that holds between JKR and DMT beside the one in use, and how far apart they are."""
+
+from collections.abc import Iterable, Mapping
+from functools import reduce
+from typing import Any
+
+from ..physics.elementary import at_least, at_most, quotient, where
+from ..quantities.laws import BETWEEN, DEFAULT_LAW
+from ..quantities.nomenclature import INFINITY
+from .column import Column
+from .frame import Frame, once_a_frame
+from .plan import plan_for
+from .ranges import LEAST
+
+
+@once_a_frame
+def at_half_spacing(frame: Frame) -> Frame:
+    """Return a frame whose atomic spacing is half as large, or the least that a frame takes."""
+    return frame.replace(atomic_spacing=at_least(frame["atomic_spacing"] / 2, LEAST))
+
+
+def by_law_at_spacing(frame: Frame, names: Iterable[str]) -> Frame:
+    """Return the frame under the other law, with its atomic spacing stated where that decides on some quantities."""
+    rests = any(map(frame.by_law.may_rest_on_spacing, names))
+    return frame.by_law_at_spacing if rests else frame.by_law
+
+
+def has_other_formulas(frame: Frame, name: str, law: str = DEFAULT_LAW) -> bool:
+    """Return whether a law has a quantity by other formulas than a frame, or does not have it."""
+    return frame.plan(name).steps.keys() != plan_for(name, *frame.plan_key[:2], law).steps.keys()
+
+
+def moved_by_law(frame: Frame, names: Iterable[str]) -> list[str]:
+    """Return those of some quantities that the other law has by formulas of its own, or alone."""
+    other = frame.by_law
+    return [name for name in other.possible(names) if has_other_formulas(frame, name, other.law.name)]
+
+
+def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
+    """Return how far results are from those under the law that holds, as the factor of the farthest.
+
+    A pull-off force is compared with Lennard-Jones' law, too. The factor is infinite where only the law in use has a
+    result, or results differ in sign.
+    """
+    if frame.law.name == BETWEEN:
+        return 1.0
+    ours = {name: columns[name].values for name in moved_by_law(frame, columns) if not columns[name].is_empty}
+    other = by_law_at_spacing(frame, ours)
+    compared = [*other.columns(ours).items()]
+    if "pull_off_force" in ours:
+        compared.append(("pull_off_force", frame.column("pull_off_force_lennard_jones")))
+    return farthest((theirs.or_else(0.0), ours[name]) for name, theirs in compared)
+
+
+def farthest(answers: Iterable[tuple[Any, Any]]) -> Any:
+    """Return the factor between two answers, or its inverse if larger, of those that are farthest apart; 1 without any.
+
+    It is infinite where the first answer is 0, or signs differ, and 1 where the second is none or 0.
+    """
+    ratios: list[Any] = [1.0]
+    ratios += (quotient(theirs, ours, 1.0) for theirs, ours in answers)
+    least, most = reduce(at_most, ratios), reduce(at_least, ratios)
+    is_positive = least > 0
+    return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
