@@ -5,7 +5,7 @@ from functools import reduce
 from operator import or_
 from typing import Any
 
-from jkroll.model import alternatives, limits
+from jkroll.model import limits, other_law
 from jkroll.model.frame import Frame
 from jkroll.model.inverse import Inverse
 from jkroll.model.search import Solution
@@ -27,7 +27,7 @@ def doubts(scene: Frame, names: Iterable[str], judged: Iterable[limits.Limit] = 
 
 def factor_of_law(scene: Frame, names: Iterable[str]) -> Any:
     """Return how far quantities are from those under the law that holds."""
-    return alternatives.factor_of_law(scene, scene.columns(names))
+    return other_law.factor_of_law(scene, scene.columns(names))
 
 
 def bits(scene: Frame, names: Sequence[str]) -> Any:

@@ -1,0 +1,121 @@
+"""The best range of a number: each rule against values that anyone can compute."""
+
+from collections.abc import Mapping
+from math import isnan, nan
+from typing import Any
+
+import numpy
+import pytest
+
+from jkroll import solve
+from jkroll.materials.library import known_materials
+from jkroll.model.estimate import WORDS, Estimate, estimates
+from jkroll.model.frame import Frame
+from jkroll.model.results import Results
+from relative import approx
+
+SPACINGS = (4e-10, 2e-10)
+
+
+def best(names: str, material: str | None = None, model: str | None = None, **given: Any) -> dict[str, Estimate]:
+    """Return estimates, with the words of their rules."""
+    solid = None if material is None else known_materials()[material]
+    frame = Frame(given, solid, model=model)
+    found = estimates(Results(frame, frame.columns(names.split())), names.split())
+    return {name: estimate._replace(by=WORDS[estimate.by]) for name, estimate in found.items()}
+
+
+def by_maugis(name: str, **given: Any) -> list[float]:
+    """Return a quantity by Maugis' law at the atomic spacing, and at half of it."""
+    return [solve(name, model="maugis", atomic_spacing=spacing, **given) for spacing in SPACINGS]
+
+
+QUARTZ: Mapping[str, Any] = {"material": "quartz", "radius": 1e-7}
+
+
+def test_a_pull_off_force_is_from_maugis_to_lennard_jones() -> None:
+    force = best("pull_off_force", **QUARTZ)["pull_off_force"]
+    least = min(by_maugis("pull_off_force", **QUARTZ))
+    assert force == (approx(least), approx(solve("pull_off_force_lennard_jones", **QUARTZ)), "Maugis")
+
+
+def test_where_laws_are_within_5_percent_both_are_the_range() -> None:
+    frequency = best("vertical_frequency", **QUARTZ)["vertical_frequency"]
+    values = [solve("vertical_frequency", **QUARTZ), *by_maugis("vertical_frequency", **QUARTZ)]
+    assert frequency == (approx(min(values)), approx(max(values)), "JKR")
+
+
+@pytest.mark.parametrize("radius", [1e-7, 0.95e-6, 2e-6])
+def test_forces_that_rolled_are_scaled_as_the_radius_or_its_power(radius: float) -> None:
+    force = best("yield_force", "quartz", radius=radius)["yield_force"]
+    scale = radius / 0.95e-6
+    both = scale, scale ** (2 / 3)
+    assert force == (approx(0.69e-9 * min(both), rel=1e-9), approx(1.57e-9 * max(both), rel=1e-9), "scaled")
+
+
+def test_what_follows_from_a_displacement_has_that_of_every_law() -> None:
+    """ξ is proportional to the force, under each law by another factor."""
+    low, high, by = best("r_min", **QUARTZ)["r_min"]
+    every = {**QUARTZ, "yield_displacement": 2e-10}
+    forces = [solve("yield_force", **every), *by_maugis("yield_force", **every)]
+    displacements = [2e-10 * end / force for force in forces for end in best("yield_force", **QUARTZ)["yield_force"][:2]]
+    bends = [1e-7**2 / displacement for displacement in displacements]
+    assert (low, high, by) == (approx(min(bends), rel=1e-9), approx(max(bends), rel=1e-9), "scaled")
+
+
+def test_an_unknown_displacement_is_from_an_atom_to_all_of_the_work() -> None:
+    given = {"material": "silica-dry", "radius": 2.5e-7}
+    force = best("yield_force", **given)["yield_force"]
+    at_an_atom = by_maugis("yield_force", yield_displacement=2e-10, **given)
+    ratios = by_maugis("hysteresis_ratio", yield_displacement=2e-10, **given)
+    at_most = [value / ratio for value, ratio in zip(at_an_atom, ratios, strict=True)]
+    assert force == (approx(min(at_an_atom)), approx(max(at_most)), "ξ unknown")
+
+
+def test_without_a_contact_one_end_is_open() -> None:
+    assert best("r_min", radius=1e-7)["r_min"] == (approx(nan, nan_ok=True), approx(5e-5), "ξ unknown")
+
+
+def test_adhesion_alone_sets_one_end_or_none() -> None:
+    found = best("restitution lost_energy sticking_speed sticking_energy", **QUARTZ, speed=1.0)
+    assert {estimate.by for estimate in found.values()} == {"adhesion only"}
+    assert all(isnan(estimate.low) for estimate in found.values())
+    assert isnan(found["sticking_speed"].high)
+    assert isnan(found["restitution"].high)
+    assert found["sticking_energy"].high == approx(solve("sticking_energy", **QUARTZ))
+    assert found["lost_energy"].high == approx(solve("lost_energy", **QUARTZ, speed=1.0))
+
+
+def test_energies_to_separate_have_a_least_value_in_smooth_contacts() -> None:
+    energy = best("pull_off_work", **QUARTZ)["pull_off_work"]
+    assert (energy.low, energy.by) == (approx(solve("pull_off_work", **QUARTZ)), "at least")
+    assert isnan(energy.high)
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
+def test_a_law_that_is_given_decides(model: str) -> None:
+    force = solve("pull_off_force", model=model, **QUARTZ)
+    estimate = best("pull_off_force", model=model, **QUARTZ)["pull_off_force"]
+    assert estimate[:2] == (approx(force), approx(force))
+
+
+def test_conventions_are_exact_and_laws_have_none() -> None:
+    found = best("fold_energy sticking_speed_pencil_code pull_off_force_dmt", **QUARTZ)
+    assert found["fold_energy"] == (*2 * (approx(solve("fold_energy", **QUARTZ)),), "definition")
+    assert found["sticking_speed_pencil_code"].by == "definition"
+    assert found["pull_off_force_dmt"].by == "–"
+
+
+def test_many_rows_have_the_ranges_of_each() -> None:
+    radii = numpy.geomspace(1e-9, 1e-3, 60)
+    names = "pull_off_force yield_force r_min sticking_speed pull_off_work rolling_frequency contact_radius_at_load"
+    solid = known_materials()["quartz"]
+    frame = Frame({"radius": radii}, solid)
+    every = estimates(Results(frame, frame.shown(names.split(), names.split())), names.split())
+    for row, radius in enumerate(radii.tolist()):
+        single = Frame({"radius": radius}, solid)
+        found = estimates(Results(single, single.shown(names.split(), names.split())), names.split())
+        for name in names.split():
+            of_row = [numpy.broadcast_to(part, radii.shape)[row] for part in every[name]]
+            expected = found.get(name, Estimate(nan, nan, 0))
+            assert of_row == [approx(part, rel=1e-12, nan_ok=True) for part in expected], (name, radius)
