@@ -22,7 +22,6 @@ from jkroll.cli.call import Call
 from jkroll.cli.process import action_of
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
-from jkroll.model.measured import ROLLED
 from jkroll.model.frame import Frame
 from jkroll.model.limits import LIMITS, NOT_JUDGED, Limit
 from jkroll.model.ranges import LEAST

@@ -38,7 +38,6 @@ from jkroll.answers.answer import with_force_by_maugis
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError, NoResult
-from jkroll.model.measured import ROLLED
 from jkroll.model.frame import Frame
 from jkroll.model.limits import NOT_JUDGED, codes
 from jkroll.model.reasons import (

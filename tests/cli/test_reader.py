@@ -243,8 +243,8 @@ def test_what_enters_a_result_or_a_limit_is_not_said_to_change_nothing(run: Run,
 
 
 @pytest.mark.parametrize(("line", "message"), [
-    ("pull-off 1um --alternatives --bare", "--alternatives and --bare exclude each other"),
-    ("pull-off 1um --explain --alternatives", "--alternatives and --explain exclude each other"),
+    ("pull-off 1um --best --bare", "--bare and --best exclude each other"),
+    ("pull-off 1um --explain --best", "--best and --explain exclude each other"),
     ("contact 1um --curve --cite", "--curve and --cite exclude each other"),
     ("pull-off 1um --csv --json", "--json and --csv exclude each other"),
     ("pull-off 1um --tex", "--tex goes with --cite"),

@@ -59,7 +59,7 @@ def test_answer_is_copied(asked: str, was_shown: bool) -> None:
     """Before and after it was shown, which computes what it says."""
     answered = jkroll.answer(asked, **ANSWERS[asked])
     if was_shown:
-        print(answered, repr(answered), answered.doubts, answered.alternatives)
+        print(answered, repr(answered), answered.doubts, answered.best)
     for again in (pickle.loads(pickle.dumps(answered)), copy.deepcopy(answered)):
         assert str(again) == str(answered)
         assert again.as_dict() == answered.as_dict()
@@ -69,7 +69,7 @@ def test_answer_is_copied(asked: str, was_shown: bool) -> None:
 @pytest.mark.parametrize("asked", ANSWERS)
 def test_parts_of_an_answer_are_copied(asked: str) -> None:
     answered = jkroll.answer(asked, **ANSWERS[asked])
-    for part in (answered.values, answered.inputs, answered.doubts, answered.alternatives, answered.notes):
+    for part in (answered.values, answered.inputs, answered.doubts, answered.best, answered.notes):
         assert repr(pickle.loads(pickle.dumps(part))) == repr(copy.deepcopy(part)) == repr(part)
 
 

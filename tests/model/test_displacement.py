@@ -6,6 +6,7 @@ from math import pi, sqrt
 from typing import Any
 
 import pytest
+from jkroll.model.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, is_like_rolled, rolled_solid
 
 from frames import doubts
 from harness import Run
@@ -13,7 +14,6 @@ from jkroll.answers.answer import Answer
 from jkroll.answers.notes import about_displacement
 from jkroll.answers.questions import question_about
 from jkroll.materials.library import known_materials
-from jkroll.model.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, is_like_rolled, rolled_solid
 from jkroll.model.frame import Frame
 from jkroll.model.limits import ASSUMED_DISPLACEMENT
 from jkroll.quantities.values import ends_of, value_of

@@ -58,7 +58,9 @@ def test_what_follows_from_a_displacement_has_that_of_every_law() -> None:
     low, high, by = best("r_min", **QUARTZ)["r_min"]
     every = {**QUARTZ, "yield_displacement": 2e-10}
     forces = [solve("yield_force", **every), *by_maugis("yield_force", **every)]
-    displacements = [2e-10 * end / force for force in forces for end in best("yield_force", **QUARTZ)["yield_force"][:2]]
+    displacements = [
+        2e-10 * end / force for force in forces for end in best("yield_force", **QUARTZ)["yield_force"][:2]
+    ]
     bends = [1e-7**2 / displacement for displacement in displacements]
     assert (low, high, by) == (approx(min(bends), rel=1e-9), approx(max(bends), rel=1e-9), "scaled")
 

@@ -4,7 +4,6 @@ import json
 import math
 import random
 import re
-from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any
 

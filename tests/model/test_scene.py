@@ -12,9 +12,9 @@ from frames import outcomes
 from jkroll import solve
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
-from jkroll.model.other_law import at_half_spacing
 from jkroll.model.frame import Frame
 from jkroll.model.limits import LIMITS
+from jkroll.model.other_law import at_half_spacing
 from jkroll.model.plan import KEPT, depends_on, formula_of, plan_for
 from jkroll.model.reasons import BEYOND_PULL_OFF, NO_CHAIN, NO_DOUBLE, Failure, MissingInput
 from jkroll.physics import FORMULAS

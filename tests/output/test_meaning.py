@@ -94,19 +94,19 @@ def test_no_door_shows_a_number_without_a_meaning(run: Run, name: str) -> None:
 
 @pytest.mark.parametrize("name", CALLS)
 def test_lists_and_tables_end_the_same_meanings(run: Run, name: str) -> None:
-    """By floats and by arrays, with doubts and without, with alternatives, which are not there either."""
+    """By floats and by arrays, with doubts and without, with best ranges, which are not there either."""
     (words, option, values), ended, _, phrase = CALLS[name]
     command, *inputs = words.split()
-    floats = [*csv.DictReader(run(f"{words} {option} {values} --csv --alternatives").out.splitlines())]
+    floats = [*csv.DictReader(run(f"{words} {option} {values} --csv --best").out.splitlines())]
     with computed(by_arrays=True):
-        arrays = [*csv.DictReader(run(f"{words} {option} {values} --csv --alternatives").out.splitlines())]
+        arrays = [*csv.DictReader(run(f"{words} {option} {values} --csv --best").out.splitlines())]
     material = ["--material", inputs.pop(0)] if inputs[0] == "quartz" else []
     radii = [[inputs.pop(0)]] if option else []
     head = {"--speed": "speed", "--young2": "youngs_modulus2", "": "radius"}[option]
     heads = [*(["radius"] if option else []), head]
     lines = [heads, *([*(radius for (radius,) in radii), value] for value in values.split(","))]
     Path("in.csv").write_text("\n".join(map(",".join, lines)), encoding="utf-8")
-    for more in ([], ["--no-doubt"], ["--alternatives"]):
+    for more in ([], ["--no-doubt"], ["--best"]):
         ran = run("batch", "in.csv", "-o", "out.csv", *material, *inputs, "--quantities", command, *more)
         assert ran.code == 0, ran.err
         assert phrase in " ".join(ran.err.split())
@@ -173,7 +173,7 @@ def test_python_has_the_reason_and_solve_the_number() -> None:
     assert (found["n_roll"].value, found["n_roll"].reason) == (None, SLOW)
     assert str(found["n_roll"]) == f"no value: {SLOW}"
     assert f"{found['n_imp'].value:.4g}" == "0.001314"
-    assert all("n_roll" not in values for values in found.alternatives.values())
+    assert "n_roll" not in found.best
     assert f"{jkroll.solve('n_roll', **given):.5g}" == "0.00052546"
 
 

@@ -15,11 +15,15 @@ from ..model.estimate import (
 )
 from ..model.limits import JUMP
 from ..model.measured import ROLLED, solid_that_rolled
-from ..quantities.formatting import amount, significant, span
+from ..quantities.formatting import amount, significant, span, symbol_among
 from ..quantities.nomenclature import XI
+from ..text import first_of
+from .notes import Note
 
 if TYPE_CHECKING:
     from .answer import Answer
+
+_MOST = 3  # results in a note
 
 
 def lines_on_ranges(answer: "Answer") -> Iterator[str]:
@@ -27,6 +31,21 @@ def lines_on_ranges(answer: "Answer") -> Iterator[str]:
     for by in dict.fromkeys(estimate.by for estimate in answer.estimates.values()):
         if text := why(by, answer):
             yield f"{WORDS[by]}: {text}"
+
+
+def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
+    """Iterate over a note for each rule by which results of the headline have a range, where no table shows it."""
+    texts: dict[int, list[str]] = {}
+    for name, estimate in answer.estimates.items():
+        if name in answer.question.headline and estimate.by in _WORDS:
+            symbol = symbol_among(name, answer.inputs)
+            texts.setdefault(estimate.by, []).append(f"{symbol} {_equal(range_in_words(name, estimate))}")
+    for by, of_rule in texts.items():
+        yield Note("caveat", f"best range: {first_of(of_rule, _MOST)} ({WORDS[by]}: {why(by, answer)})")
+
+
+def _equal(text: str) -> str:
+    return text if text[0] in "≤≥" else "has none" if text == "–" else f"= {text}"
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:

@@ -19,7 +19,6 @@ from ..model.limits import ENDING_MEANING
 from ..model.plan import formula_of
 from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
-from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
@@ -28,6 +27,7 @@ from .options import Options
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
+    from ..answers.notes import Note
     from ..model.rows import Columns, Wanted
 
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
@@ -137,10 +137,19 @@ def _write_columns(
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of states of a curve
         notes = notes_on_rows(groups, tally, wanted.reported_doubts)
     else:
-        notes = single.sentences
+        notes = _told(call, single)
     for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
         say_wrapped(line, sys.stderr)
     return _exit_code(call, tally.failed, tally.rows)
+
+
+def _told(call: Call, single: "Answer") -> "list[Note]":
+    """Return the sentences about a single answer: also the best ranges that no table shows."""
+    if call.output is TABLE:
+        return single.sentences
+    from ..answers.ranges import notes_on_ranges
+
+    return [*single.sentences, *notes_on_ranges(single)]
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
@@ -195,7 +204,7 @@ def _write_answers(
             write_plain(next(watched()), out, form)
         out.flush()
     if single is not None and call.output.has_rows:
-        for line in lines_of(single.sentences, has_head=call.output is TABLE, quiet=call.quiet):
+        for line in lines_of(_told(call, single), has_head=call.output is TABLE, quiet=call.quiet):
             say_wrapped(line, sys.stderr)
     return _exit_code(call, len(failures), count, failures[0] if failures else None)
 
@@ -272,6 +281,7 @@ def run_export(call: Call) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
     from ..answers.answer import Answer
     from ..answers.notes import about_middles, every_line
+    from ..answers.ranges import notes_on_ranges
     from ..output.exports import PROGRAMS
 
     word = call.subject.casefold()
@@ -291,8 +301,8 @@ def run_export(call: Call) -> int:
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Answer(Question(names, names), frame)
-    notes = [*(f"note: {note.text}" for note in about_middles(answer.uncertain)), *every_line(answer)]
-    notes = [line.replace(f": --model {BETWEEN}", "") for line in notes]  # a law that no program has
+    notes = [*(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
+    notes += [note.line for note in notes_on_ranges(answer)]
     if program.about:
         for line in (*(f"note: {text}" for text in program.about(frame)), *notes):
             say_wrapped(line, sys.stderr)

@@ -138,7 +138,7 @@ def _write_results(rows: Sequence[Sequence[str]], law: str, out: TextIO) -> None
 
 def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) -> list[str]:
     """Return the best range of a result and its word; an end that is open is not there."""
-    if estimate is None or estimate.by == NONE:
+    if estimate is None or not estimate.by > NONE:  # nan of a row that shows no such quantity
         return ["–", "–"]
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
@@ -150,7 +150,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
         text = f"≤ {significant(high, digits)}"
     else:
         text = from_to(low, high, digits if high > 1.02 * low else digits + 1)
-    return [text, WORDS[estimate.by]]
+    return [text, WORDS[int(estimate.by)]]
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -197,7 +197,7 @@ def _best(columns: "Columns", name: str, form: Format) -> list[TextColumn]:
     if {*words} <= {head_of(DEFAULT_LAW), WORDS[NONE]}:
         return []
     unit = form.common_unit(name, _measures(columns, name))
-    ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, map(int, rules), strict=True)]
+    ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]
     return [TextColumn("best", ranges), TextColumn("by", words, is_right=False)]
 
 
