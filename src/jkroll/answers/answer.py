@@ -56,7 +56,6 @@ from .notes import (
 from .questions import Question
 from .ranges import leads
 
-
 # --- Results ----------------------------------------------------------------------------------------------------------
 
 

@@ -12,7 +12,7 @@ from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
 from ..model.reasons import grouped
 from ..model.uncertainty import Sources, error_bars, sources_of_results
-from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
+from ..quantities.formatting import Format, amount, first_symbols, significant, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, computed_as
 from ..text import first_of, listed

@@ -1,6 +1,6 @@
 """The words for best ranges: by which rule each stands, in a line, and what it holds and leaves out."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isnan
 from typing import TYPE_CHECKING
 
@@ -8,6 +8,7 @@ from ..model.estimate import (
     ADHESION_ONLY,
     AT_LEAST,
     BETTER_LAW,
+    LAW_IN_USE,
     LAW_ONLY,
     MEASURED,
     SCALED,
@@ -18,6 +19,7 @@ from ..model.estimate import (
 )
 from ..model.limits import JUMP, LAW_MATTERS
 from ..model.measured import ROLLED, STUCK, solid_of_pair, solid_that_rolled
+from ..model.other_law import farthest
 from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
@@ -51,21 +53,17 @@ def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
     texts: dict[int, list[str]] = {}
     for name, estimate in answer.estimates.items():
         if name in answer.question.headline and estimate.by in _WORDS:
-            symbol = symbol_among(name, answer.inputs)
-            texts.setdefault(estimate.by, []).append(f"{symbol} {_equal(range_in_words(name, estimate))}")
+            text = f"{symbol_among(name, answer.inputs)}: {range_in_words(name, estimate)}"
+            texts.setdefault(estimate.by, []).append(text)
     for by, of_rule in texts.items():
-        yield Note("caveat", f"best range: {first_of(of_rule, _MOST)} ({WORDS[by]}: {why(by, answer)})")
-
-
-def _equal(text: str) -> str:
-    return text if text[0] in "≤≥" else "has none" if text == "–" else f"= {text}"
+        yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}: {why(by, answer)})")
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:
-    """Return a best range with its unit: "14–15 nN", "≥ 1.5e-18 J", or "–" for none."""
+    """Return a best range with its unit: "14–15 nN", "≥ 1.5e-18 J", or "none"."""
     low, high = estimate.low, estimate.high
     if isnan(low) and isnan(high):
-        return "–"
+        return "none"
     if isnan(low) or isnan(high):
         end = low if isnan(high) else high
         return f"{'≥' if isnan(high) else '≤'} {span(name, end, end)}"
@@ -75,6 +73,20 @@ def range_in_words(name: str, estimate: Estimate) -> str:
 def why(by: int, answer: "Answer") -> str:
     """Return why results have a range by a rule, what it holds and leaves out; empty for the law in use."""
     return _OF_ANSWER[by](answer) if by in _OF_ANSWER else _WORDS.get(by, "")
+
+
+def made_of(name: str, answer: "Answer") -> str:
+    """Return what the best range of a result is made of: its ends by each law, at both atomic spacings."""
+    estimate, half = answer.estimates[name], answer.frame.numbers("atomic_spacing").get("atomic_spacing", 0.0) / 2
+    if estimate.by not in (SCALED, XI_UNKNOWN, BETTER_LAW, LAW_IN_USE):
+        return ""
+    laws = (answer.frame.law.short, f"Maugis at {_angstroms(2 * half, 2 * half)}", f"at {_angstroms(half, half)}")
+    parts = zip(laws, answer.ranges.of_laws(name, estimate.by), strict=True)
+    texts = [f"{law} {range_in_words(name, Estimate(*ends, estimate.by))}" for law, ends in parts]
+    if name == "pull_off_force":
+        forces = answer.frame.numbers("pull_off_force_lennard_jones").values()
+        texts += [f"Lennard-Jones {span(name, force, force)}" for force in forces]
+    return "; ".join(texts)
 
 
 # --- Rules in words, for many rows ------------------------------------------------------------------------------------
@@ -138,9 +150,15 @@ def _of_both_laws(answer: "Answer") -> str:
     of_two = [
         symbol_among(name, answer.inputs)
         for name, estimate in answer.estimates.items()
-        if estimate.by == SCALED and answer.ranges.differs_by_law(name)
+        if estimate.by == SCALED and _differ(answer.ranges.of_laws(name, SCALED))
     ]
     return f"; {first_of(of_two, _MOST)} by both laws" if of_two else ""
+
+
+def _differ(every: Sequence[tuple[float, float]]) -> bool:
+    """Return whether the ends of a result by laws differ by as much as matters."""
+    (low, high), *others = every
+    return bool(farthest(pair for least, most in others for pair in ((least, low), (most, high))) > LAW_MATTERS)
 
 
 def _ceiling(answer: "Answer") -> str:
@@ -166,9 +184,9 @@ def _of_measured_solid(answer: "Answer") -> str:
     rolled = ROLLED.get(solid)
     if rolled is None or not rolled.has_size(radius) or "yield_force" not in answer.estimates:
         return ""
-    energies = from_to(*(1e3 * energy for energy in rolled.energies))
+    energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
-    return f". {solid} of γ = {energies} mJ/m² rolled at {forces} (scaled)"
+    return f". {solid} of γ = {energies} rolled at {forces} (scaled)"
 
 
 def _adhesion_only(answer: "Answer") -> str:

@@ -150,7 +150,7 @@ def _told(call: Call, single: "Answer") -> "list[Note]":
         return single.sentences_below
     from ..answers.ranges import notes_on_ranges
 
-    return [*single.sentences, *notes_on_ranges(single)]
+    return [*notes_on_ranges(single), *single.sentences]
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:

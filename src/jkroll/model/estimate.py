@@ -136,13 +136,14 @@ class Ranges:
         """Return the ends of a result where all of the work of adhesion is lost, by the better law."""
         return self.hull(name, *(then(law, at_full_hysteresis) for law in _BETTER))
 
-    def differs_by_law(self, name: str) -> bool:
-        """Return whether the ends of a result that measured forces give are by different laws."""
-        rolled = ROLLED[solid_that_rolled(self.frame)]
-        (least, most), (low, high) = (
-            self.hull(name, *(then(law, end) for law in laws for end in rolled.ends)) for laws in ((_itself,), _BETTER)
-        )
-        return farthest([(least, low), (most, high)]) > LAW_MATTERS
+    def of_laws(self, name: str, by: int) -> list[Ends]:
+        """Return the ends of a result, found by a rule, by the law in use and by Maugis' at both spacings."""
+        ends: tuple[Make, ...] = (_itself,)
+        if by == SCALED:
+            ends = ROLLED[solid_that_rolled(self.frame)].ends
+        elif by == XI_UNKNOWN:
+            ends = (_itself, at_full_hysteresis)
+        return [self.hull(name, *(then(law, end) for end in ends)) for law in (_itself, *_BETTER)]
 
     # --- What follows by other laws, and from what was measured ---
 

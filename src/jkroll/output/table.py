@@ -24,11 +24,6 @@ if TYPE_CHECKING:
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
-def head_of(law: str) -> str:
-    """Return the head of the column of a law."""
-    return LAWS[law].title.partition("–")[0]
-
-
 _DIGITS = 4  # of a result on a terminal
 _LEAST = 0.25  # number that stands in the unit of the rows above it
 _NARROW = 0.05  # relative width of a range below which its ends have a digit more
@@ -100,7 +95,7 @@ def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
     _write_inputs("", answer.measures, _in_column(answer), out, form)
     for line in lines_above(answer.sentences):
         say_wrapped(line, out)
-    law = head_of(answer.frame.law.name)
+    law = answer.frame.law.short
     physics, conventions = _rows(answer, form)
     if physics:
         _write_results([*physics.values(), *_on_surfaces(answer, form)], law, out)
@@ -118,7 +113,7 @@ def _in_column(answer: "Answer") -> dict[str, str]:
         texts.pop("atomic_spacing", None)
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
-        texts[XI] = f"{text} in the column {head_of(answer.frame.law.name)} {option}"
+        texts[XI] = f"{text} in the column {answer.frame.law.short} {option}"
     return texts
 
 
@@ -150,7 +145,7 @@ def _rows(answer: "Answer", form: Format) -> tuple[_Rows, _Rows]:
 
 def _largest(measure: "float | Uncertain | None", estimate: "Estimate | None") -> float:
     """Return the number whose unit suits a row: the end of the range that is farthest from 0, or the result."""
-    ends = [] if estimate is None else [end for end in estimate[:2] if not isnan(end)]
+    ends = [] if estimate is None else [float(end) for end in estimate[:2] if not isnan(end)]
     return max(ends, key=abs) if ends else middle(measure or 0.0)
 
 
@@ -162,13 +157,14 @@ def _on_surfaces(answer: "Answer", form: Format) -> Iterator[list[str]]:
     for surface, (of_jkr, most, least) in _SURFACES.items() if answer.shows_surfaces else ():
         ends = answer.values["pull_off_force"] / most, answer.values["pull_off_force"] / least
         unit = form.common_unit("pull_off_force", ends[1:])
-        yield [surface, "", from_to(*(convert(end, unit[1]) for end in ends), form.digits or 2), of_jkr, "", unit[0]]
+        low, high = (convert(end, unit[1]) for end in ends)
+        yield [surface, "", from_to(low, high, form.digits or 2), of_jkr, "", unit[0]]
 
 
 def _write_results(rows: Sequence[Sequence[str]], law: str, out: TextIO) -> None:
     """Write rows of results; without ranges where all of them are those of the law in use."""
     heads = ["quantity", "symbol", "best range", "by", law, "unit"]
-    if {row[3] for row in rows} <= {head_of(DEFAULT_LAW), WORDS[DEFINITION], "–"}:
+    if {row[3] for row in rows} <= {LAWS[DEFAULT_LAW].short, WORDS[DEFINITION], "–"}:
         heads, rows = [*heads[:2], *heads[4:]], [[*row[:2], *row[4:]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
     write_table(
@@ -245,7 +241,7 @@ def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn]
         return [], []
     lows, highs, rules = (as_list(columns.column(key)) for key in columns.wanted.best_of(name))
     words = [WORDS[NONE] if isnan(by) else WORDS[int(by)] for by in rules]
-    if {*words} <= {head_of(DEFAULT_LAW), WORDS[NONE]}:
+    if {*words} <= {LAWS[DEFAULT_LAW].short, WORDS[NONE]}:
         return [], []
     unit = form.common_unit(name, _measures(columns, name))
     ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]
