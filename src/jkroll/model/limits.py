@@ -108,7 +108,7 @@ class Doubt:
 
     @cached_property
     def is_beyond(self) -> Any:
-        """Whether the number is beyond the first threshold; False if no row is, as for most limits."""
+        """The rows in which the number is beyond the first threshold; False if none is, as for most limits."""
         is_beyond = self.limit.is_beyond(self.judged, self.limit.threshold)
         return is_beyond if is_anywhere(is_beyond) else False
 
