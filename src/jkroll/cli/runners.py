@@ -145,7 +145,7 @@ def _write_columns(
 
 
 def _told(single: "Answer", *, is_shown: bool) -> "list[Note]":
-    """Return the sentences about a single answer; those that a table for readers does not have, where it `is_shown`."""
+    """Return the sentences about a single answer; where its table `is_shown`, without those that stand in it."""
     if is_shown:
         return single.sentences_below
     from ..answers.ranges import notes_on_ranges

@@ -316,9 +316,10 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], outpu
 
 def write_columns(heads: Sequence[str], columns: Sequence[Any], output: str, out: TextIO) -> None:
     """Write columns as text in a format whose rows are lines."""
-    are_right = [{*map(type, column)} - {type(None)} == {float} for column in columns]
-    writer = Markdown(are_right) if output == "md" else WRITERS[output]
-    columns = [_rounded(column, DIGITS) for column in columns] if writer.digits else columns
+    writer = WRITERS[output]
+    if writer.digits:
+        columns = [_rounded(column, DIGITS) for column in columns]
+        writer = Markdown([{*map(type, column)} - {type(None)} == {float} for column in columns])
     text = writer.header(heads) + (writer.rows(heads, columns) if columns else b"")
     out.write(text.decode())
 
