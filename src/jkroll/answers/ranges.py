@@ -8,6 +8,7 @@ from ..model.estimate import (
     ADHESION_ONLY,
     AT_LEAST,
     BETTER_LAW,
+    LAW_ONLY,
     SCALED,
     WORDS,
     XI_UNKNOWN,
@@ -18,6 +19,7 @@ from ..model.measured import ROLLED, solid_that_rolled
 from ..quantities.formatting import amount, significant, span, symbol_among
 from ..quantities.nomenclature import XI
 from ..text import first_of
+from .inferred import lack_by_better_law
 from .notes import Note
 
 if TYPE_CHECKING:
@@ -37,7 +39,7 @@ def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
     """Iterate over a note for each rule by which results of the headline have a range, where no table shows it."""
     texts: dict[int, list[str]] = {}
     for name, estimate in answer.estimates.items():
-        if name in answer.question.headline and estimate.by in _WORDS:
+        if name in answer.question.headline and why(estimate.by, answer):
             symbol = symbol_among(name, answer.inputs)
             texts.setdefault(estimate.by, []).append(f"{symbol} {_equal(range_in_words(name, estimate))}")
     for by, of_rule in texts.items():
@@ -61,6 +63,8 @@ def range_in_words(name: str, estimate: Estimate) -> str:
 
 def why(by: int, answer: "Answer") -> str:
     """Return why results have a range by a rule, what it holds and leaves out; empty for the law in use."""
+    if by == LAW_ONLY and (lack := lack_by_better_law(answer)):
+        return lack
     return _WORDS[by](answer) if by in _WORDS else ""
 
 

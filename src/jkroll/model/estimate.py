@@ -105,7 +105,7 @@ class Ranges:
             return
         if name in _SEPARATION:
             yield self._is_smooth, own[0], nan, AT_LEAST
-        low, high = self.hull(name, *_BETTER)
+        low, high = self.by_better_law(name)
         if name in _AS_PULL_OFF:
             high = at_least(high, self._by_lennard_jones(name))
         ours = self.results.columns[name].or_else(0.0)
@@ -131,6 +131,10 @@ class Ranges:
         return self.hull(name, *(then(law, at_full_hysteresis) for law in _BETTER))
 
     # --- What follows by other laws, and from what was measured ---
+
+    def by_better_law(self, name: str) -> Ends:
+        """Return the ends of a result by the law between JKR and DMT, at the atomic spacing and at half of it."""
+        return self.hull(name, *_BETTER)
 
     def hull(self, name: str, *makers: Make) -> Ends:
         """Return the least and the largest value of a result among what is made of the frame, with error bars."""

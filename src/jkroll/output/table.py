@@ -5,8 +5,9 @@ from itertools import chain
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
+from ..answers.inferred import laws_of, library_values, solids_of
 from ..answers.ranges import lines_on_ranges
-from ..model.estimate import DEFINITION, NONE, WORDS, Estimate
+from ..model.estimate import BETTER_LAW, DEFINITION, NONE, WORDS, Estimate
 from ..model.limits import codes
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
@@ -14,7 +15,7 @@ from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
-from ..text import TextColumn, first_of, fit_terminal, say, say_wrapped, text_columns, write_table
+from ..text import TextColumn, first_of, fit_terminal, listed, say, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -76,7 +77,8 @@ def _write_inputs(
         texts["surface_energy"] += " per surface"
     if {"radius", "radius2"} <= texts.keys() and inputs["radius2"] in (inputs["radius"], "plane"):
         radius = amount("radius", inputs["radius"], form)
-        texts["radius"] = f"R1 = {radius} on a plane" if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
+        on_plane = f"R1 = {radius} on a plane{_of_solid(inputs, form)}"
+        texts["radius"] = on_plane if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
         del texts["radius2"]
     for material, properties in _OF_MATERIALS.items():
         if material in texts:
@@ -89,6 +91,14 @@ def _write_inputs(
         say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
 
 
+def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", form: Format) -> str:
+    """Return of what solid sphere 2 is, unless this differs from row to row or is in its own inputs."""
+    if solid := inputs.get("material2") or inputs.get("material"):
+        return f" of {solid}"
+    own = {name for name in (*inputs, *form.typed) if NOMENCLATURE[name].sphere == 2}
+    return "" if own - {"radius2", "diameter2"} else " of the same solid"
+
+
 # --- One frame --------------------------------------------------------------------------------------------------------
 
 
@@ -98,6 +108,9 @@ def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
     Conventions of other codes stand below the others.
     """
     _write_inputs("", answer.measures, answer.assumed, out, form)
+    if answer.described.unknowns:
+        _write_inferred(answer, out, form)
+        return
     law = head_of(answer.frame.law.name)
     physics: list[list[str]] = []
     conventions: list[list[str]] = []
@@ -151,6 +164,34 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     else:
         text = from_to(low, high, digits if high > 1.02 * low else digits + 1)
     return [text, WORDS[int(estimate.by)]]
+
+
+# --- Inferred values --------------------------------------------------------------------------------------------------
+
+
+def _write_inferred(answer: "Answer", out: TextIO, form: Format) -> None:
+    """Write inferred values by each law, the one that holds first, beside those of the library, and why it holds."""
+    own, library = answer.frame.law.name, library_values(answer.described)
+    exact = Format(form.units, form.digits or _DIGITS)
+    rows = []
+    for law in laws_of(answer):
+        for result in answer.results:
+            name, known = result.name, library.get(result.name)
+            unit = form.common_unit(name, [result.measure if known is None else known])
+            better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
+            inferred = _cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
+            row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), head_of(law), inferred]
+            rows.append([*row, "–" if known is None else exact.in_unit(known, unit), unit[0]])
+    solids = [*dict.fromkeys(chain.from_iterable(solids_of(answer.described, name) for name in library))]
+    heads = ["quantity", "symbol", "law", "inferred", f"{listed(solids or ['library'])} has", "unit"]
+    columns = [column._replace(is_right=column.head in heads[3:5]) for column in text_columns([heads, *rows], words=3)]
+    if solids[1:] or not fit_terminal(columns):
+        columns[4] = columns[4]._replace(head="library has")
+    if not library:
+        del columns[4]
+    write_table(columns, [], out)
+    for line in lines_on_ranges(answer):
+        say_wrapped(line, out)
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
