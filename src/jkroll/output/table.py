@@ -64,11 +64,16 @@ def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format)
 
 
 def _write_inputs(
-    lead: str, inputs: "Mapping[str, float | str | Uncertain]", assumed: Mapping[str, str], out: TextIO, form: Format
+    lead: str,
+    inputs: "Mapping[str, float | str | Uncertain]",
+    assumed: Mapping[str, str],
+    out: TextIO,
+    form: Format,
+    several: Sequence[str] = (),
 ) -> None:
     """Write a line with the inputs that were given, behind a lead, and one with what was assumed.
 
-    Materials have the values that are theirs in brackets.
+    Materials have the values that are theirs in brackets. `several`: the inputs that differ from row to row.
     """
     follows = {*assumed, "energy"}.difference(form.typed)  # from another input
     inputs = {name: value for name, value in inputs.items() if name not in follows}
@@ -77,7 +82,7 @@ def _write_inputs(
         texts["surface_energy"] += " per surface"
     if {"radius", "radius2"} <= texts.keys() and inputs["radius2"] in (inputs["radius"], "plane"):
         radius = amount("radius", inputs["radius"], form)
-        on_plane = f"R1 = {radius} on a plane{_of_solid(inputs, form)}"
+        on_plane = f"R1 = {radius} on a plane{_of_solid(inputs, several)}"
         texts["radius"] = on_plane if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
         del texts["radius2"]
     for material, properties in _OF_MATERIALS.items():
@@ -91,12 +96,13 @@ def _write_inputs(
         say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
 
 
-def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", form: Format) -> str:
-    """Return of what solid sphere 2 is, unless this differs from row to row or is in its own inputs."""
-    if solid := inputs.get("material2") or inputs.get("material"):
+def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
+    """Return of what solid sphere 2 is, unless that differs from row to row or its own properties say it."""
+    own = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
+    solid = inputs.get("material2" if "material2" in own else "material")
+    if solid is not None:
         return f" of {solid}"
-    own = {name for name in (*inputs, *form.typed) if NOMENCLATURE[name].sphere == 2}
-    return "" if own - {"radius2", "diameter2"} else " of the same solid"
+    return "" if own else " of the same solid"
 
 
 # --- One frame --------------------------------------------------------------------------------------------------------
@@ -210,7 +216,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     count = f"{number} {'states' if 'state' in inputs else 'pairs'}" if number > 1 else ""
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
-    _write_inputs(count, common, assumed, out, form)
+    _write_inputs(count, common, assumed, out, form, several)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
     for name in several:
         if name in form.typed or name not in _FOLLOWING:
