@@ -106,10 +106,12 @@ class Ranges:
         if name in _SEPARATION:
             yield self._is_smooth, own[0], nan, AT_LEAST
         low, high = self.by_better_law(name)
+        theirs = [law(self.results.described).column(name).or_else(0.0) for law in _BETTER]
         if name in _AS_PULL_OFF:
-            high = at_least(high, self._by_lennard_jones(name))
+            theirs.append(self._by_lennard_jones(name))
+            high = at_least(high, theirs[-1])
         ours = self.results.columns[name].or_else(0.0)
-        yield farthest([(low, ours), (high, ours)]) > LAW_MATTERS, low, high, BETTER_LAW
+        yield farthest((value, ours) for value in theirs) > LAW_MATTERS, low, high, BETTER_LAW
         yield True, at_most(low, own[0]), at_least(high, own[1]), LAW_IN_USE
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
