@@ -1,7 +1,7 @@
 """The best range of a number: each rule against values that anyone can compute."""
 
 from collections.abc import Mapping
-from math import isnan, nan
+from math import inf, isnan, nan, pi
 from typing import Any
 
 import numpy
@@ -92,6 +92,40 @@ def test_energies_to_separate_have_a_least_value_in_smooth_contacts() -> None:
     energy = best("pull_off_work", **QUARTZ)["pull_off_work"]
     assert (energy.low, energy.by) == (approx(solve("pull_off_work", **QUARTZ)), "at least")
     assert isnan(energy.high)
+
+
+def test_energies_to_separate_have_it_at_the_spacing_in_use() -> None:
+    """Lennard-Jones' law binds more than the other two below a Tabor parameter of 0.7; silica of 100 nm has 0.45."""
+    energy = best("well_energy", "silica-dry", radius=1e-7)["well_energy"]
+    assert (energy.low, energy.by) == (approx(39.29e-18, rel=1e-3), "at least")
+
+
+def test_without_a_modulus_a_pull_off_force_is_from_jkr_to_dmt() -> None:
+    """3πγR and 4πγR, R = R1/2."""
+    force = best("pull_off_force", radius=1e-7, surface_energy=0.025)["pull_off_force"]
+    assert force == (approx(3 * pi * 0.025 * 0.5e-7), approx(4 * pi * 0.025 * 0.5e-7), "Maugis")
+
+
+@pytest.mark.parametrize(("radius", "speed"), [(0.25e-6, 1.909), (0.6e-6, 1.2)])
+@pytest.mark.parametrize("solid", ["quartz", "silica-dry", "silica-humid"])
+def test_silica_sticks_to_a_plane_as_it_was_measured(solid: str, radius: float, speed: float) -> None:
+    found = best("sticking_speed", solid, radius=radius, radius2=inf)["sticking_speed"]
+    assert found == (approx(0.7 * speed, rel=1e-3), approx(1.3 * speed, rel=1e-3), "measured")
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"radius": 0.24e-6},
+        {"radius": 0.61e-6},
+        {"radius2": 0.5e-6},
+        {"viscous_time": 1e-12},
+        {"material": "polystyrene"},
+    ],
+)
+def test_what_stuck_otherwise_was_not_measured(other: Mapping[str, Any]) -> None:
+    given = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}
+    assert best("sticking_speed", **given)["sticking_speed"].by != "measured"
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])

@@ -59,7 +59,7 @@ def test_error_bars_widen_the_range_of_the_law_that_holds(run: Run) -> None:
     (result,) = json.loads(run(f"{ON_PLANE} P_c=300±20nN --json").out)["results"]
     best = result["best"]
     assert best["by"] == "Maugis"
-    assert "atomic spacing 200–400 pm (--z0)" in best["why"]
+    assert "atomic spacing 2–4 Å (--z0)" in best["why"]
     # nearly in proportion to the force
     assert best["low"] == approx(min(ends) * 280 / 300, rel=0.01)
     assert best["high"] == approx(max(ends) * 320 / 300, rel=0.01)

@@ -9,13 +9,15 @@ from typing import Any
 
 from ..errors import JkrollError
 from ..model.column import Column
-from ..model.estimate import Estimate, Ranges
+from ..model.estimate import ADHESION_ONLY, Estimate, Ranges
 from ..model.frame import Frame
 from ..model.limits import (
     CONTACT_EXCEEDS_SPHERE,
     INEXACT,
     LAW,
     LAW_MATTERS,
+    ROUGH_MATTERS,
+    STICKING_UNSURE,
     Doubt,
     Limit,
     doubts,
@@ -37,6 +39,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import Uncertain, is_uncertain, middle
 from .inferred import about_limit, by_each_law, proofs
 from .notes import (
+    ABOVE,
     Note,
     Severity,
     about_assumed,
@@ -51,10 +54,7 @@ from .notes import (
     entering,
 )
 from .questions import Question
-
-MAX_TOLD = 2  # quantities in a note
-_ALIKE = 0.2  # relative difference of radii that needs no scaling
-
+from .ranges import leads
 
 # --- Results ----------------------------------------------------------------------------------------------------------
 
@@ -258,9 +258,13 @@ class Answer(Results):
         for doubt in self.exceeded:
             if doubt.limit is LAW:
                 continue  # the best ranges say so
-            severity: Severity = "caveat" if doubt.limit.is_told else "more"
+            severity: Severity = "caveat" if doubt.limit.is_told and not self._is_in_ranges(doubt) else "more"
             notes.append(Note("warning" if doubt.limit.ends_meaning else severity, self.about(doubt)))
         return notes
+
+    def _is_in_ranges(self, doubt: Doubt) -> bool:
+        """Return whether the best range of results says what a limit means for them."""
+        return doubt.code == STICKING_UNSURE and ADHESION_ONLY in {each.by for each in self.estimates.values()}
 
     @property
     def exceeded(self) -> list[Doubt]:
@@ -271,6 +275,10 @@ class Answer(Results):
         is exceeded most.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
+
+    def is_in_doubt(self, code: str) -> bool:
+        """Return whether a code is that of a limit that does not hold."""
+        return any(doubt.code == code for doubt in self.exceeded)
 
     def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, float]:
         limit = doubt.limit
@@ -293,7 +301,7 @@ class Answer(Results):
         """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
         if self.described.unknowns:
             return about_limit(doubt, self)
-        return _about_roughness(self.frame) if doubt.code == "rough-matters" else doubt.text
+        return _about_roughness(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
 
     @cached_property
     def _entering(self) -> tuple[set[str], list[str]]:
@@ -328,16 +336,33 @@ class Answer(Results):
             *about_left_out(self.sources),
             *about_given(self.frame, self._possible, inputs),
             *about_idle(idle),
-            *about_values(self.frame, self._valued, [*self._valued, *self.ended]),
-            *about_limits(self.validity, "more" if self.lacking else "remark"),  # where results say what is missing
+            *about_values(self.frame, self._valued),
+            *leads(self),
+            *about_limits(self.validity),
             *about_lost_contacts(self),
         )
         return tuple(dict.fromkeys(every))
 
     @property
+    def is_of_impact(self) -> bool:
+        """True if the answer says whether spheres that collide stick."""
+        return {"restitution", "sticking_speed"} <= self.values.keys()
+
+    @property
     def sentences(self) -> list[Note]:
         """All sentences about the answer."""
         return [*self.notes, *self.doubts()]
+
+    @property
+    def sentences_below(self) -> list[Note]:
+        """The sentences that a table leaves to the lines below it."""
+        in_rows = {_about_roughness(self.frame)} if self.shows_surfaces else set()
+        return [note for note in self.sentences if note.severity not in ABOVE and note.text not in in_rows]
+
+    @property
+    def shows_surfaces(self) -> bool:
+        """True if a table has rows of what was measured on other surfaces: the pull-off force is the question."""
+        return self.question.headline == ("pull_off_force",) and self.is_in_doubt(ROUGH_MATTERS)
 
     @cached_property
     def failure(self) -> JkrollError | None:

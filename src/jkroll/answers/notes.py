@@ -12,7 +12,7 @@ from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
 from ..model.reasons import grouped
 from ..model.uncertainty import Sources, error_bars, sources_of_results
-from ..quantities.formatting import Format, amount, first_symbols, significant, span, symbol_among, symbol_of
+from ..quantities.formatting import Format, amount, first_symbols, significant, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, computed_as
 from ..text import first_of, listed
@@ -22,9 +22,11 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from .answer import Answer
 
-# A warning is of a number without a meaning; a caveat may change what a reader does; a remark is less; what was assumed
-# stands above results; "more" is in explanations alone. Of one severity they stand in the order in which they are made.
-Severity = Literal["warning", "caveat", "remark", "assumed", "more"]
+# A warning is of a number without a meaning; a lead answers the question in a sentence; a caveat may change what a
+# reader does; a remark is less; what was assumed stands above results; "more" is in explanations alone. Of one severity
+# they stand in the order in which they are made.
+Severity = Literal["warning", "lead", "caveat", "remark", "assumed", "more"]
+ABOVE: tuple[Severity, ...] = ("assumed", "warning", "lead")  # the results of an answer, on a terminal
 _SEVERITIES = get_args(Severity)
 
 
@@ -123,28 +125,16 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 # --- Values -----------------------------------------------------------------------------------------------------------
 
 
-def about_values(frame: Frame, names: Collection[str], computed: Collection[str]) -> Iterator[Note]:
-    """Iterate over notes on values: what happens in a collision, what gives way first in a contact, the assumed ξ.
-
-    `computed`: the quantities with a value, or with a number that has no meaning.
-    """
+def about_values(frame: Frame, names: Collection[str]) -> Iterator[Note]:
+    """Iterate over notes on values: on measured energies, unlike spheres of a chain, and the assumed ξ."""
     is_silica = solid_of_pair(frame) == SIO2
     if is_silica and "break_energy_dust_simulation" in names:
         measured = "for spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J"
         yield Note("more", f"E_break of {SIO2}: {measured}")
-    if is_silica and "sticking_speed" in names and "viscous_time" not in frame.stated:
-        measured = "SiO2 of 250 nm was measured to stick to a plane up to 1.9 m/s"
-        yield Note("remark", f"speeds are low: {measured}, where γ of quartz gives 0.31 m/s, of silica-dry 1.7 m/s")
     if "n_grav" in names and not frame.is_identical:
         chain = Frame(frame.stated_of_1, frame.material, model=frame.stated_model).numbers("n_grav").values()
         other = "".join(f"; the next, between spheres 1, yields at {carried + 1:.4g}" for carried in chain)
         yield Note("caveat", f"N_grav is what the first contact, on body 2, carries{other}")
-    if "yield_force" in computed and "sliding_or_peeling_force" in names:
-        force = frame["sliding_or_peeling_force"]
-        rolls = "it rolls first; where it cannot, " if frame["yield_force"] < force else ""
-        first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
-        pushed = f"pushed, {rolls}it {first} at {span('sliding_or_peeling_force', force, force)}, before it {last}"
-        yield Note("caveat", f"{pushed}: the contact shrinks under the push")
     if frame.law.name == BETWEEN and "contact_radius_at_load" in names and frame["contact_radius_at_load"] == 0:
         yield Note("remark", "a = 0: the spheres are bound without touching")
     if rolling(names):
@@ -157,11 +147,11 @@ def about_values(frame: Frame, names: Collection[str], computed: Collection[str]
 # --- What is missing --------------------------------------------------------------------------------------------------
 
 
-def about_limits(every: Iterable[Doubt], severity: Severity = "remark") -> list[Note]:
+def about_limits(every: Iterable[Doubt]) -> list[Note]:
     """Return notes on the codes that could not be judged, of each limit the first, by the inputs that they need."""
     errors = {next(iter(doubt.limit.codes.values())): doubt.error for doubt in every if doubt.error is not None}
     texts = (f"not checked: {first_of(codes, _MAX_CODES)}: {reason}" for codes, reason in grouped(errors))
-    return [Note(severity, text) for text in texts]
+    return [Note("more", text) for text in texts]
 
 
 def about_missing(errors: Mapping[str, JkrollError]) -> list[Note]:
@@ -250,6 +240,12 @@ def notes_on_rows(groups: Sequence[Group], tally: "Tally", reported: int) -> lis
 # --- Lines ------------------------------------------------------------------------------------------------------------
 
 
+def lines_above(notes: Sequence[Note]) -> list[str]:
+    """Return the lines above the results of an answer, on a terminal: of warnings, and of what answers its question."""
+    warnings, leads = ([note.text for note in notes if note.severity == severity] for severity in ("warning", "lead"))
+    return [*_warning(warnings), *leads]
+
+
 def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = False) -> list[str]:
     """Return the lines below an answer or rows, the last of which says that there is more.
 
@@ -257,13 +253,17 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     `quiet`.
     """
     texts = {severity: [note.text for note in notes if note.severity == severity] for severity in _SEVERITIES}
-    lines = [f"warning: {'; '.join(texts['warning'])}"] if texts["warning"] else []
+    lines = _warning(texts["warning"])
     if quiet:
         return lines
-    others = [f"note: {text}" for text in (*texts["caveat"], *texts["remark"])]
+    others = [f"note: {text}" for text in (*texts["lead"], *texts["caveat"], *texts["remark"])]
     shown = [_first_clauses(line) for line in others[:_MAX_NOTES]]
     has_more = shown != others or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
+
+
+def _warning(texts: Sequence[str]) -> list[str]:
+    return [f"warning: {'; '.join(texts)}"] if texts else []
 
 
 def every_line(answer: "Answer") -> list[str]:

@@ -17,6 +17,11 @@ class Question:
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
 
+    @property
+    def with_row(self) -> list[str]:
+        """The quantities that a table on a terminal shows."""
+        return [name for name in self.quantities if name in self.named or name not in self.without_row]
+
 
 def _question(headline: str, quantities: str = "", without_row: tuple[str, ...] = ()) -> Question:
     """Return the question of a command from the names of quantities, with blanks between them."""
@@ -47,6 +52,7 @@ _QUESTIONS = {
         "contact_radius approach load contact_radius_at_load approach_at_load load_ratio contact_radius_ratio "
         "approach_ratio stiffness hertz_pressure boussinesq_pressure well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
+        without_row=("load_ratio", "contact_radius_ratio", "approach_ratio"),
     ),
     "moment": _question(
         "yield_moment",

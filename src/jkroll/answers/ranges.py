@@ -1,6 +1,6 @@
 """The words for best ranges: by which rule each stands, in a line, and what it holds and leaves out."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isnan
 from typing import TYPE_CHECKING
 
@@ -8,15 +8,21 @@ from ..model.estimate import (
     ADHESION_ONLY,
     AT_LEAST,
     BETTER_LAW,
+    LAW_IN_USE,
     LAW_ONLY,
+    MEASURED,
     SCALED,
     WORDS,
     XI_UNKNOWN,
     Estimate,
+    Ranges,
 )
-from ..model.limits import JUMP
-from ..model.measured import ROLLED, solid_that_rolled
-from ..quantities.formatting import amount, significant, span, symbol_among
+from ..model.limits import JUMP, LAW_MATTERS
+from ..model.measured import ROLLED, STUCK, solid_of_pair, solid_that_rolled
+from ..model.other_law import farthest
+from ..model.results import Results
+from ..quantities.formatting import amount, from_to, significant, span, symbol_among
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import XI
 from ..text import first_of
 from .inferred import lack_by_better_law
@@ -26,13 +32,21 @@ if TYPE_CHECKING:
     from .answer import Answer
 
 _MOST = 3  # results in a note
+_ALIKE = 0.01  # relative difference of radii that needs no scaling
 
 
-def lines_on_ranges(answer: "Answer") -> Iterator[str]:
-    """Iterate over a line for each rule by which results have a range, in the order of the results."""
-    for by in dict.fromkeys(estimate.by for estimate in answer.estimates.values()):
+def lines_on_ranges(answer: "Answer", names: Iterable[str]) -> Iterator[str]:
+    """Iterate over a line for each rule by which some results have a range, in the order of the results."""
+    for by in dict.fromkeys(answer.estimates[name].by for name in names if name in answer.estimates):
         if text := why(by, answer):
             yield f"{WORDS[by]}: {text}"
+
+
+def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
+    """Iterate over a line for each rule, for many rows."""
+    for by in dict.fromkeys(rules):
+        if by in _WORDS:
+            yield f"{WORDS[by]}: {_WORDS[by]}"
 
 
 def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
@@ -40,21 +54,17 @@ def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
     texts: dict[int, list[str]] = {}
     for name, estimate in answer.estimates.items():
         if name in answer.question.headline and why(estimate.by, answer):
-            symbol = symbol_among(name, answer.inputs)
-            texts.setdefault(estimate.by, []).append(f"{symbol} {_equal(range_in_words(name, estimate))}")
+            text = f"{symbol_among(name, answer.inputs)}: {range_in_words(name, estimate)}"
+            texts.setdefault(estimate.by, []).append(text)
     for by, of_rule in texts.items():
-        yield Note("caveat", f"best range: {first_of(of_rule, _MOST)} ({WORDS[by]}: {why(by, answer)})")
-
-
-def _equal(text: str) -> str:
-    return text if text[0] in "≤≥" else "has none" if text == "–" else f"= {text}"
+        yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}: {why(by, answer)})")
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:
-    """Return a best range with its unit: "14–15 nN", "≥ 1.5e-18 J", or "–" for none."""
+    """Return a best range with its unit: "14–15 nN", "≥ 1.5e-18 J", or "none"."""
     low, high = estimate.low, estimate.high
     if isnan(low) and isnan(high):
-        return "–"
+        return "none"
     if isnan(low) or isnan(high):
         end = low if isnan(high) else high
         return f"{'≥' if isnan(high) else '≤'} {span(name, end, end)}"
@@ -65,30 +75,93 @@ def why(by: int, answer: "Answer") -> str:
     """Return why results have a range by a rule, what it holds and leaves out; empty for the law in use."""
     if by == LAW_ONLY and (lack := lack_by_better_law(answer)):
         return lack
-    return _WORDS[by](answer) if by in _WORDS else ""
+    return _OF_ANSWER[by](answer) if by in _OF_ANSWER else _WORDS.get(by, "")
+
+
+def made_of(name: str, answer: "Answer") -> str:
+    """Return what the best range of a result is made of: its ends by each law, at both atomic spacings."""
+    estimate, half = answer.estimates[name], answer.frame.numbers("atomic_spacing").get("atomic_spacing", 0.0) / 2
+    if estimate.by not in (SCALED, XI_UNKNOWN, BETTER_LAW, LAW_IN_USE):
+        return ""
+    laws = (answer.frame.law.short, f"Maugis at {_angstroms(2 * half, 2 * half)}", f"at {_angstroms(half, half)}")
+    parts = zip(laws, answer.ranges.of_laws(name, estimate.by), strict=True)
+    texts = [f"{law} {range_in_words(name, Estimate(*ends, estimate.by))}" for law, ends in parts]
+    if name == "pull_off_force":
+        forces = answer.frame.numbers("pull_off_force_lennard_jones").values()
+        texts += [f"Lennard-Jones {span(name, force, force)}" for force in forces]
+    return "; ".join(texts)
+
+
+# --- Rules in words, for many rows ------------------------------------------------------------------------------------
+
+_SMOOTH_AND_DRY = "roughness and water make a factor of 2 to 10"
+_WORDS: Mapping[int, str] = {
+    MEASURED: "speeds at which spheres of this solid and size stuck to a plane",
+    SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
+    XI_UNKNOWN: "from ξ = 2 Å, one atom, to all of w lost in opening and closing; measure it or give --xi",
+    ADHESION_ONLY: "so small and stiff they touch and part without a jump; solids stick at 1–10 times JKR's v_stick",
+    LAW_ONLY: "no other law here has it; where JKR does not hold, Maugis' contact is smaller",
+    AT_LEAST: f"Lennard-Jones' law binds more than JKR's where contacts form without a jump (μ below {JUMP})",
+    BETTER_LAW: f"the law from JKR to DMT, atomic spacing 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
+}
+
+
+# --- Rules in words, for an answer ------------------------------------------------------------------------------------
 
 
 def _better_law(answer: "Answer") -> str:
     frame = answer.frame
+    is_pulled = not {"pull_off_force", "bond_number"}.isdisjoint(answer.estimates)
+    if frame.missing(["tabor_parameter"]):
+        limits = "from JKR's law (soft) to DMT's (hard); which holds needs Young's modulus and Poisson's ratio"
+        return f"{limits}; {_SMOOTH_AND_DRY}"
     parameter, spacing = frame["tabor_parameter"], frame["atomic_spacing"]
-    tabor = f"Tabor parameter {significant(parameter, 2)}–{significant(2 * parameter, 2)}, JKR needs 5"
-    spacings = f"atomic spacing {span('atomic_spacing', spacing / 2, spacing)} (--z0)"
-    force = "; P_c up to Lennard-Jones' law, of smooth and dry spheres" if "pull_off_force" in answer.estimates else ""
-    return f"the law for this size and stiffness ({tabor}), {spacings}{force}"
+    tabor = f"Tabor parameter {from_to(parameter, 2 * parameter)}, JKR needs 5"
+    text = f"the law for this size and stiffness ({tabor}), atomic spacing {_angstroms(spacing / 2, spacing)} (--z0)"
+    return f"{text}; {_SMOOTH_AND_DRY}" if is_pulled else text
+
+
+def _angstroms(low: float, high: float) -> str:
+    return f"{from_to(low / 1e-10, high / 1e-10)} Å"
+
+
+def _measured(answer: "Answer") -> str:
+    solid = solid_of_pair(answer.frame)
+    stuck = STUCK[solid]
+    pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
+    bar = f"±{stuck.error:.0%}".replace("%", " %")
+    return f"{solid} stuck to a plane up to {' and '.join(pairs)}, between them as R^{stuck.exponent}, {bar}"
 
 
 def _scaled(answer: "Answer") -> str:
     frame = answer.frame
     solid = solid_that_rolled(frame)
     rolled, radius = ROLLED[solid], 2 * frame["reduced_radius"]
-    measured = span(rolled.name, rolled.low, rolled.high)
-    at = amount("radius", rolled.radius)
-    if abs(radius / rolled.radius - 1) < 0.2:
-        return f"{measured} rolled {solid} of R = {at}"
+    at = f"R = {amount('radius', rolled.radius)}"
+    what = f"ξ of {solid} was {span(rolled.name, rolled.low, rolled.high)}"
+    if rolled.name != XI:
+        what = f"{span(rolled.name, rolled.low, rolled.high)} rolled {solid}"
+    if abs(radius / rolled.radius - 1) < _ALIKE:
+        return f"{what} of {at}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
-    what = f"ξ of {solid} was {measured}" if rolled.name == XI else f"{measured} rolled {solid}"
-    text = f"{what} at R = {at}, taken as {low} (low) or {high} (high) to {amount('radius', radius)}"
-    return text + _ceiling(answer)
+    text = f"{what} of {at}, taken as {low} (low) or {high} (high) to {amount('radius', radius)}"
+    return text + _of_both_laws(answer) + _ceiling(answer)
+
+
+def _of_both_laws(answer: "Answer") -> str:
+    """Return the results whose ends are by different laws, as forces mean another ξ by each."""
+    of_two = [
+        symbol_among(name, answer.inputs)
+        for name, estimate in answer.estimates.items()
+        if estimate.by == SCALED and _differ(answer.ranges.of_laws(name, SCALED))
+    ]
+    return f"; {first_of(of_two, _MOST)} by both laws" if of_two else ""
+
+
+def _differ(every: Sequence[tuple[float, float]]) -> bool:
+    """Return whether the ends of a result by laws differ by as much as matters."""
+    (low, high), *others = every
+    return bool(farthest(pair for least, most in others for pair in ((least, low), (most, high))) > LAW_MATTERS)
 
 
 def _ceiling(answer: "Answer") -> str:
@@ -100,28 +173,93 @@ def _ceiling(answer: "Answer") -> str:
     return f". Adhesion supplies {span('yield_force', *ceiling)} at most; above it another loss supplies the rest"
 
 
-def _xi_unknown(_: "Answer") -> str:
-    text = "limits, no error bar: from one atom (2 Å, by Maugis' law) to all of w lost in opening and closing"
-    return f"{text}; measure it or give --xi"
+def _xi_unknown(answer: "Answer") -> str:
+    if answer.frame.missing(["hysteresis_ratio"]):
+        return "from ξ = 2 Å, one atom; how large it can be needs γ, Young's modulus and Poisson's ratio"
+    by_law = "" if answer.frame.law.name == BETWEEN else " by Maugis' law"
+    limits = f"limits, no error bar: from ξ = 2 Å, one atom,{by_law} to all of w lost in opening and closing"
+    return f"{limits}; measure it or give --xi{_of_measured_solid(answer)}"
+
+
+def _of_measured_solid(answer: "Answer") -> str:
+    """Return the forces that were measured on spheres of the same solid and size with another surface energy."""
+    solid, radius = solid_that_rolled(answer.frame), 2 * answer.frame["reduced_radius"]
+    rolled = ROLLED.get(solid)
+    if rolled is None or not rolled.has_size(radius) or "yield_force" not in answer.estimates:
+        return ""
+    energies = span("surface_energy", *rolled.energies)
+    forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
+    return f". {solid} of γ = {energies} rolled at {forces} (scaled)"
 
 
 def _adhesion_only(answer: "Answer") -> str:
-    speed = answer.frame.numbers("sticking_speed").get("sticking_speed")
+    speed = 0.0 if answer.is_of_impact else answer.frame.numbers("sticking_speed").get("sticking_speed", 0.0)
     seen = f", here {span('sticking_speed', speed, 10 * speed)}" if speed else ""
     return (
-        "it does no more; so small and stiff they touch and part without a jump. Other losses lower e; solids were "
-        f"seen to stick at 1–10 times JKR's v_stick{seen}"
+        "so small and stiff they touch and part without a jump, which loses almost nothing. Other losses lower e; "
+        f"solids were seen to stick at 1–10 times JKR's v_stick{seen}"
     )
 
 
-def _at_least(_: "Answer") -> str:
-    return f"Lennard-Jones' law binds more than JKR's where contacts form without a jump (Tabor parameter below {JUMP})"
+def _law_only(answer: "Answer") -> str:
+    if answer.frame.missing(["tabor_parameter"]):
+        return "which law holds needs Young's modulus and Poisson's ratio: name a material, or give them"
+    radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
+    other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
+    ratio = (other / ours) ** 2
+    area = f"; the area of Maugis' contact is {significant(ratio, 2)} of JKR's" if ratio * LAW_MATTERS < 1 else ""
+    return f"no other law here has it{area}"
 
 
-_WORDS: Mapping[int, Callable[["Answer"], str]] = {
+_OF_ANSWER: Mapping[int, Callable[["Answer"], str]] = {
     BETTER_LAW: _better_law,
+    MEASURED: _measured,
     SCALED: _scaled,
     XI_UNKNOWN: _xi_unknown,
     ADHESION_ONLY: _adhesion_only,
-    AT_LEAST: _at_least,
+    LAW_ONLY: _law_only,
 }
+
+
+# --- Sentences that an answer begins with -----------------------------------------------------------------------------
+
+
+def leads(answer: "Answer") -> Iterator[Note]:
+    """Iterate over sentences that answer a question: what gives way first, and whether spheres stick or bounce."""
+    if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
+        yield Note("lead", _first_to_give_way(answer))
+    if answer.is_of_impact:
+        yield Note("lead", _stick_or_bounce(answer))
+    if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
+        yield Note("lead", _law_that_holds(answer))
+
+
+def _first_to_give_way(answer: "Answer") -> str:
+    frame, (low, high, _) = answer.frame, answer.estimates["yield_force"]
+    force = frame["sliding_or_peeling_force"]
+    first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
+    gives = f"it {first} at {span('yield_force', force, force)}, before it {last}"
+    rolls = span("yield_force", low, high)
+    if high < force:
+        return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
+    if low > force:
+        return f"pushed, {gives}; to roll it takes {rolls}"
+    return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
+
+
+def _stick_or_bounce(answer: "Answer") -> str:
+    speed, v_stick = answer.frame["speed"], answer.values["sticking_speed"]
+    low, high, by = answer.estimates["sticking_speed"]
+    if by == ADHESION_ONLY:
+        low, high = v_stick, 10 * v_stick
+    sides = span("sticking_speed", low, high)
+    seen = "solids were seen to stick up to" if by == ADHESION_ONLY else "the largest speed to stick is"
+    verdict = "they stick" if speed < low else "they bounce" if speed > high else "they may stick or bounce"
+    return f"at {amount('speed', speed)} {verdict}: {seen} {sides}"
+
+
+def _law_that_holds(answer: "Answer") -> str:
+    force = Ranges(Results(answer.frame, answer.frame.columns(["pull_off_force"]))).estimate("pull_off_force")
+    if force.by == BETTER_LAW:
+        return "Maugis' law holds here: JKR needs a Tabor parameter of 5"
+    return "JKR holds here: Maugis' law is within 5 % of it"

@@ -83,10 +83,11 @@ def _written(shell: str, found: Sequence[Candidate]) -> str:
     return "_arguments '*: :((" + "\n".join(lines) + "))'" if lines else "_files"
 
 
+_FOR_ZSH = str.maketrans({'"': '""', "'": "''", "$": "\\$", "`": "\\`", ":": r"\\:"})
+
+
 def _for_zsh(text: str) -> str:
-    for character, escaped in (('"', '""'), ("'", "''"), ("$", "\\$"), ("`", "\\`"), (":", r"\\:")):
-        text = text.replace(character, escaped)
-    return text
+    return text.translate(_FOR_ZSH)
 
 
 # --- Candidates -------------------------------------------------------------------------------------------------------
@@ -110,17 +111,26 @@ def _fitting(words: Sequence[str], begun: str) -> Iterable[Candidate]:
         return _options({flag_and_value(word, flags)[0] for word in words}, flags.values())
     if command is None:
         return [] if "=" in begun else [(each.name, each.sentence) for each in COMMANDS.values()]
-    flag, is_joined, value = begun.partition("=")
-    if begun == "=" or words[-1:] == ["="]:  # as bash divides --to=nN
-        flag, is_joined, value = words[-2 if begun != "=" else -1], "=", begun.strip("=")
-    if not is_joined:
-        flag, value = words[-1], begun
+    flag, value, is_joined = _flag_and_begun(words, begun)
     option = flags.get(flag if flag.startswith("-") or not is_joined else f"--{flag}")  # gamma=25mJ/m2
     if option is not None and option.metavar:
         places: Sequence[str] = [option.name]
     else:
         places = [] if is_joined else _placeholders(command, value)
     return [(word, "") for place in places for word in _values(place, value)]
+
+
+def _flag_and_begun(words: Sequence[str], begun: str) -> tuple[str, str, bool]:
+    """Return the word whose value may have begun, that value, and whether a "=" joins the two.
+
+    bash divides `--to=nN` into three words.
+    """
+    if begun == "=":
+        return words[-1], "", True
+    if words[-1:] == ["="]:
+        return words[-2], begun, True
+    flag, is_joined, value = begun.partition("=")
+    return (flag, value, True) if is_joined else (words[-1], begun, False)
 
 
 def _options(given: Set[str], options: Iterable[Option[Any]]) -> Iterator[Candidate]:

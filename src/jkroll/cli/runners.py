@@ -95,7 +95,8 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
     if call.output is BARE:
         wanted = sweep.headline(question.headline, question.named, doubts=not call.quiet)
     else:
-        wanted = sweep.wanted(question.quantities, question.named, keeps_all=call.output.keeps_all)
+        quantities = question.with_row if is_shown else question.quantities
+        wanted = sweep.wanted(quantities, question.named, keeps_all=call.output.keeps_all)
         if call.best:
             wanted = wanted.with_best(wanted.names)
         elif is_shown and len(sweep.models) == 1:
@@ -146,10 +147,10 @@ def _write_columns(
 def _told(call: Call, single: "Answer") -> "list[Note]":
     """Return the sentences about a single answer: also the best ranges that no table shows."""
     if call.output is TABLE:
-        return single.sentences
+        return single.sentences_below
     from ..answers.ranges import notes_on_ranges
 
-    return [*single.sentences, *notes_on_ranges(single)]
+    return [*notes_on_ranges(single), *single.sentences]
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
@@ -204,7 +205,7 @@ def _write_answers(
             write_plain(next(watched()), out, form)
         out.flush()
     if single is not None and call.output.has_rows:
-        for line in lines_of(_told(call, single), has_head=call.output is TABLE, quiet=call.quiet):
+        for line in lines_of(_told(call, single), quiet=call.quiet):
             say_wrapped(line, sys.stderr)
     return _exit_code(call, len(failures), count, failures[0] if failures else None)
 

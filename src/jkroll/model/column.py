@@ -22,7 +22,7 @@ class Column(NamedTuple):
 
     @property
     def is_hidden(self) -> Any:
-        """Whether the quantity is not shown, by row."""
+        """The rows in which the quantity is not shown."""
         return self.reasons == reason(HIDDEN)
 
     def or_else(self, number: float) -> Any:

@@ -19,10 +19,12 @@ from .frame import Frame
 from .limits import JUMP, LAW_MATTERS
 from .measured import (
     ROLLED,
+    STUCK,
     Make,
     assumes_displacement,
     at_full_hysteresis,
     rolling,
+    solid_of_pair,
     solid_that_rolled,
 )
 from .other_law import at_half_spacing, farthest
@@ -32,8 +34,8 @@ from .uncertainty import ErrorBar, error_bars
 
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
-NONE, DEFINITION, SCALED, XI_UNKNOWN, ADHESION_ONLY, LAW_ONLY, AT_LEAST, BETTER_LAW, LAW_IN_USE = range(9)
-WORDS = ("–", "definition", "scaled", "ξ unknown", "adhesion only", "JKR only", "at least", "Maugis", "JKR")
+NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, ADHESION_ONLY, LAW_ONLY, AT_LEAST, BETTER_LAW, LAW_IN_USE = range(10)
+WORDS = ("–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR only", "at least", "Maugis", "JKR")
 
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
 _IMPACT = ("restitution", "lost_energy", "sticking_speed", "sticking_energy")  # of which adhesion alone sets an end
@@ -98,13 +100,17 @@ class Ranges:
         if is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
             return
+        if name == "sticking_speed" and (stuck := STUCK.get(solid_of_pair(self.frame))) is not None:
+            yield stuck.is_near(self.frame), *stuck.ends(self.frame), MEASURED
         if name in _IMPACT:
             yield self._is_smooth, nan, own[1] if name in _AT_MOST else nan, ADHESION_ONLY
         if name not in self._ends(_between):
+            if name in _AS_PULL_OFF:  # without a contact modulus: from JKR's law to DMT's
+                yield True, own[0], own[1] * self._dmt_over_jkr, BETTER_LAW
             yield True, *own, LAW_ONLY
             return
         if name in _SEPARATION:
-            yield self._is_smooth, own[0], nan, AT_LEAST
+            yield self._tabor_parameter < JUMP, own[0], nan, AT_LEAST
         low, high = self.by_better_law(name)
         theirs = [law(self.results.described).column(name).or_else(0.0) for law in _BETTER]
         if name in _AS_PULL_OFF:
@@ -132,6 +138,15 @@ class Ranges:
         """Return the ends of a result where all of the work of adhesion is lost, by the better law."""
         return self.hull(name, *(then(law, at_full_hysteresis) for law in _BETTER))
 
+    def of_laws(self, name: str, by: int) -> list[Ends]:
+        """Return the ends of a result, found by a rule, by the law in use and by Maugis' at both spacings."""
+        ends: tuple[Make, ...] = (_itself,)
+        if by == SCALED:
+            ends = ROLLED[solid_that_rolled(self.frame)].ends
+        elif by == XI_UNKNOWN:
+            ends = (_itself, at_full_hysteresis)
+        return [self.hull(name, *(then(law, end) for end in ends)) for law in (_itself, *_BETTER)]
+
     # --- What follows by other laws, and from what was measured ---
 
     def by_better_law(self, name: str) -> Ends:
@@ -156,10 +171,18 @@ class Ranges:
         return self._made[make]
 
     @property
+    def _tabor_parameter(self) -> Any:
+        return self.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY)
+
+    @property
     def _is_smooth(self) -> Any:
         """The rows in which the contact forms and opens without a jump, at both atomic spacings."""
-        parameter = self.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY)
-        return 2 * parameter < JUMP
+        return 2 * self._tabor_parameter < JUMP
+
+    @property
+    def _dmt_over_jkr(self) -> Any:
+        """The pull-off force of rigid spheres over that of soft ones."""
+        return self.frame["pull_off_force_dmt"] / self.frame["pull_off_force"]
 
     def _by_lennard_jones(self, name: str) -> Any:
         numbers = self.frame.numbers("pull_off_force", "pull_off_force_lennard_jones")

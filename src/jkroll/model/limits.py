@@ -108,7 +108,7 @@ class Doubt:
 
     @cached_property
     def is_beyond(self) -> Any:
-        """Whether the number is beyond the first threshold; False if no row is, as for most limits."""
+        """The rows in which the number is beyond the first threshold; False if none is, as for most limits."""
         is_beyond = self.limit.is_beyond(self.judged, self.limit.threshold)
         return is_beyond if is_anywhere(is_beyond) else False
 
@@ -134,6 +134,8 @@ class Doubt:
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
+STICKING_UNSURE = "sticking-unsure"
+ROUGH_MATTERS = "rough-matters"
 _PUSHED = frozenset({"yield_force", "yield_force_fixed_load", "yield_force_ratio"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 _PULLED = frozenset({"pull_off_force", "bond_number"})
@@ -256,7 +258,7 @@ INEXACT = (
         "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
     ),
     Limit(
-        "tabor_parameter", frozenset({"sticking_energy", "sticking_speed"}), "<", {JUMP: "sticking-unsure"},
+        "tabor_parameter", frozenset({"sticking_energy", "sticking_speed"}), "<", {JUMP: STICKING_UNSURE},
         "the contact forms and opens smoothly; adhesion alone loses almost no energy, other losses decide what sticks",
         conclusion="has_jump",
     ),
@@ -266,7 +268,7 @@ INEXACT = (
         "23 ps for 0.6 µm and 7 ps for 0.25 µm, if γ is 25 mJ/m², and the damping is for T* well below 1",
     ),
     Limit(
-        "radius", _PULLED, ">=", {1e-6: "rough-matters"},
+        "radius", _PULLED, ">=", {1e-6: ROUGH_MATTERS},
         "rough spheres of hard solids had 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),

@@ -12,6 +12,7 @@ from .plan import depends_on
 from .ranges import takes
 
 Make = Callable[[Frame], Frame]
+VISCOUS_TIME = "viscous_time"  # which decides on losses where it is given
 SIO2, POLYSTYRENE, MICA = "SiO2", "polystyrene", "mica"
 
 
@@ -50,29 +51,46 @@ class Rolled(NamedTuple):
     radii: tuple[float, float]
     energies: tuple[float, float] = (0.0, INFINITY)  # surface energies
 
+    def least(self, radius: Any) -> Any:
+        """Return the least value for identical pairs of a radius."""
+        return self.low * at_most(*_scales(radius / self.radius))
+
+    def most(self, radius: Any) -> Any:
+        """Return the largest value for identical pairs of a radius."""
+        return self.high * at_least(*_scales(radius / self.radius))
+
     @property
     def ends(self) -> tuple[Make, Make]:
         """What makes of a frame the one with the least, and with the largest, displacement that was measured."""
-        return _end_of(self, at_most, self.low), _end_of(self, at_least, self.high)
+        return _end_of(self, Rolled.least), _end_of(self, Rolled.most)
 
     def is_near(self, frame: Frame) -> Any:
         """Return whether what was measured is scaled to a pair, by element for arrays."""
         known = frame.numbers("work_of_adhesion", "reduced_radius")
-        (least, most), (low, high) = self.radii, self.energies
-        radius, energy = 2 * known.get("reduced_radius", 0.0), known.get("work_of_adhesion", 0.0) / 2
-        return (least <= radius) & (radius <= most) & (low <= energy) & (energy <= high)
+        low, high = self.energies
+        energy = known.get("work_of_adhesion", 0.0) / 2
+        return self.has_size(2 * known.get("reduced_radius", 0.0)) & (low <= energy) & (energy <= high)
+
+    def has_size(self, radius: Any) -> Any:
+        """Return whether what was measured is scaled to identical pairs of a radius."""
+        least, most = self.radii
+        return (least <= radius) & (radius <= most)
+
+
+def _scales(ratio: Any) -> tuple[Any, Any]:
+    """Return the factors by which a force grows with the ratio of two radii: the ratio, and its power of 2/3."""
+    return ratio, cbrt(ratio) * cbrt(ratio)
 
 
 @cache
-def _end_of(rolled: Rolled, choose: Callable[[Any, Any], Any], measured: float) -> Make:
-    return partial(_rolled_at, rolled, choose, measured)
+def _end_of(rolled: Rolled, end: Callable[[Rolled, Any], Any]) -> Make:
+    return partial(_rolled_at, rolled, end)
 
 
-def _rolled_at(rolled: Rolled, choose: Callable[[Any, Any], Any], measured: float, frame: Frame) -> Frame:
+def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) -> Frame:
     """Return a frame with the displacement that an end of what was measured means, under its law and without load."""
     radius = 2 * frame["reduced_radius"]
-    scale = radius / rolled.radius
-    displacement = measured * choose(scale, cbrt(scale) * cbrt(scale))
+    displacement = end(rolled, radius)
     if rolled.name != XI:  # a force, which acts at the centre of a sphere
         displacement = frame[XI] * (displacement * radius / frame["unloaded_moment"])
     return frame.replace(**{XI: where(takes(XI, displacement), displacement, frame[XI])})
@@ -94,6 +112,40 @@ def solid_that_rolled(frame: Frame) -> str:
     if solid is None or frame.material2 not in (None, solid):
         return ""
     return solid.name if solid.name in ROLLED else measured_solid(solid)
+
+
+# --- What was measured of spheres that stuck --------------------------------------------------------------------------
+
+
+class Stuck(NamedTuple):
+    """The largest speed at which spheres of some radii stuck to a plane, as a power of the radius."""
+
+    speed: float
+    radius: float
+    exponent: float
+    error: float  # relative
+    radii: tuple[float, float]
+
+    def at(self, radius: Any) -> Any:
+        """Return the speed at which spheres of a radius stick."""
+        return self.speed * (radius / self.radius) ** self.exponent
+
+    def ends(self, frame: Frame) -> tuple[Any, Any]:
+        """Return the least and the largest speed for the spheres of a frame."""
+        speed = self.at(frame["radius"])
+        return speed * (1 - self.error), speed * (1 + self.error)
+
+    def is_near(self, frame: Frame) -> Any:
+        """Return whether the spheres have radii as they were measured, and meet a plane."""
+        least, most = self.radii
+        is_measured = (least <= frame["radius"]) & (frame["radius"] <= most)
+        return is_measured & (frame["radius2"] == INFINITY) & (VISCOUS_TIME not in frame.stated)
+
+
+STUCK: Mapping[str, Stuck] = {
+    # Poppe, Blum & Henning 2000, second hand: 1.9 m/s at 0.25 µm and 1.2 m/s at 0.6 µm, on a plane of silica
+    SIO2: Stuck(1.2, 0.6e-6, -0.53, 0.3, (0.25e-6, 0.6e-6)),
+}
 
 
 # --- Rolling ---

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 from .. import __version__
 from ..answers.answer import Answer, Result
 from ..answers.notes import every_line
-from ..answers.ranges import range_in_words
+from ..answers.ranges import made_of, range_in_words, why
 from ..errors import BadRequest
 from ..materials.library import data_of
 from ..model.estimate import NONE, WORDS
@@ -118,6 +118,8 @@ def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, 
     yield "by law", ", ".join(f"{shown(value)} ({law})" for law, value in result.by_law.items())
     if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
         yield "best", f"{range_in_words(result.name, best)} ({WORDS[best.by]})"
+        yield "why", why(best.by, answer)
+        yield "made of", made_of(result.name, answer)
 
 
 def _value_lines(name: str, frame: Frame, form: Format, remark: str) -> list[str]:

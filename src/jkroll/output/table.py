@@ -1,18 +1,19 @@
 """Tables on a terminal, in the width there is: of one frame, and of a list of pairs."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..answers.inferred import laws_of, library_values, solids_of
-from ..answers.ranges import lines_on_ranges
-from ..model.estimate import BETTER_LAW, DEFINITION, NONE, WORDS, Estimate
+from ..answers.notes import lines_above
+from ..answers.ranges import lines_on_ranges, lines_on_rules
+from ..model.estimate import BETTER_LAW, DEFINITION, NONE, SCALED, WORDS, XI_UNKNOWN, Estimate
 from ..model.limits import codes
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
-from ..quantities.laws import DEFAULT_LAW, LAWS
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
 from ..text import TextColumn, first_of, fit_terminal, listed, say, say_wrapped, text_columns, write_table
@@ -24,15 +25,9 @@ if TYPE_CHECKING:
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
-def head_of(law: str) -> str:
-    """Return the head of the column of a law."""
-    return LAWS[law].title.partition("–")[0]
-
-
 _DIGITS = 4  # of a result on a terminal
 _LEAST = 0.25  # number that stands in the unit of the rows above it
-_NEEDS_SPACING = f"needs {NOMENCLATURE['atomic_spacing'].option}"  # in place of a number that needs it
-_SILENT = {"", "–", *(f"as {law}" for law in map(head_of, LAWS))}  # cells that say no more than others
+_NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
@@ -113,41 +108,82 @@ def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
 
     Conventions of other codes stand below the others.
     """
-    _write_inputs("", answer.measures, answer.assumed, out, form)
+    _write_inputs("", answer.measures, _in_column(answer), out, form)
+    for line in lines_above(answer.sentences):
+        say_wrapped(line, out)
     if answer.described.unknowns:
         _write_inferred(answer, out, form)
         return
-    law = head_of(answer.frame.law.name)
-    physics: list[list[str]] = []
-    conventions: list[list[str]] = []
-    # A quantity with a note of its own has no row where it is one without.
-    usual = {result.value for result in answer.results if not NOMENCLATURE[result.name].note} - {None}
-    units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last one, in which a value below 1 is read as easily
-    for result in answer.results:
-        name, quantity = result.name, NOMENCLATURE[result.name]
-        if name in answer.question.without_row or (quantity.note and result.value in usual):
-            continue
-        first, unit = result.measure or 0.0, units.get(quantity.unit)
-        if not unit or not _LEAST <= abs(convert(middle(first), unit[1])) < 1:
-            unit = form.common_unit(name, [first])
-        units |= {quantity.unit: unit} if first else {}
-        estimate = answer.estimates.get(name)
-        row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
-        row += [_cell(result.measure, unit, form), unit[0]]
-        (conventions if estimate and estimate.by == DEFINITION else physics).append(row)
+    law = answer.frame.law.short
+    physics, conventions = _rows(answer, form)
     if physics:
-        _write_results(physics, law, out)
-        for line in lines_on_ranges(answer):
+        _write_results([*physics.values(), *_on_surfaces(answer, form)], law, out)
+        for line in lines_on_ranges(answer, physics):
             say_wrapped(line, out)
     if conventions:
         say("conventions of other codes, exact by definition", out)
-        _write_results(conventions, law, out)
+        _write_results([*conventions.values()], law, out)
+
+
+def _in_column(answer: "Answer") -> dict[str, str]:
+    """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
+    texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
+    if BETTER_LAW in rules:
+        texts.pop("atomic_spacing", None)
+    if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
+        text, _, option = texts.pop(XI).rpartition(" ")
+        texts[XI] = f"{text} in the column {answer.frame.law.short} {option}"
+    return texts
+
+
+_Rows = dict[str, list[str]]  # the cells of results, by name
+
+
+def _rows(answer: "Answer", form: Format) -> tuple[_Rows, _Rows]:
+    """Return the rows of results, and those of conventions. A result that repeats another has none."""
+    physics: _Rows = {}
+    conventions: _Rows = {}
+    shown: set[tuple[Any, str]] = set()
+    units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last one, in which a value below 1 is read as easily
+    for result in answer.results:
+        name, quantity = result.name, NOMENCLATURE[result.name]
+        is_repeated = result.value is not None and (result.value, quantity.unit) in shown
+        if name not in answer.question.with_row or (is_repeated and name not in answer.question.named):
+            continue
+        shown.add((result.value, quantity.unit))
+        estimate = answer.estimates.get(name)
+        first, unit = _largest(result.measure, estimate), units.get(quantity.unit)
+        if not unit or not _LEAST <= abs(convert(first, unit[1])) < 1:
+            unit = form.common_unit(name, [first])
+        units |= {quantity.unit: unit} if first else {}
+        row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
+        row += [_cell(result.measure, unit, form), unit[0]]
+        (conventions if estimate and estimate.by == DEFINITION else physics)[name] = row
+    return physics, conventions
+
+
+def _largest(measure: "float | Uncertain | None", estimate: "Estimate | None") -> float:
+    """Return the number whose unit suits a row: the end of the range that is farthest from 0, or the result."""
+    ends = [] if estimate is None else [float(end) for end in estimate[:2] if not isnan(end)]
+    return max(ends, key=abs) if ends else middle(measure or 0.0)
+
+
+_SURFACES = {"on smooth glass": ("1/4–1/2 of JKR", 4, 2), "on rough grains in air": ("1/100–1/10", 100, 10)}
+
+
+def _on_surfaces(answer: "Answer", form: Format) -> Iterator[list[str]]:
+    """Iterate over rows of what was measured on other surfaces, where the pull-off force is what is asked for."""
+    for surface, (of_jkr, most, least) in _SURFACES.items() if answer.shows_surfaces else ():
+        ends = answer.values["pull_off_force"] / most, answer.values["pull_off_force"] / least
+        unit = form.common_unit("pull_off_force", ends[1:])
+        low, high = (convert(end, unit[1]) for end in ends)
+        yield [surface, "", from_to(low, high, form.digits or 2), of_jkr, "", unit[0]]
 
 
 def _write_results(rows: Sequence[Sequence[str]], law: str, out: TextIO) -> None:
     """Write rows of results; without ranges where all of them are those of the law in use."""
     heads = ["quantity", "symbol", "best range", "by", law, "unit"]
-    if {row[3] for row in rows} <= {head_of(DEFAULT_LAW), WORDS[DEFINITION], "–"}:
+    if {row[3] for row in rows} <= {LAWS[DEFAULT_LAW].short, WORDS[DEFINITION], "–"}:
         heads, rows = [*heads[:2], *heads[4:]], [[*row[:2], *row[4:]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
     write_table(
@@ -161,6 +197,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
         return ["–", "–"]
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
+    is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
     if isnan(low) and isnan(high):
         text = "–"
     elif isnan(high):
@@ -168,7 +205,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     elif isnan(low):
         text = f"≤ {significant(high, digits)}"
     else:
-        text = from_to(low, high, digits if high > 1.02 * low else digits + 1)
+        text = from_to(low, high, digits + is_narrow)
     return [text, WORDS[int(estimate.by)]]
 
 
@@ -186,7 +223,7 @@ def _write_inferred(answer: "Answer", out: TextIO, form: Format) -> None:
             unit = form.common_unit(name, [result.measure if known is None else known])
             better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
             inferred = _cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
-            row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), head_of(law), inferred]
+            row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), LAWS[law].short, inferred]
             rows.append([*row, "–" if known is None else exact.in_unit(known, unit), unit[0]])
     solids = [*dict.fromkeys(chain.from_iterable(solids_of(answer.described, name) for name in library))]
     heads = ["quantity", "symbol", "law", "inferred", f"{listed(solids or ['library'])} has", "unit"]
@@ -196,7 +233,7 @@ def _write_inferred(answer: "Answer", out: TextIO, form: Format) -> None:
     if not library:
         del columns[4]
     write_table(columns, [], out)
-    for line in lines_on_ranges(answer):
+    for line in lines_on_ranges(answer, answer.estimates):
         say_wrapped(line, out)
 
 
@@ -217,14 +254,19 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
     _write_inputs(count, common, assumed, out, form, several)
+    if BETWEEN in distinct.get("model", ()):
+        say_wrapped("maugis holds in every row, another law where no law-off doubt stands", out)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
     for name in several:
         if name in form.typed or name not in _FOLLOWING:
             leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
+    rules: list[float] = []
     for name in columns.wanted.names:
         if name not in inputs:
             results += columns_of(name, {symbol_among(name, columns.inputs): _measures(columns, name)}, form)
-            results += _best(columns, name, form)
+            best, of_rows = _best(columns, name, form)
+            results += best
+            rules += of_rows
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
     if any(doubts):
@@ -233,19 +275,24 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     if fit_terminal(across) and not fit_terminal([*leading, *results]):
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
+    for line in lines_on_rules(int(by) for by in rules if not isnan(by)):
+        say_wrapped(line, out)
 
 
-def _best(columns: "Columns", name: str, form: Format) -> list[TextColumn]:
-    """Return the columns of the best range of a quantity and of its rule, if some row has another than the law."""
+def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
+    """Return the columns of the best range of a quantity and of its rule, and the rules of the rows.
+
+    There are none where all rows have the law in use.
+    """
     if not columns.wanted.best_of(name):
-        return []
+        return [], []
     lows, highs, rules = (as_list(columns.column(key)) for key in columns.wanted.best_of(name))
     words = [WORDS[NONE] if isnan(by) else WORDS[int(by)] for by in rules]
-    if {*words} <= {head_of(DEFAULT_LAW), WORDS[NONE]}:
-        return []
+    if {*words} <= {LAWS[DEFAULT_LAW].short, WORDS[NONE]}:
+        return [], []
     unit = form.common_unit(name, _measures(columns, name))
     ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]
-    return [TextColumn("best", ranges), TextColumn("by", words, is_right=False)]
+    return [TextColumn("best", ranges), TextColumn("by", words, is_right=False)], rules
 
 
 def _measures(columns: "Columns", key: str) -> list[Any]:

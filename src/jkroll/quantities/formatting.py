@@ -163,10 +163,12 @@ def span(name: str, low: float, high: float, digits: int = 2) -> str:
 
     >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("pull_off_force", 3.97e-7, 3.995e-7)
     ('14–15 nN', '397–400 nN')
+    >>> span("sticking_speed", 0.6, 6.0), span("yield_force", 6.9e-10, 1.57e-9)
+    ('0.6–6 m/s', '0.69–1.6 nN')
     >>> span("well_energy", 1e-18, 3e-18), span("atomic_spacing", 4e-10, 4e-10)
     ('(1–3)e-18 J', '400 pm')
     """
-    unit, scale = AS_USUAL.common_unit(name, [low, high])
+    unit, scale = AS_USUAL.common_unit(name, [high if high > 0 else low])
     return with_unit(from_to(convert(low, scale), convert(high, scale), digits), unit)
 
 

@@ -38,6 +38,11 @@ class Law:
         self.tables, self.omits, self.by_spacing = tables, omits, by_spacing
 
     @property
+    def short(self) -> str:
+        """The title without a second author: "Maugis" of Maugis–Dugdale."""
+        return self.title.partition("–")[0]
+
+    @property
     def is_default(self) -> bool:
         """True for the paper's law."""
         return self.name == DEFAULT_LAW
