@@ -4,6 +4,7 @@ import csv
 import json
 import math
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -120,6 +121,16 @@ def test_energies_far_from_the_materials_are_told(run: Run, words: str, factor: 
         measured = f"contact_radius={(9 * math.pi * work * RADIUS**2 / 8 / modulus) ** (1 / 3)}m"
     said = " ".join(run(f"infer {words} 2um --radius2 plane --measured {measured}", terminal=True).err.split())
     assert (note in said) if note else ("rough or wet" not in said)
+
+
+def test_a_table_has_the_best_range(run: Run) -> None:
+    Path("in.csv").write_text("radius,P_c\n2um,300nN\n1um,-1nN\n")
+    run("batch in.csv -o out.csv --infer gamma --measured P_c --radius2 plane --material quartz --best --quiet")
+    first, last = csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())
+    keys = [f"surface_energy_best_{end} [J/m^2]" for end in ("low", "high")]
+    energies = sorted(by_maugis(FORCE, spacing) for spacing in SPACINGS)
+    assert [float(first[key]) for key in keys] == approx(energies, rel=1e-9)
+    assert [last[key] for key in keys] == ["", ""]
 
 
 @pytest.mark.parametrize("radii", ["2um", "2um,3um", "2um:3um:12"])
