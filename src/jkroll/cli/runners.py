@@ -99,7 +99,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
         wanted = sweep.wanted(quantities, question.named, keeps_all=call.output.keeps_all)
         if call.best:
             wanted = wanted.with_best(wanted.names)
-        elif is_shown and len(sweep.models) == 1 and not call.measured:
+        elif is_shown and len(sweep.models) == 1:
             wanted = wanted.with_best(question.headline)
     blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single)]
     single = None if call.quiet else single
@@ -320,8 +320,6 @@ def run_infer(call: Call) -> int:
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
     names = tuple(inputs_named(call.subject.split(",")))
-    if call.best:
-        raise BadRequest("infer has no --best; --json has the values by each law")
     check_format(call)
     sweep = call.sweep.seeking(names, _measured(call, names))
     return answer_rows(call, sweep, Question(names, names, names), call.form(names))
