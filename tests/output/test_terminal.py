@@ -234,8 +234,8 @@ def test_a_list_with_long_names_fits_and_nothing_of_it_is_cut(run: Run, monkeypa
 
 
 def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on(run: Run) -> None:
-    of_ice = run("pull-off ice-cold 0.1um").err.splitlines()
-    assert of_ice[1].startswith("note: γ of ice-cold: in conflict with µm grains")
+    of_ice = run("pull-off ice-cold 1um").err.splitlines()
+    assert of_ice[1].startswith("note: γ of ice-cold (R = 0.5 to 5 µm): in conflict with µm grains")
     assert of_ice[-1] == "more: --explain"
     of_table_1 = run("pull-off quartz 100nm --explain").out.splitlines()
     assert of_table_1[-1] == "note: γ of quartz: measured for micron-sized particles"

@@ -112,6 +112,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
         "uncertainties": {name: bar_object(name, bar) for name, bar in material.uncertainties.items()},
         "origins": {name: {**dict.fromkeys(ORIGIN, ""), **origin} for name, origin in material.origins.items()},
         "notes": dict(material.notes),
+        "note_radii": {name: bar_object("radius", radii) for name, radii in material.note_radii.items()},
         "references": [dict(entry) for entry in material.references],
         "source": material.title,
     }
@@ -138,7 +139,9 @@ def _write_material(material: Material, out: TextIO) -> None:
             text += f", spheres of {amount('radius', material.displacement.radius)}"
         facts += [(name, text), *((f"  {field}", text) for field, text in material.origins.get(name, {}).items())]
     for name, note in material.notes.items():
-        facts.append(("note", f"{NOMENCLATURE[name].sentence}: {note}"))
+        radii = material.note_radii.get(name)
+        sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
+        facts.append(("note", f"{NOMENCLATURE[name].sentence}{sizes}: {note}"))
     for entry in material.references:
         label = f"{entry['key']}: " if material.origins else ""
         words = ", ".join(entry[field] for field in _REFERENCE if entry.get(field))
