@@ -135,7 +135,7 @@ def test_pages_sections_and_what_else_has_the_words(run: Run) -> None:
     assert "guide changes" not in run("guide adhesion hysteresis").out
     assert "guide changes" in run("guide changes diameter").out
     assert "displacement_limit" in run("quantities largest xi").out
-    assert run("guide tabor").out.splitlines()[-1].endswith("jkroll quantities tabor")
+    assert run("guide what is the tabor parameter").out.splitlines()[-1].endswith("jkroll quantities tabor parameter")
     assert run("guide quartz").out.endswith("jkroll materials quartz\n")
     assert "jkroll materials silica-humid" in run("quantities silica humid").out
 

@@ -152,7 +152,7 @@ class Hits(NamedTuple):
     """What has the words that are sought, the best first."""
 
     passages: Sequence[Passage]  # one, or two of about the same score
-    pages: Sequence[str]  # other ones that have the words
+    pages: Sequence[str]  # that have the words
     quantities: Sequence[str]
     materials: Sequence[str]
 
@@ -174,7 +174,7 @@ def hits_of(text: str, materials: Iterable[Material]) -> Hits:
     named = (each.thing.section.page for each in found if each.score >= LEAST_NAMED * found[0].score)
     return Hits(
         best,
-        [page for page in dict.fromkeys(named) if page not in {passage.section.page for passage in best}],
+        [*dict.fromkeys(named)],
         _with_synonym(text, [each.thing for each in of_quantities.ranked(words) if each.has_all]),
         [each.thing.name for each in of_materials.ranked(words) if each.has_all],
     )
@@ -238,9 +238,10 @@ def write_hits(text: str, hits: Hits, out: TextIO) -> None:
         write_text(head + "\n".join(passage.text for passage in group) + "\n", out)
         of_section = f", {section.heading}" if section.text.startswith("## ") else ""
         say_wrapped(f"from the page {section.page}{of_section}: jkroll guide {section.page}", out)
-    elsewhere = [f"jkroll guide {page}" for page in hits.pages[:MAX_ELSEWHERE]]
+    others = [page for page in hits.pages if page not in {passage.section.page for passage in shown}]
+    elsewhere = [f"jkroll guide {page}" for page in others[:MAX_ELSEWHERE]]
     if hits.quantities:
-        elsewhere.append(f"jkroll quantities {text}")
+        elsewhere.append(f"jkroll quantities {' '.join(words_sought(text))}")
     if hits.materials:
         elsewhere.append(f"jkroll materials {','.join(hits.materials[:MAX_ELSEWHERE])}")
     if elsewhere:
