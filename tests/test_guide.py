@@ -1,5 +1,6 @@
 """The manual: every command in it must print what stands there, and every command of the program has a page."""
 
+import csv
 import io
 import re
 import shutil
@@ -61,28 +62,115 @@ def test_the_terms_of_the_field_belong_to_sections() -> None:
     assert {(section.page, section.heading) for section in sections()} >= FIELD_TERMS.keys()
 
 
+ROUGH = "from the page measurements, Rough and humid: jkroll guide measurements\n"
+
+
 @pytest.mark.parametrize("command", ["guide", "quantities"])
-@pytest.mark.parametrize("words", ["humidity", "contact angle", "roughness", "capillary", "meniscus", "water"])
-def test_a_term_of_the_field_finds_its_section(run: Run, command: str, words: str) -> None:
-    ran = run(f"{command} {words}")
-    assert ran.out.startswith("## Rough and humid\n")
-    assert "\nfrom the page measurements: jkroll guide measurements\n" in ran.out
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("humidity", "**Humid**: adsorbed water"),
+        ("humid", "**Humid**: adsorbed water"),
+        ("how humid is it?", "**Humid**: adsorbed water"),
+        ("contact angle", "contact angle"),
+        ("contact angles", "contact angle"),
+        ("roughness", "**Rough**: `--asperity-radius"),
+        ("meniscus", "The force of a meniscus"),
+        ("menisci", "The force of a meniscus"),
+        ("water", "Roughness and water are often"),
+        ("capillary", "Roughness and water are often"),  # a term of the field, which no passage has
+    ],
+)
+def test_words_find_passages_of_their_section(run: Run, command: str, words: str, said: str) -> None:
+    if (command, words) == ("quantities", "roughness"):
+        return  # a quantity has it
+    ran = run(command, *words.split())
+    assert ran.code == 0
+    assert said in ran.out.partition(ROUGH)[0]
+    assert ran.out.count("\n- ") <= 1
     assert "twisting_angle" not in ran.out
 
 
-def test_all_words_are_sought_in_manual_quantities_and_materials(run: Run) -> None:
-    lines = run("guide restitution").out.splitlines()
-    assert "energies      Energies by convention" in lines
-    assert "changes" not in run("guide adhesion hysteresis").out
+@pytest.mark.parametrize(
+    ("question", "begins", "page"),
+    [
+        ("fixed grips", "- **Fixed grips**: a stiff machine", "words, Pressed and pulled"),
+        ("what does fixed grips mean", "- **Fixed grips**: a stiff machine", "words, Pressed and pulled"),
+        ("grip, fixed", "- **Fixed grips**: a stiff machine", "words, Pressed and pulled"),
+        ("what is the tabor parameter", "- **Tabor parameter μ**: how far", "words, Adhesion"),
+        ("why is xi 2 angstrom", "- **Critical rolling displacement ξ**: how far", "words, Pushed and turned"),
+        ("Why is ξ 2 Å?", "- **Critical rolling displacement ξ**: how far", "words, Pushed and turned"),
+        ("few atoms", "| code | meaning |\n|---|---|\n| `few-atoms` | contact radius below", "models, Limits"),
+        ("plastic deformation", "- Measured sticking speeds are above", "energies, Aggregates"),
+        ("mixture", "Several radii, several materials", "tables, Sweeps"),
+        ("time step lammps", "- The time step is the shorter of two.", "dem"),
+    ],
+)
+def test_a_question_is_answered_by_a_passage(run: Run, question: str, begins: str, page: str) -> None:
+    out = run("guide", *question.split()).out
+    assert out.startswith(begins)
+    assert f"\nfrom the page {page}: jkroll guide {page.partition(',')[0]}\n" in out
+
+
+QUESTIONS = ("humidity", "fixed grips", "error bars", "sticking", "ice", "which law holds", "load", "json", "z0")
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_an_answer_of_the_manual_is_short_and_stands_there(run: Run, question: str) -> None:
+    shown = run("guide", *question.split(), terminal=True).out.splitlines()
+    assert max(map(len, shown)) <= 80
+    assert len(shown) <= 24  # two passages, with the heads and blank lines of tables
+    also = [line for line in run("guide", *question.split()).out.splitlines() if line.startswith("also: ")]
+    assert len(also) <= 1
+    assert all(line.count("jkroll guide ") <= 3 for line in also)
+    pieces = run("guide", *question.split()).out.split("\nfrom the page ")
+    passages = [line for line in pieces[0].splitlines() if not line.startswith("|")]
+    assert all(any(line.removesuffix(":") in text for text in PAGES.values()) for line in passages)
+
+
+def test_pages_sections_and_what_else_has_the_words(run: Run) -> None:
     assert run("guide changes 0.3.0").out.startswith("## 0.3.0\n")
-    assert "displacement_limit" in run("guide largest xi").out
-    assert run("guide mixture").out.startswith("## Sweeps\n")
     assert run("guide dem Damping").out.startswith("## Other programs, and damping\n")
-    assert "\nquantities: tabor_parameter: jkroll quantities tabor\n" in run("guide tabor").out
-    assert run("guide quartz").out.endswith("\nmaterials: quartz: jkroll materials quartz\n")
-    assert run("quantities stickiness").out.startswith("sticking_speed: ")
+    assert run("guide doubts").out.startswith("## Limits\n")
+    assert "guide changes" not in run("guide adhesion hysteresis").out
+    assert "guide changes" in run("guide changes diameter").out
+    assert "displacement_limit" in run("quantities largest xi").out
+    assert run("guide what is the tabor parameter").out.splitlines()[-1].endswith("jkroll quantities tabor parameter")
+    assert run("guide quartz").out.endswith("jkroll materials quartz\n")
     assert "jkroll materials silica-humid" in run("quantities silica humid").out
-    assert run("guide quartz xyzzy").code == run("quantities humidity --json").code == 2
+
+
+def test_a_word_that_nothing_has_is_refused_with_what_to_type(run: Run) -> None:
+    for command in ("guide", "quantities"):
+        refused = run(f"{command} quartz xyzzy")
+        assert refused.code == 2
+        assert refused.err.startswith("jkroll: nothing has the word 'xyzzy'; leave it out, or jkroll guide lists")
+        assert "the word 'humiddity'; did you mean humidity? " in run(f"{command} humiddity").err
+    assert run("quantities humidity --json").code == run("quantities humidity --csv").code == 2
+
+
+def test_rows_of_quantities_are_ranked_and_at_most_a_dozen(run: Run) -> None:
+    names = [row["name"] for row in csv.DictReader(io.StringIO(run("quantities force --csv").out))]
+    lines = run("quantities force", terminal=True).out.splitlines()
+    shown = [line.split()[0] for line in lines[2 : lines.index("")] if not line.startswith(" ")]
+    assert shown == names[:12]
+    rest = " ".join(lines[lines.index("") + 1 : -1]).split()
+    assert " ".join(rest) == f"and {len(names) - 12} more: {', '.join(names[12:])}"
+    assert lines[-1] == "in the manual: jkroll guide force"
+    assert run("quantities stickiness --csv").out.splitlines()[1].startswith("sticking_speed,")
+    assert names.index("yield_force") < names.index("flight_ratio")  # a name before a meaning
+
+
+def test_a_quantity_names_every_command_that_takes_it(run: Run) -> None:
+    shown = " ".join(run("quantities load", terminal=True).out.split())
+    assert "option --load -5nN " in shown
+    assert "default 0 N " in shown
+    assert "shown by contact taken by yield-force, " in shown
+    listed = re.search(r"taken by (.*?) equation", shown)
+    assert listed
+    takers = listed[1].split(", ")
+    for command in ("pull-off", "yield-force", "n-grav", "contact", "impact", "report", "infer", "map", "export"):
+        assert (command in takers) is ("--load" in run(f"{command} --help").out or command in {"infer", "map"})
 
 
 @pytest.mark.parametrize("name", ["tabor", "tabor-parameter", "tabor_parameter"])
@@ -91,7 +179,6 @@ def test_a_quantity_is_found_by_name_or_word(run: Run, name: str) -> None:
 
 
 def test_a_list_of_quantities_has_every_name_in_every_format(run: Run) -> None:
-    import csv
     import json
 
     from jkroll import NOMENCLATURE
@@ -101,7 +188,7 @@ def test_a_list_of_quantities_has_every_name_in_every_format(run: Run) -> None:
     assert [line.split()[0] for line in run("quantities").out.splitlines()[1:]] == [*NOMENCLATURE]
     refused = run("quantities tabour")
     assert refused.code == 2
-    assert "jkroll quantities lists them" in refused.err
+    assert "the word 'tabour'; did you mean tabor? " in refused.err
 
 
 @pytest.mark.parametrize("word", ["gamma", "surface_energy", "surface-energy"])

@@ -206,6 +206,17 @@ BROKEN = {
         "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant"
     ),
     "[materials.a]\nnotes = { x = 'y' }": "'a.notes.x' is an unknown key",
+    "[materials.a.notes]\ndensity = { note = 'y', radius = '1 um' }": (
+        "'a.notes.density.radius' is an unknown key; did you mean radii?"
+    ),
+    "[materials.a.notes]\ndensity = { radii = '1 to 2 um' }": "a.notes.density has no note",
+    "[materials.a.notes]\ndensity = { note = 3 }": "a.notes.density is not a text in quotes",
+    "[materials.a.notes]\ndensity = { note = 'y', radii = '1 um' }": (
+        "a.notes.density.radii is no range; write one such as '0.5 to 5 um'"
+    ),
+    "[materials.a.notes]\ndensity = { note = 'y', radii = '1 to 2 kg' }": (
+        "a: radius: '1 to 2 kg' is a mass; expected a length such as 100nm"
+    ),
     "title = 3": "title is not a text in quotes",
     b"\xff\xfe": "is not text in UTF-8: save it with this encoding",
     "x = '" + "y" * 200_001 + "'": "is larger than 64 kB",
@@ -636,6 +647,66 @@ def test_a_material_without_surface_energy_asks_for_it_and_says_what_is_near(run
     assert given.code == 0
     assert "none was found" not in given.err
     assert "note            surface energy per surface: none was found" in run("materials alumina", terminal=True).out
+
+
+CRACKED = (
+    "[materials.mine]\nsurface_energy = { value = '30 mJ/m2', method = 'guess' }\n[materials.mine.notes]\n"
+    "surface_energy = { note = 'cracked grains stick more', radii = '0.5 to 5 um' }\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "is_noted"),
+    [
+        ("mine 0.49um", False),
+        ("mine 0.5um", True),
+        ("mine 5um", True),
+        ("mine 5.1um", False),
+        ("mine --diameter 1um", True),
+        ("mine --diameter 11um", False),
+        ("mine 1um --gamma 20mJ/m2", False),  # which does not rest on it
+        ("quartz 1um --material2 mine", True),
+        ("quartz 1um --material2 mine --radius2 10um", False),
+        ("quartz 1um --material2 mine --radius2 plane", True),
+        ("quartz 10um --material2 mine --radius2 plane", False),
+        ("mine 1um --radius2 10um", True),
+        ("mine 0.1um,1um,10um", True),
+        ("mine 0.1um,10um", False),
+        ("mine 1nm:1mm:7", True),
+        ("mine 1mm:1nm:7", True),
+        ("mine 1nm:1mm:4", False),  # which has 100 nm and 10 µm
+        ("mine 1nm:100nm:3", False),
+        ("mine 0.1um --radius2 1um,2um", False),
+        ("mine --diameter 0.1um,4um", True),
+    ],
+)
+def test_a_note_stands_with_the_radii_that_it_concerns(run: Run, tmp_path: Path, words: str, is_noted: bool) -> None:
+    path = write(tmp_path / "mine.toml", CRACKED)
+    ran = run(f"pull-off {words} --explain --materials {path}") if "," not in words and ":" not in words else None
+    out = ran.out if ran is not None else run(f"pull-off {words} --materials {path}").err
+    assert ("γ of mine (R = 0.5 to 5 µm): cracked grains stick more" in out) is is_noted
+
+
+def test_every_door_has_a_note_of_some_radii(run: Run, tmp_path: Path) -> None:
+    path = write(tmp_path / "mine.toml", CRACKED)
+    note = "(R = 0.5 to 5 µm): cracked grains stick more"
+    shown = run(f"materials mine --materials {path}", terminal=True).out
+    assert f"note surface energy per surface {note}" in " ".join(shown.split())
+    found = json.loads(run(f"materials mine --json --materials {path}").out)
+    assert found["notes"] == {"surface_energy": "cracked grains stick more"}
+    assert found["note_radii"] == {"surface_energy": {"kind": "range", "low": 5e-7, "high": 5e-6}}
+    for axis, is_noted in (("1nm:1mm", True), ("1nm:10nm", False)):
+        drawn = run(f"map pull-off mine --x radius={axis} --data - --materials {path}")
+        assert (note in drawn.err) is is_noted
+    for radius, is_noted in (("1um", True), ("10nm", False)):
+        found = jkroll.answer("pull_off_force", material="mine", radius=radius, materials=Materials(path))
+        assert any(note in each for each in found.notes) is is_noted
+
+
+def test_cold_ice_is_in_conflict_with_grains_of_a_micrometre(run: Run) -> None:
+    """Gundlach & Blum 2015 had grains of 1.5 µm, Musiolik & Wurm 2019, by whom it is, of a millimetre."""
+    noted = {radius: "in conflict" in run(f"pull-off ice-cold {radius}").err for radius in ("10nm", "1.5um", "1.1mm")}
+    assert noted == {"10nm": False, "1.5um": True, "1.1mm": False}
 
 
 def stiffnesses(upper: str) -> Any:

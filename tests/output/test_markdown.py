@@ -106,7 +106,14 @@ def test_a_number_that_is_missing_is_an_empty_cell_with_its_reason(run: Run) -> 
 
 
 @pytest.mark.parametrize(
-    "words", ["pull-off quartz 100nm", "report quartz 100nm", "energies quartz 1um --digits 3", "n-grav iron 1um"]
+    "words",
+    [
+        "pull-off quartz 100nm",
+        "report quartz 100nm",
+        "energies quartz 1um --digits 3",
+        "n-grav iron 1um",
+        "infer gamma quartz 2um --radius2 plane --measured P_c=300nN",
+    ],
 )
 def test_one_answer_is_the_table_of_a_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, words: str) -> None:
     monkeypatch.setenv("COLUMNS", "999")

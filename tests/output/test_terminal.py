@@ -6,6 +6,7 @@ import re
 import pytest
 
 from harness import Run, Stream
+from jkroll.cli.commands import takers
 from jkroll.model.limits import LIMITS
 from jkroll.output.catalogue import write_quantities
 from jkroll.quantities.formatting import Format
@@ -216,7 +217,7 @@ def test_uncertain_columns_have_one_unit_and_two_digits_of_the_uncertainty(run: 
 def test_the_list_of_quantities_fits_and_names_no_variants(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     terminal = Stream(terminal=True)
-    write_quantities([*NOMENCLATURE], terminal, "table")
+    write_quantities([*NOMENCLATURE], terminal, "table", takers)
     groups = [group.splitlines() for group in terminal.text().split("\n\n")[:-1]]
     assert max(len(line) for group in groups for line in group) <= 80
     assert max(map(len, groups)) <= 30
@@ -234,8 +235,8 @@ def test_a_list_with_long_names_fits_and_nothing_of_it_is_cut(run: Run, monkeypa
 
 
 def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on(run: Run) -> None:
-    of_ice = run("pull-off ice-cold 0.1um").err.splitlines()
-    assert of_ice[1].startswith("note: γ of ice-cold: in conflict with µm grains")
+    of_ice = run("pull-off ice-cold 1um").err.splitlines()
+    assert of_ice[1].startswith("note: γ of ice-cold (R = 0.5 to 5 µm): in conflict with µm grains")
     assert of_ice[-1] == "more: --explain"
     of_table_1 = run("pull-off quartz 100nm --explain").out.splitlines()
     assert of_table_1[-1] == "note: γ of quartz: measured for micron-sized particles"

@@ -256,7 +256,7 @@ class Answer(Results):
         """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
         notes = []
         for doubt in self.exceeded:
-            if doubt.limit is LAW and not self.described.unknowns:
+            if doubt.limit is LAW:
                 continue  # the best ranges say so
             severity: Severity = "caveat" if doubt.limit.is_told and not self._is_in_ranges(doubt) else "more"
             notes.append(Note("warning" if doubt.limit.ends_meaning else severity, self.about(doubt)))

@@ -1,18 +1,19 @@
-"""Sentences on inferred values: their proof, what of the materials is not used, and values by other laws."""
+"""Inferred values: by each law, beside those of the library, and the sentences on them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
+from ..model.estimate import BETTER_LAW, LAW_ONLY
 from ..model.frame import Frame
-from ..model.limits import LAW, Doubt
-from ..model.reasons import MissingInput
+from ..model.limits import Doubt
+from ..model.reasons import MissingInput, explanation_of
 from ..model.uncertainty import error_bars
 from ..model.unsolved import SIZES, equal, sizes_in_words
-from ..quantities.formatting import amount, span, symbol_among, symbol_of
+from ..quantities.formatting import Format, amount, significant, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.values import middle
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.values import Uncertain, middle
 from ..text import listed
 from .notes import Note
 
@@ -22,6 +23,28 @@ if TYPE_CHECKING:
 # Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
 _LOSING = frozenset({"restitution", "sticking_speed"})
 _RAISING = frozenset({"surface_energy", "work_of_adhesion", "hamaker", "viscous_time"})
+_OF_SURFACES = ("surface_energy", "work_of_adhesion")
+_FAR = 5.0  # factor between an inferred value and the library's from which on a note says so
+
+
+# --- By each law ------------------------------------------------------------------------------------------------------
+
+
+def laws_of(answer: "Answer") -> list[str]:
+    """Return the laws by which inferred values are shown: the one that holds first, and then the one in use."""
+    own = answer.frame.law.name
+    is_moved = any(estimate.by == BETTER_LAW for estimate in answer.estimates.values())
+    return [BETWEEN, own] if is_moved or lack_by_better_law(answer) else [own]
+
+
+def lack_by_better_law(answer: "Answer") -> str:
+    """Return why Maugis' law gives no value where the law in use does; empty if it does, or lacks what was measured."""
+    if not answer.described.unknowns or all(estimate.by != LAW_ONLY for estimate in answer.estimates.values()):
+        return ""
+    other = answer.described.by_law_at_spacing
+    if other.missing(other.unknowns) or other.solution.failure is None:
+        return ""
+    return f"by Maugis' law {explanation_of(','.join(other.unknowns), other.solution.failure)}"
 
 
 def by_each_law(frame: Frame) -> dict[str, dict[str, Any]]:
@@ -38,28 +61,49 @@ def by_each_law(frame: Frame) -> dict[str, dict[str, Any]]:
     return by_law
 
 
+# --- Beside the library -----------------------------------------------------------------------------------------------
+
+
+def solids_of(frame: Frame, name: str) -> list[str]:
+    """Return the solids that have an inferred property: that of sphere 1, or of the work of adhesion both."""
+    solids = [solid.name for solid, _ in frame.materials]
+    return solids[:1] if name in PROPERTIES else [*dict.fromkeys(solids)]
+
+
+def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
+    """Return the values of unknown properties that the materials have, with their error bars."""
+    alone = Frame({}, frame.material, frame.material2)
+    numbers = alone.numbers(*(name for name in frame.unknowns if name in (*PROPERTIES, *_OF_SURFACES)))
+    return {name: alone.uncertainties.get(name, number) for name, number in numbers.items()}
+
+
+def _about_library(answer: "Answer") -> Iterator[Note]:
+    """Iterate over a note where an inferred energy of surfaces is far from that of the materials."""
+    for name, usual in library_values(answer.described).items():
+        factor = answer.values[name] / middle(usual)
+        if name in _OF_SURFACES and not 1 / _FAR <= factor <= _FAR:
+            times = f"{significant(factor, 2)} times" if factor > 1 else f"1/{significant(1 / factor, 2)} of"
+            whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
+            symbol = symbol_among(name, answer.inputs)
+            yield Note("caveat", f"{symbol} is {times} {whose}: rough or wet surfaces? jkroll guide measurements")
+
+
+# --- Sentences --------------------------------------------------------------------------------------------------------
+
+
 def about_limit(doubt: Doubt, answer: "Answer") -> str:
-    """Return what follows from a limit: where the law is not exact, the values of the unknowns by Maugis' law."""
-    symbols = {name: symbol_among(name, {*answer.inputs, *answer.assumed}) for name in answer.described.unknowns}
-    unknowns = listed(symbols.values())
+    """Return what follows from a limit for the unknowns."""
     if doubt.code == "rough-matters":
+        unknowns = listed(symbol_among(name, {*answer.inputs, *answer.assumed}) for name in answer.described.unknowns)
         return f"{unknowns}: for smooth spheres; rough ones give an effective value, of this size alone"
-    if not (doubt.is_exceeded and doubt.limit is LAW):
-        return doubt.text
-    values = answer.by_law.get(BETWEEN, {})
-    told = [f"{symbols[name]} = {span(name, middle(value), middle(value))}" for name, value in values.items()]
-    if told:
-        better = f"by Maugis' law, better here than {answer.frame.law.title}"
-        return f"{listed(told)} {better} (Tabor parameter {doubt.value:.2g}): --model {BETWEEN}"
-    if answer.described.replace(model=BETWEEN).missing(symbols):
-        return doubt.text
-    return f"no {unknowns} gives this by Maugis' law (Tabor parameter {doubt.value:.2g})"
+    return doubt.text
 
 
 def proofs(answer: "Answer") -> Iterator[Note]:
     """Iterate over what is unusual in inferred values, what of the materials is not used, and their proof."""
     if not answer.described.unknowns or not answer.values:
         return
+    yield from _about_library(answer)
     frame, values = answer.frame, answer.values
     forward = frame.numbers(*answer.judged)
     used = frame.data_used(frame.inputs_of(*forward))

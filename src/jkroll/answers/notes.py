@@ -14,12 +14,12 @@ from ..model.reasons import grouped
 from ..model.uncertainty import Sources, error_bars, sources_of_results
 from ..quantities.formatting import Format, amount, first_symbols, significant, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, computed_as
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI, computed_as
 from ..text import first_of, listed
 
 if TYPE_CHECKING:
     from ..model.rows import Tally
-    from ..quantities.values import Uncertain
+    from ..quantities.values import Interval, Uncertain
     from .answer import Answer
 
 # A warning is of a number without a meaning; a lead answers the question in a sentence; a caveat may change what a
@@ -104,10 +104,29 @@ def about_given(frame: Frame, names: Sequence[str], inputs: Collection[str]) -> 
     if len(energies) == 2 and max(energies) > _UNLIKE * min(energies):
         bounds = "w = 2√(γ1γ2) is an upper estimate for solids so unlike, 4/(1/γ1 + 1/γ2) a lower one"
         yield Note("caveat", f"{bounds}: --work-of-adhesion")
-    for material, name in frame.data_used(inputs):
-        if name in material.notes:  # of a property with an origin they say what is against it
-            severity: Severity = "caveat" if name in material.origins else "more"
-            yield Note(severity, f"{symbol_among(name, ())} of {material.name}: {material.notes[name]}")
+    yield from about_data(frame, inputs)
+
+
+def about_data(frame: Frame, inputs: Collection[str]) -> Iterator[Note]:
+    """Iterate over the notes of materials on their properties that are inputs; the frame may have arrays."""
+    for name, (material, of_solid) in frame.data.items():
+        radii = material.note_radii.get(of_solid)
+        is_used = name in inputs and of_solid in material.notes
+        if is_used and (radii is None or _has_radius_in(radii, frame, NOMENCLATURE[name].sphere)):
+            severity: Severity = "caveat" if of_solid in material.origins else "more"  # what speaks against a value
+            sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
+            yield Note(severity, f"{symbol_among(of_solid, ())} of {material.name}{sizes}: {material.notes[of_solid]}")
+
+
+def _has_radius_in(radii: "Interval", frame: Frame, sphere: int) -> bool:
+    """Return whether a sphere has a radius in a range, in some row at least; a plane counts as the sphere on it."""
+    radius = frame.given.get("radius")
+    if radius is None:
+        return False
+    radius2 = frame.given.get("radius2", radius)
+    is_in, is_in2 = ((radii.low <= each) & (each <= radii.high) for each in (radius, radius2))
+    found = is_in2 | (radius2 == INFINITY) & is_in if sphere == 2 else is_in
+    return found if isinstance(found, bool) else found.any()
 
 
 def about_idle(names: Sequence[str]) -> list[Note]:

@@ -25,6 +25,7 @@ from ..quantities.formatting import amount, from_to, significant, span, symbol_a
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import XI
 from ..text import first_of
+from .inferred import lack_by_better_law
 from .notes import Note
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
     """Iterate over a note for each rule by which results of the headline have a range, where no table shows it."""
     texts: dict[int, list[str]] = {}
     for name, estimate in answer.estimates.items():
-        if name in answer.question.headline and estimate.by in _WORDS:
+        if name in answer.question.headline and why(estimate.by, answer):
             text = f"{symbol_among(name, answer.inputs)}: {range_in_words(name, estimate)}"
             texts.setdefault(estimate.by, []).append(text)
     for by, of_rule in texts.items():
@@ -72,6 +73,8 @@ def range_in_words(name: str, estimate: Estimate) -> str:
 
 def why(by: int, answer: "Answer") -> str:
     """Return why results have a range by a rule, what it holds and leaves out; empty for the law in use."""
+    if by == LAW_ONLY and (lack := lack_by_better_law(answer)):
+        return lack
     return _OF_ANSWER[by](answer) if by in _OF_ANSWER else _WORDS.get(by, "")
 
 

@@ -205,6 +205,11 @@ _COMMANDS = (
 COMMANDS: Mapping[str, Command] = {command.name: command for command in _COMMANDS}
 
 
+def takers(name: str) -> list[str]:
+    """Return the commands that take an input."""
+    return [command.name for command in _COMMANDS if any(option.name == name for option in command.options())]
+
+
 def flags_of(name: str | None) -> dict[str, Option[Any]]:
     """Return the options of a command, or of the program before any command, by their spellings."""
     return COMMANDS[name].flags() if name else {flag: option for option in PROGRAM for flag in option.flags}

@@ -133,7 +133,7 @@ class Options:
     bare = _switch("--bare", "Only the numbers")
     target = _text("-o", "Write a file", "OUT")
     no_doubt = _switch("--no-doubt", "Omit the column of doubts")
-    best = _switch("--best", "Add columns of the best range of each result", excludes="infer bare")
+    best = _switch("--best", "Add columns of the best range of each result", excludes="bare")
     explain = _switch("--explain", _INSTEAD, excludes="bare json csv md best curve")
     cite = _switch("--cite", _INSTEAD, excludes="bare json csv md explain best curve")
     tex = _switch("--tex", "Instead of BibTeX, a paragraph for a Methods section", needs="cite")

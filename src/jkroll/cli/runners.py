@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from ..model.rows import Columns, Wanted
 
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
+MOST_FOUND = 12  # quantities in a table of those that have some words
 WIDTH_OF_EXPORT = 120  # of a comment
 
 
@@ -99,7 +100,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
         wanted = sweep.wanted(quantities, question.named, keeps_all=call.output.keeps_all)
         if call.best:
             wanted = wanted.with_best(wanted.names)
-        elif is_shown and len(sweep.models) == 1 and not call.measured:
+        elif is_shown and len(sweep.models) == 1:
             wanted = wanted.with_best(question.headline)
     blocks = sweep.columns(wanted) if single is None else [of_single_row(wanted, single)]
     single = None if call.quiet else single
@@ -324,8 +325,6 @@ def run_infer(call: Call) -> int:
     if not call.subject:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
     names = tuple(inputs_named(call.subject.split(",")))
-    if call.best:
-        raise BadRequest("infer has no --best; --json has the values by each law")
     check_format(call)
     sweep = call.sweep.seeking(names, _measured(call, names))
     return answer_rows(call, sweep, Question(names, names, names), call.form(names))
@@ -412,7 +411,7 @@ def run_materials(call: Call) -> int:
     except UnknownMaterial:
         from ..output.manual import materials_with
 
-        named, chosen = [], materials_with(call.words, materials.materials.values())
+        named, chosen = [], materials_with(text, materials.materials.values())
         if not chosen:
             raise
     write_materials(chosen, sys.stdout, output, named=bool(named))
@@ -424,35 +423,40 @@ def run_materials(call: Call) -> int:
 
 
 def run_quantities(call: Call) -> int:
-    """List quantities, those that have some words, or one in full; return the exit code."""
+    """List quantities, those that have some words, or one in full, or what the manual has; return the exit code."""
     from ..output.catalogue import write_quantities
-    from ..output.manual import Hits, hits_of, quantities_meant, write_hits
+    from ..output.manual import hits_of, quantities_meant, write_hits
+    from .commands import takers
 
-    output = call.output.name
-    names = quantities_meant(call.words)
-    hits = Hits([], names, []) if names else hits_of(call.words, call.materials.materials.values())
+    output, text = call.output.name, " ".join(call.words)
+    if names := quantities_meant(call.words):
+        write_quantities(names, sys.stdout, output, takers)
+        return 0
+    hits = hits_of(text, call.materials.materials.values())
     if hits.quantities:
-        write_quantities(hits.quantities, sys.stdout, output)
-    elif any(hits) and output in ("table", "plain"):
-        write_hits(call.words, hits, sys.stdout)
+        write_quantities(hits.quantities, sys.stdout, output, takers, most=MOST_FOUND)
+    elif output in ("table", "plain"):
+        write_hits(text, hits, sys.stdout)
     else:
-        raise UnknownQuantity(" ".join(call.words))
-    if output == "table" and hits.quantities and hits.sections:
-        say_wrapped(f"in the manual: jkroll guide {' '.join(call.words)}", sys.stdout)
+        raise UnknownQuantity(text)
+    if output == "table" and hits.quantities and hits.passages:
+        say_wrapped(f"in the manual: jkroll guide {text}", sys.stdout)
     return 0
 
 
 def run_guide(call: Call) -> int:
-    """Show a page of the manual, list its topics, or show what has some words; return the exit code."""
-    from ..output.manual import hits_of, page, topics, write_hits, write_text, write_topics
+    """Show a page of the manual, list the pages, or show what has some words; return the exit code."""
+    from ..output.manual import hits_of, page, section_meant, topics, write_hits, write_text, write_topics
 
-    topic = " ".join(call.words)
+    text = " ".join(call.words)
     if not call.words:
         write_topics(sys.stdout)
-    elif topic in topics():
-        write_text(page(topic), sys.stdout)
+    elif text in topics():
+        write_text(page(text), sys.stdout)
+    elif (section := section_meant(text)) is not None:
+        write_text(section.text, sys.stdout)
     else:
-        write_hits(call.words, hits_of(call.words, call.materials.materials.values()), sys.stdout)
+        write_hits(text, hits_of(text, call.materials.materials.values()), sys.stdout)
     return 0
 
 

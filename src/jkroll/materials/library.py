@@ -77,6 +77,7 @@ class Material(NamedTuple):
     uncertainties: Mapping[str, Uncertain] = read_only({})  # of properties that have one
     origins: Mapping[str, Mapping[str, str]] = read_only({})  # of properties: what is stated of `ORIGIN`
     displacement: Displacement | None = None  # from which that of a contact follows
+    note_radii: Mapping[str, Interval] = read_only({})  # of spheres that a note concerns, unless it concerns all
     problem: str = ""  # what is wrong with it in its file, in place of its data
 
     @property
@@ -185,7 +186,7 @@ def materials_in(path: str) -> list[Material]:
     return materials
 
 
-_ABOUT: Mapping[str, type] = {"aliases": list, "notes": dict, "references": list, "state": str, "source": str}
+_ABOUT: Mapping[str, type] = {"aliases": list, "references": list, "state": str, "source": str}
 
 
 def _read(name: str, table: Any, title: str, path: str, references: Mapping[str, Any]) -> Material:
@@ -195,8 +196,8 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
         in_form(table, dict, f"materials.{name}")
         about = {key: texts(table.get(key, form()), form, f"{name}.{key}") for key, form in _ABOUT.items()}
         material = material._replace(aliases=about["aliases"], title=about["source"] or title, state=about["state"])
-        _refuse_unknown_keys(f"{name}.", table, (*PROPERTIES, XI, *_ABOUT))
-        _refuse_unknown_keys(f"{name}.notes.", about["notes"], (*PROPERTIES, XI))
+        _refuse_unknown_keys(f"{name}.", table, (*PROPERTIES, XI, *_ABOUT, "notes"))
+        notes, note_radii = _notes(name, table)
         for key in (key for key in (*PROPERTIES, XI) if key in table):
             where, needed = f"{name}.{key}", ["value", "radius"] if key == XI else ["value"]
             given = table[key] if isinstance(table[key], dict) else {"value": table[key]}
@@ -217,7 +218,8 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
             raise BadRequest(f"{quoted(name)} cites {quoted(lacking[0])}, which [references] does not have")
         return material._replace(
             properties=read_only({key: middle(value) for key, value in values.items()}),
-            notes=read_only(about["notes"]),
+            notes=read_only(notes),
+            note_radii=read_only(note_radii),
             references=tuple(
                 {"key": key, **texts(references[key], dict, f"references.{key}")} for key in dict.fromkeys(keys)
             ),
@@ -227,6 +229,26 @@ def _read(name: str, table: Any, title: str, path: str, references: Mapping[str,
         )
     except BadRequest as error:
         return material._replace(problem=str(error))
+
+
+def _notes(name: str, table: Mapping[str, Any]) -> tuple[dict[str, str], dict[str, Interval]]:
+    """Return the notes of a material by property, and the radii of those that concern some spheres only."""
+    every = in_form(table.get("notes", {}), dict, f"{name}.notes")
+    _refuse_unknown_keys(f"{name}.notes.", every, (*PROPERTIES, XI))
+    notes, radii = {}, {}
+    for key, given in every.items():
+        where = f"{name}.notes.{key}"
+        note = given if isinstance(given, dict) else {"note": given}
+        _refuse_unknown_keys(f"{where}.", note, ("note", "radii"))
+        if "note" not in note:
+            raise BadRequest(f"{shown(where)} has no note")
+        notes[key] = texts(note["note"], str, where)
+        if "radii" in note:
+            of_spheres = _value("radius", note["radii"], name, f"{where}.radii")
+            if not isinstance(of_spheres, Interval):
+                raise BadRequest(f"{shown(where)}.radii is no range; write one such as '0.5 to 5 um'")
+            radii[key] = of_spheres
+    return notes, radii
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:

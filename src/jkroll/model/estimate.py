@@ -111,11 +111,13 @@ class Ranges:
             return
         if name in _SEPARATION:
             yield self._tabor_parameter < JUMP, own[0], nan, AT_LEAST
-        low, high = self.hull(name, *_BETTER)
+        low, high = self.by_better_law(name)
+        theirs = [law(self.results.described).column(name).or_else(0.0) for law in _BETTER]
         if name in _AS_PULL_OFF:
-            high = at_least(high, self._by_lennard_jones(name))
+            theirs.append(self._by_lennard_jones(name))
+            high = at_least(high, theirs[-1])
         ours = self.results.columns[name].or_else(0.0)
-        yield farthest([(low, ours), (high, ours)]) > LAW_MATTERS, low, high, BETTER_LAW
+        yield farthest((value, ours) for value in theirs) > LAW_MATTERS, low, high, BETTER_LAW
         yield True, at_most(low, own[0]), at_least(high, own[1]), LAW_IN_USE
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
@@ -146,6 +148,10 @@ class Ranges:
         return [self.hull(name, *(then(law, end) for end in ends)) for law in (_itself, *_BETTER)]
 
     # --- What follows by other laws, and from what was measured ---
+
+    def by_better_law(self, name: str) -> Ends:
+        """Return the ends of a result by the law between JKR and DMT, at the atomic spacing and at half of it."""
+        return self.hull(name, *_BETTER)
 
     def hull(self, name: str, *makers: Make) -> Ends:
         """Return the least and the largest value of a result among what is made of the frame, with error bars."""

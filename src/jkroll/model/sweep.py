@@ -4,7 +4,7 @@ Few rows are frames of numbers, many are frames of arrays: where they would take
 be imported.
 """
 
-from bisect import bisect
+from bisect import bisect, bisect_left
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from itertools import accumulate, chain, product
@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, computed_as, of_sphere
-from ..quantities.values import Spread
+from ..quantities.values import Interval, Spread, Uncertain
 from .frame import FOLLOWS, Frame
 from .plan import in_order
 from .reasons import OF_IDENTICAL_SPHERES, Failure
@@ -21,6 +21,7 @@ from .rows import BLOCK, Columns, Indices, Numbers, Wanted, evaluated, sides_in
 from .unsolved import already_given
 
 Pair = tuple[Material | None, Material | None]
+_RADII = {"radius": 1.0, "radius2": 1.0, "diameter": 0.5, "diameter2": 0.5}  # inputs in radii
 _MODULI_OF_TWO_KINDS = ({"shear_modulus", "youngs_modulus2"}, {"youngs_modulus", "shear_modulus2"})
 
 
@@ -111,7 +112,9 @@ class Sweep:
     @cached_property
     def groups(self) -> list[Frame]:
         """A frame for each pair of materials, each law and each mark of values: all rows of a group have one plan."""
-        of_inputs = [_examples(name, spreads) for name, spreads in self.spreads.items()]
+        materials = dict.fromkeys(material for pair in self.pairs for material in pair if material is not None)
+        noted = [radii for material in materials for radii in material.note_radii.values()]
+        of_inputs = [_examples(name, spreads, noted) for name, spreads in self.spreads.items()]
         rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
         return [self.frame(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
 
@@ -162,7 +165,7 @@ class Sweep:
 
     def _ends(self, name: str) -> list[tuple[float, float]]:
         """Return the ends of the lists and ranges of an input, those of a diameter as radii."""
-        factor = 0.5 if name in ("diameter", "diameter2") else 1.0
+        factor = _RADII.get(name, 1.0)
         return [(factor * spread.low, factor * spread.high) for spread in self.spreads[name]]
 
     # --- Columns ------------------------------------------------------------------------------------------------------
@@ -180,14 +183,30 @@ class Sweep:
             yield evaluated(wanted, Lists(self, start, min(start + BLOCK, size)))
 
 
-def _examples(name: str, spreads: Sequence[Spread]) -> list[Any]:
-    """Return an example of each sort of values that an input has: plain, uncertain, and one from which more follows."""
+def _examples(name: str, spreads: Sequence[Spread], noted: Iterable[Interval] = ()) -> list[Any]:
+    """Return an example of each sort of values that an input has.
+
+    They are a plain one, an uncertain one, one from which more follows, and one in each of the `noted` ranges of radii.
+    """
     special = FOLLOWS[name][0] if name in FOLLOWS else None
     values: dict[object, Any] = {}
     for spread in spreads:
         mark = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
         values.setdefault(mark, spread.uncertainty or spread.low)
-    return [*values.values()]
+    for radii in noted if name in _RADII else ():
+        if (example := _value_in(radii.low / _RADII[name], radii.high / _RADII[name], spreads)) is not None:
+            values[radii] = example
+    return [*dict.fromkeys(values.values())]
+
+
+def _value_in(low: float, high: float, spreads: Iterable[Spread]) -> float | Uncertain | None:
+    """Return a value of lists and ranges that lies between two numbers, or None."""
+    for spread in spreads:
+        rising = range(len(spread))[:: 1 if spread.low <= spread.high else -1]
+        above = rising[bisect_left(rising, low, key=spread.value) :]
+        if above and spread.value(above[0]) <= high:
+            return spread.uncertainty or spread.value(above[0])
+    return None
 
 
 # --- Blocks -----------------------------------------------------------------------------------------------------------

@@ -1,20 +1,22 @@
 """The materials and the quantities of the nomenclature as text: lists of them, and all that is known of one."""
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
 from ..materials.library import ORIGIN, Material
+from ..model.frame import DEFAULTS
 from ..model.limits import LIMITS
 from ..model.plan import arguments_of, depends_on, formula_of
 from ..model.rows import Wanted
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, DIGITS, Format, amount, in_words, pretty, symbol_among
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, bracketed, header
-from ..text import TextColumn, first_of, json_text, say, say_wrapped, write_table, write_texts
+from ..text import TextColumn, json_text, say, say_wrapped, write_table, write_texts
 from .answered import bar_object, numbers_of, write_measure
-from .manual import has_words, without_variants, words_of
+from .manual import without_variants
+from .search import words_in
 from .sources import bibtex, docstring_fields
 from .writers import Cell, write_records
 
@@ -112,6 +114,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
         "uncertainties": {name: bar_object(name, bar) for name, bar in material.uncertainties.items()},
         "origins": {name: {**dict.fromkeys(ORIGIN, ""), **origin} for name, origin in material.origins.items()},
         "notes": dict(material.notes),
+        "note_radii": {name: bar_object("radius", radii) for name, radii in material.note_radii.items()},
         "references": [dict(entry) for entry in material.references],
         "source": material.title,
     }
@@ -138,7 +141,9 @@ def _write_material(material: Material, out: TextIO) -> None:
             text += f", spheres of {amount('radius', material.displacement.radius)}"
         facts += [(name, text), *((f"  {field}", text) for field, text in material.origins.get(name, {}).items())]
     for name, note in material.notes.items():
-        facts.append(("note", f"{NOMENCLATURE[name].sentence}: {note}"))
+        radii = material.note_radii.get(name)
+        sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
+        facts.append(("note", f"{NOMENCLATURE[name].sentence}{sizes}: {note}"))
     for entry in material.references:
         label = f"{entry['key']}: " if material.origins else ""
         words = ", ".join(entry[field] for field in _REFERENCE if entry.get(field))
@@ -163,18 +168,25 @@ _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint",
 _HEADS = ("name", "symbol", "unit", "option", "commands", "equation", "meaning")
 
 
-def write_quantities(names: Sequence[str], out: TextIO, output: str) -> None:
-    """Write a list of quantities in a format, or a single one in full."""
+def write_quantities(
+    names: Sequence[str], out: TextIO, output: str, takers: Callable[[str], Sequence[str]], most: int | None = None
+) -> None:
+    """Write a list of quantities in a format, or a single one in full.
+
+    `takers`: the commands that take an input; `most`: the number of quantities that a table describes.
+    """
     if output == "json":
         objects = [quantity_as_object(name) for name in names]
         say(json_text(objects[0] if len(names) == 1 else objects, out), out)
     elif output in ("table", "plain") and len(names) == 1:
-        _write_quantity(names[0], out)
+        _write_quantity(names[0], out, takers(names[0]))
     elif output == "table":
-        for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names}).items():
+        for title, members in (_groups() if len(names) == len(NOMENCLATURE) else {"name": names[:most]}).items():
             heads = (title, "symbol [unit]", "meaning")
             write_texts(heads, map(_quantity_table_row, members), out)
             say("", out)
+        if others := names[len(names) if most is None else most :]:
+            say_wrapped(f"and {len(others)} more: {', '.join(others)}", out)
     else:
         objects = [{**quantity_as_object(name), "commands": " ".join(commands_of(name))} for name in names]
         write_records(_HEADS, [[each[head] for head in _HEADS] for each in objects], output, out)
@@ -184,8 +196,8 @@ def quantity_as_object(name: str) -> dict[str, Any]:
     """Return all that is known of a quantity: its JSON object, of which the other pages are views."""
     quantity, formula = NOMENCLATURE[name], formula_of(name)
     fields = docstring_fields(formula) if formula else {}
-    words = words_of([name])
-    related = [other for other in without_variants(list(NOMENCLATURE)) if has_words(other, words)]
+    words = words_in(name)
+    related = [other for other in without_variants(list(NOMENCLATURE)) if _has_words(other, words)]
     return {
         "name": name,
         "symbol": quantity.symbol,
@@ -206,6 +218,11 @@ def quantity_as_object(name: str) -> dict[str, Any]:
         "variants": [other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name],
         "see_also": [other for other in related if other != name],
     }
+
+
+def _has_words(name: str, words: Iterable[str]) -> bool:
+    """Return whether each of some words begins a word of a name."""
+    return all(any(other.startswith(word) for other in words_in(name)) for word in words)
 
 
 def commands_of(name: str) -> tuple[str, ...]:
@@ -246,13 +263,20 @@ def _groups() -> dict[str, list[str]]:
     return {title: members for title, members in shown.items() if members}
 
 
-def _write_quantity(name: str, out: TextIO) -> None:
-    """Write what is known of a quantity, a line for each fact."""
+def _write_quantity(name: str, out: TextIO, takers: Sequence[str]) -> None:
+    """Write what is known of a quantity, a line for each fact. `takers`: the commands that take it as an input."""
     record = quantity_as_object(name)
     title, example = f"{record.pop('name')}: {record.pop('meaning')}", record.pop("example")
     is_word = example and not record["option"]
     record["option"] = f"a word: {example}" if is_word else f"{record['option']} {example}".strip()
     record["unit"] = pretty(record["unit"])
-    record["commands"] = first_of(record["commands"]) or f"any, with --quantities {name}"
-    texts = {key: text if isinstance(text, str) else ", ".join(text) for key, text in record.items()}
-    _write_sheet(title, ((f"  {key.replace('_', ' ')}", text) for key, text in texts.items()), out)
+    shown_by = [command for command in record["commands"] if name in QUESTIONS[command].quantities]
+    of_commands = {
+        "default": amount(name, DEFAULTS[name]) if name in DEFAULTS else "",
+        "shown by": ", ".join(shown_by) or ("" if takers else f"any, with --quantities {name}"),
+        "taken by": ", ".join(takers),
+    }
+    facts: dict[str, str] = {}
+    for key, text in record.items():
+        facts |= of_commands if key == "commands" else {key: text if isinstance(text, str) else ", ".join(text)}
+    _write_sheet(title, ((f"  {key.replace('_', ' ')}", text) for key, text in facts.items()), out)

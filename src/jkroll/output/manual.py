@@ -3,19 +3,22 @@
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
 from typing import ClassVar, NamedTuple, TextIO
 
 from ..errors import BadRequest
 from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE, named, with_symbol
-from ..quantities.synonyms import QUANTITY_SYNONYMS
-from ..text import LETTERS, closest, first_of, quoted, say, say_wrapped, terminal_width
+from ..quantities.synonyms import QUANTITY_SYNONYMS, WORDS_OF_OTHERS, Words
+from ..text import closest, quoted, say, say_wrapped, terminal_width, wrapped
+from .search import Field, Search, words_in, words_sought
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
 
 # Words of the field by which a section is sought, besides those of its heading.
 FIELD_TERMS: Mapping[tuple[str, str], str] = {
+    ("dem", "DEM"): "lammps",
     ("dem", "Other programs, and damping"): "dissipation viscous coefficient of restitution",
     ("dem", "What other codes call γ"): "cohesion energy density",
     ("energies", "Energies by convention"): "E_break E_roll stickiness sticking bouncing rebound restitution",
@@ -26,13 +29,18 @@ FIELD_TERMS: Mapping[tuple[str, str], str] = {
     ("models", "Limits"): "doubts codes",
     ("models", "Between JKR and DMT"): "tabor parameter maugis law",
     ("models", "Sliding, twisting, peeling"): "friction detachment resuspension",
+    ("tables", "Tables"): "read csv file spreadsheet",
     ("tables", "Sweeps"): "mixture of sizes pairs and a wall lists ranges",
     ("validation", "Measurements"): "stickiness sticking bouncing rebound coefficient of restitution detachment",
 }
 
-MAX_NAMED = 6  # quantities and materials in a list of what was found
-MAX_TEXT = 100  # columns of running text
+SECTIONS = {"doubts": ("models", "Limits")}  # those with a name of their own, by which notes refer to them
 HISTORY = "changes"  # the page of what was, which is sought by its name alone
+MAX_TEXT = 100  # columns of running text
+MAX_LINES = 12  # of what is found, in columns of a terminal
+LEAST_SHOWN, LEAST_NAMED = 0.7, 0.5  # score of another passage over that of the best one
+MAX_ELSEWHERE = 3  # pages and materials that are named
+LIKELY = 0.75  # likeness of two words from which on one may be a mistake for the other
 
 
 class Section(NamedTuple):
@@ -42,15 +50,22 @@ class Section(NamedTuple):
     heading: str
     text: str  # Markdown, with the heading
 
-    @property
-    def title(self) -> str:
-        """The words by which it is sought: page, heading and the terms of the field."""
-        return f"{self.page} {self.heading} {FIELD_TERMS.get((self.page, self.heading), '')}"
+
+class Passage(NamedTuple):
+    """A paragraph, an item of a list, or a row of a table."""
+
+    section: Section
+    text: str  # Markdown
+    head: str  # of its table
+    is_first: bool  # in its section, and so the answer to the heading
 
     @property
-    def prose(self) -> str:
-        """The text without what programs print."""
-        return re.sub(r"^```.*?^```", "", self.text, flags=re.DOTALL | re.MULTILINE)
+    def fields(self) -> list[Field]:
+        """The texts by which it is found: its words in bold, those of its section, and all of its own."""
+        page, heading, _ = self.section
+        bold = " ".join(re.findall(r"\*\*(.+?)\*\*", self.text))
+        of_field = FIELD_TERMS.get((page, heading), "")
+        return [(3.0, bold), (3.0 if self.is_first else 1.5, f"{page} {heading}"), (1.5, of_field), (1.0, self.text)]
 
 
 def topics() -> tuple[str, ...]:
@@ -106,36 +121,80 @@ def write_topics(out: TextIO) -> None:
 # --- Search -----------------------------------------------------------------------------------------------------------
 
 
-class Hits(NamedTuple):
-    """Sections, quantities and materials that have all words that are sought, each as the beginning of a word."""
+def passages() -> Iterator[Passage]:
+    """Iterate over the passages of all pages, without what programs print."""
+    for section in sections():
+        body = section.text.partition("\n")[2]
+        prose = re.sub(r"^```.*?^```", "", body, flags=re.DOTALL | re.MULTILINE).strip()
+        for number, block in enumerate(re.split(r"\n\s*\n|\n(?=- |\d+\. )", prose)):
+            if block.startswith("|"):
+                head, line, *rows = block.split("\n")
+                yield from (Passage(section, row, f"{head}\n{line}\n", number == 0) for row in rows)
+            elif block:  # without what leads to an example
+                said = re.sub(r"(?<=\. )[^.]*:$", "", block).strip().removesuffix(":")
+                yield Passage(section, said, "", number == 0)
 
-    sections: Sequence[Section]
+
+def section_meant(text: str) -> Section | None:
+    """Return the section that has a name, or the only one of a page with some words in its heading."""
+    page, _, words = text.partition(" ")
+    sought = {*words_in(words)}
+    meant = [
+        section
+        for section in sections()
+        if (section.page, section.heading) == SECTIONS.get(text)
+        or (section.page == page and sought and sought <= {*words_in(section.heading)})
+    ]
+    return meant[0] if len(meant) == 1 else None
+
+
+class Hits(NamedTuple):
+    """What has the words that are sought, the best first."""
+
+    passages: Sequence[Passage]  # one, or two of about the same score
+    pages: Sequence[str]  # that have the words
     quantities: Sequence[str]
     materials: Sequence[str]
 
 
-def hits_of(words: Sequence[str], materials: Iterable[Material]) -> Hits:
-    """Return what has all of some words: of the sections those that have them in their titles, if there are any."""
-    begun = words_of(words)
-    if not begun:
-        return Hits([], [], [])
-    every = [section for section in sections() if section.page != HISTORY or HISTORY in begun]
-    titled = [section for section in every if has_words(section.title, begun)]
+def hits_of(text: str, materials: Iterable[Material]) -> Hits:
+    """Return what has the words of a text; raise BadRequest for a word that nothing has."""
+    words = words_sought(text)
+    if not words:
+        raise BadRequest(f"{quoted(text, 40)} has no word that could be sought; {_LISTS}")
+    read = (passage for passage in passages() if passage.section.page != HISTORY or HISTORY in words)
+    of_manual = Search(read, lambda passage: passage.fields)
+    of_quantities = Search(NOMENCLATURE, _fields_of_quantity)
+    of_materials = Search(materials, _fields_of_material)
+    searches = of_manual, of_quantities, of_materials
+    if lacking := [word for word in words if not any(search.knows(word) for search in searches)]:
+        raise _unknown_word(lacking[0], {*topics()}.union(*(search.vocabulary for search in searches)))
+    found = of_manual.ranked(words)
+    best = [each.thing for each in found[:2] if each.score >= LEAST_SHOWN * found[0].score]
+    named = (each.thing.section.page for each in found if each.score >= LEAST_NAMED * found[0].score)
     return Hits(
-        titled or [section for section in every if has_words(f"{section.title} {section.prose}", begun)],
-        _quantities_with(words),
-        [material.name for material in materials_with(words, materials)],
+        best,
+        [*dict.fromkeys(named)],
+        _with_synonym(text, [each.thing for each in of_quantities.ranked(words) if each.has_all]),
+        [each.thing.name for each in of_materials.ranked(words) if each.has_all],
     )
 
 
-def materials_with(words: Sequence[str], materials: Iterable[Material]) -> list[Material]:
-    """Return the materials that have all of some words in their names, states or sets."""
-    begun = words_of(words)
-    return [
-        material
-        for material in materials
-        if begun and has_words(" ".join((material.name, *material.aliases, material.state, material.title)), begun)
-    ]
+_LISTS = "jkroll guide lists the pages, jkroll quantities the quantities"
+
+
+def _unknown_word(word: str, known: Iterable[str]) -> BadRequest:
+    """Return the error about a word that stands in no page, and for no quantity and no material."""
+    guess = closest(word, sorted(known), LIKELY)
+    remedy = f"did you mean {guess}?" if guess else "leave it out, or"
+    return BadRequest(f"nothing has the word {quoted(word, 40)}; {remedy} {_LISTS}")
+
+
+def materials_with(text: str, materials: Iterable[Material]) -> list[Material]:
+    """Return the materials that have all words of a text in their names, states or sets, in their order."""
+    every = [*materials]
+    found = {each.thing for each in Search(every, _fields_of_material).ranked(words_sought(text)) if each.has_all}
+    return [material for material in every if material in found]
 
 
 def quantities_meant(words: Sequence[str]) -> list[str]:
@@ -149,16 +208,11 @@ def quantities_meant(words: Sequence[str]) -> list[str]:
     return [named(text)] if named(text) in NOMENCLATURE else with_symbol(text)
 
 
-def _quantities_with(words: Sequence[str]) -> list[str]:
-    """Return the quantity that others call so, those with the words in their names, and those with them in meaning.
-
-    Variants stand last, and only where their quantity is not found.
-    """
-    begun = words_of(words)
-    names = [name for name in NOMENCLATURE if has_words(f"{_called(name)} {NOMENCLATURE[name].sentence}", begun)]
-    names.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), not has_words(_called(name), begun)))
-    meant = QUANTITY_SYNONYMS.get("_".join(" ".join(words).split()).casefold())
-    return without_variants([*dict.fromkeys([meant, *names] if meant else names)])
+def _with_synonym(text: str, names: Sequence[str]) -> list[str]:
+    """Return the quantity that others call so, then those that were found, variants last, or without their quantity."""
+    meant = QUANTITY_SYNONYMS.get("_".join(text.split()).casefold())
+    ordered = sorted(names, key=lambda name: bool(NOMENCLATURE[name].variant_of))
+    return without_variants([*dict.fromkeys([meant, *ordered] if meant else ordered)])
 
 
 def without_variants(names: Sequence[str]) -> list[str]:
@@ -166,40 +220,29 @@ def without_variants(names: Sequence[str]) -> list[str]:
     return [name for name in names if NOMENCLATURE[name].variant_of not in names]
 
 
-def _called(name: str) -> str:
-    """Return the name, symbol and option of a quantity."""
-    return f"{name} {NOMENCLATURE[name].symbol} {NOMENCLATURE[name].option}"
+def _fields_of_quantity(name: str) -> list[Field]:
+    quantity, others = NOMENCLATURE[name], WORDS_OF_OTHERS.get(name, Words())
+    called = f"{name} {quantity.symbol} {quantity.option}"
+    return [(3.0, called), (1.0, quantity.sentence), (1.0, f"{others.certain} {others.likely}")]
 
 
-def words_of(texts: Iterable[str]) -> set[str]:
-    """Return the words of texts, in lower case and without underscores and signs."""
-    return set(re.findall(r"[^\W_]+", " ".join(texts).casefold()))
+def _fields_of_material(material: Material) -> list[Field]:
+    return [(3.0, " ".join((material.name, *material.aliases))), (1.0, f"{material.state} {material.title}")]
 
 
-def has_words(text: str, begun: Iterable[str]) -> bool:
-    """Return whether each of some texts begins a word of a text; the name of a Greek letter is the letter, too."""
-    words = words_of([text])
-    return all(any(word.startswith((piece, LETTERS.get(piece, piece))) for word in words) for piece in begun)
-
-
-def write_hits(words: Sequence[str], hits: Hits, out: TextIO) -> None:
-    """Write the section that was found, or a list of several, and the names of quantities and materials."""
-    text = " ".join(words)
-    if not any(hits):
-        guess = closest(text, topics())
-        meant = f"did you mean {guess}? " if guess else ""
-        raise BadRequest(f"guide: nothing has the words {quoted(text, 40)}; {meant}jkroll guide lists the pages")
-    if len(hits.sections) == 1:
-        [section] = hits.sections
-        write_text(section.text, out)
-        say(f"from the page {section.page}: jkroll guide {section.page}", out)
-    elif hits.sections:
-        for section in hits.sections:
-            say(f"{section.page:{max(map(len, topics()))}}  {section.heading}", out)
-        say("jkroll guide PAGE shows a page; with words of a heading behind PAGE, a section", out)
+def write_hits(text: str, hits: Hits, out: TextIO) -> None:
+    """Write the passages that were found, the second one if both are short, and where else the words are."""
+    lines = sum(len(wrapped(passage.text, terminal_width())) for passage in hits.passages)
+    shown = hits.passages if lines <= MAX_LINES else hits.passages[:1]
+    for (section, head), group in groupby(shown, key=lambda passage: (passage.section, passage.head)):
+        write_text(head + "\n".join(passage.text for passage in group) + "\n", out)
+        of_section = f", {section.heading}" if section.text.startswith("## ") else ""
+        say_wrapped(f"from the page {section.page}{of_section}: jkroll guide {section.page}", out)
+    others = [page for page in hits.pages if page not in {passage.section.page for passage in shown}]
+    elsewhere = [f"jkroll guide {page}" for page in others[:MAX_ELSEWHERE]]
     if hits.quantities:
-        say(f"quantities: {first_of(hits.quantities, MAX_NAMED)}: jkroll quantities {text}", out)
+        elsewhere.append(f"jkroll quantities {' '.join(words_sought(text))}")
     if hits.materials:
-        say_wrapped(
-            f"materials: {first_of(hits.materials, MAX_NAMED)}: jkroll materials {','.join(hits.materials)}", out
-        )
+        elsewhere.append(f"jkroll materials {','.join(hits.materials[:MAX_ELSEWHERE])}")
+    if elsewhere:
+        say_wrapped(f"{'also' if shown else 'see'}: {', '.join(elsewhere)}", out)

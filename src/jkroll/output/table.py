@@ -5,6 +5,7 @@ from itertools import chain
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
+from ..answers.inferred import laws_of, library_values, solids_of
 from ..answers.notes import lines_above
 from ..answers.ranges import lines_on_ranges, lines_on_rules
 from ..model.estimate import BETTER_LAW, DEFINITION, NONE, SCALED, WORDS, XI_UNKNOWN, Estimate
@@ -15,7 +16,7 @@ from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
-from ..text import TextColumn, first_of, fit_terminal, say_wrapped, text_columns, write_table
+from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -58,11 +59,15 @@ def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format)
 
 
 def _about_inputs(
-    lead: str, inputs: "Mapping[str, float | str | Uncertain]", assumed: Mapping[str, str], form: Format
+    lead: str,
+    inputs: "Mapping[str, float | str | Uncertain]",
+    assumed: Mapping[str, str],
+    form: Format,
+    several: Sequence[str] = (),
 ) -> Iterator[str]:
     """Iterate over a line with the inputs that were given, behind a lead, and one with what was assumed.
 
-    Materials have the values that are theirs in brackets.
+    Materials have the values that are theirs in brackets. `several`: the inputs that differ from row to row.
     """
     follows = {*assumed, "energy"}.difference(form.typed)  # from another input
     inputs = {name: value for name, value in inputs.items() if name not in follows}
@@ -71,7 +76,8 @@ def _about_inputs(
         texts["surface_energy"] += " per surface"
     if {"radius", "radius2"} <= texts.keys() and inputs["radius2"] in (inputs["radius"], "plane"):
         radius = amount("radius", inputs["radius"], form)
-        texts["radius"] = f"R1 = {radius} on a plane" if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
+        on_plane = f"R1 = {radius} on a plane{_of_solid(inputs, several)}"
+        texts["radius"] = on_plane if inputs["radius2"] == "plane" else f"R1 = R2 = {radius}"
         del texts["radius2"]
     for material, properties in _OF_MATERIALS.items():
         if material in texts:
@@ -82,6 +88,15 @@ def _about_inputs(
         yield line
     if assumed:
         yield f"assumed: {', '.join(assumed.values())}"
+
+
+def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
+    """Return of what solid sphere 2 is, unless that differs from row to row or its own properties say it."""
+    own = {name for name in (*inputs, *several) if NOMENCLATURE[name].sphere == 2} - {"radius2", "diameter2"}
+    solid = inputs.get("material2" if "material2" in own else "material")
+    if solid is not None:
+        return f" of {solid}"
+    return "" if own else " of the same solid"
 
 
 # --- One frame --------------------------------------------------------------------------------------------------------
@@ -103,6 +118,10 @@ def parts_of_frame(answer: "Answer", form: Format) -> Iterator[str | list[TextCo
     """
     yield from _about_inputs("", answer.measures, _in_column(answer), form)
     yield from lines_above(answer.sentences)
+    if answer.described.unknowns:
+        yield _of_inferred(answer, form)
+        yield from lines_on_ranges(answer, answer.estimates)
+        return
     law = answer.frame.law.short
     physics, conventions = _rows(answer, form)
     if physics:
@@ -195,6 +214,32 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     return [text, WORDS[int(estimate.by)]]
 
 
+# --- Inferred values --------------------------------------------------------------------------------------------------
+
+
+def _of_inferred(answer: "Answer", form: Format) -> list[TextColumn]:
+    """Return the columns of inferred values by each law, the one that holds first, beside those of the library."""
+    own, library = answer.frame.law.name, library_values(answer.described)
+    exact = Format(form.units, form.digits or RESULT_DIGITS)
+    rows = []
+    for law in laws_of(answer):
+        for result in answer.results:
+            name, known = result.name, library.get(result.name)
+            unit = form.common_unit(name, [result.measure if known is None else known])
+            better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
+            inferred = _cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
+            row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), LAWS[law].short, inferred]
+            rows.append([*row, "–" if known is None else exact.in_unit(known, unit), unit[0]])
+    solids = [*dict.fromkeys(chain.from_iterable(solids_of(answer.described, name) for name in library))]
+    heads = ["quantity", "symbol", "law", "inferred", f"{listed(solids or ['library'])} has", "unit"]
+    columns = [column._replace(is_right=column.head in heads[3:5]) for column in text_columns([heads, *rows], words=3)]
+    if solids[1:] or not fit_terminal(columns):
+        columns[4] = columns[4]._replace(head="library has")
+    if not library:
+        del columns[4]
+    return columns
+
+
 # --- Lists ------------------------------------------------------------------------------------------------------------
 
 
@@ -211,7 +256,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     count = f"{number} {'states' if 'state' in inputs else 'pairs'}" if number > 1 else ""
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
-    for line in _about_inputs(count, common, assumed, form):
+    for line in _about_inputs(count, common, assumed, form, several):
         say_wrapped(line, out)
     if BETWEEN in distinct.get("model", ()):
         say_wrapped("maugis holds in every row, another law where no law-off doubt stands", out)

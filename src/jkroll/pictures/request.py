@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..answers.answer import equation_of
-from ..answers.notes import about_assumed, about_given, about_idle, about_middles, assumed, entering
+from ..answers.notes import about_assumed, about_data, about_given, about_idle, about_middles, assumed, entering
 from ..answers.ranges import range_in_words
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
@@ -178,7 +178,8 @@ class Layer:
         self.text, self.given, self.quantity, self.axes = text, frame, quantity, axes
         drawn = {name: value for axis in axes for name, value in axis.inputs(axis.high).items()}
         self.frame = frame.replace(**drawn)  # at an end: what a quantity needs is the same all along an axis
-        every = _doubts(over(frame, *axes), quantity, request.limits)  # at each point
+        points = over(frame, *axes)
+        every = _doubts(points, quantity, request.limits)
         self.doubts = [doubt for doubt in every if doubt.error is None]
         missing = [doubt.error for doubt in every if doubt.error is not None]
         names = [quantity, *(doubt.limit.name for doubt in self.doubts if doubt.limit in DRAWN_LIMITS)]
@@ -192,7 +193,7 @@ class Layer:
         self.unjudged = [f"Limits are not judged: {_without(error)}." for error in missing[:1]]
         self.notes = (
             *(note.text for note in about_idle(entering(self.frame, names, judges=False)[1])),
-            *notes_on(frame, self.frame, shown, names),
+            *notes_on(points, self.frame, shown, names),
             *([f"{symbol_of(quantity)}: {remark}"] if remark else []),
         )
         self.values = evaluate(frame, quantity, *axes)
@@ -279,11 +280,12 @@ def inputs_as_texts(frame: Frame, names: Iterable[str]) -> tuple[str, ...]:
 def notes_on(given: Frame, frame: Frame, inputs: Collection[str], names: Sequence[str]) -> list[str]:
     """Return notes on uncertain inputs, of which a picture has the middle, and on the data behind quantities.
 
-    `given`: the frame as a user gave it, of which `frame` is one point.
+    `given`: the frame as a user gave it, or all points of a picture, of which `frame` is one.
     """
     uncertain = {name: measured for name, measured in given.uncertainties.items() if name in inputs}
     of_point = assumed(frame, inputs, names, has_values=False)
-    notes = *about_middles(uncertain), *about_assumed(of_point), *about_given(frame, names, inputs)
+    of_data = *about_given(frame, names, inputs), *about_data(given, inputs)
+    notes = *about_middles(uncertain), *about_assumed(of_point), *of_data
     return [note.text for note in dict.fromkeys(notes)]
 
 

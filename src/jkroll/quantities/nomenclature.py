@@ -109,7 +109,7 @@ _E_ROLL = "E_roll is that of 90 degrees, 6π²γRξ"
 OF_DEM: Mapping[str, Quantity] = {
     "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff",
         example="0.165nm"),
-    "viscous_time": Quantity("T_vis", "s", "viscous time of the damping of codes for dust", range=POSITIVE,
+    "viscous_time": Quantity("T_vis", "s", "viscous time, codes for dust", range=POSITIVE,
         option="--viscous-time", example="12.5ps"),
     "asperity_radius": Quantity("s", "m", "radius of one asperity between the spheres", range=POSITIVE,
         option="--asperity-radius", example="5nm"),
@@ -308,7 +308,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain", "29", shown_with=["monomers"]),
     "n_grav": Quantity("N_grav", "1", "longest level chain, spheres", "30"),
     "bond_number": Quantity("Bo", "1", "pull-off force over weight"),
-    "adhesion_hysteresis": Quantity("Δw", "J/m^2", "work of adhesion as it opens less that as it closes",
+    "adhesion_hysteresis": Quantity("Δw", "J/m^2", "w of opening less of closing",
         range=POSITIVE, option="--adhesion-hysteresis", example="5mJ/m2"),
     "hysteresis_fraction": Quantity("Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion",
         range=FRACTION, option="--hysteresis-fraction", example="40%"),

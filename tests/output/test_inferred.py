@@ -1,0 +1,160 @@
+"""Inferred values on a terminal, in JSON and in rows: by the law that holds and the one in use, beside the library."""
+
+import csv
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from harness import Run
+from jkroll import solve
+from relative import approx
+
+FORCE, RADIUS = 300e-9, 2e-6
+ON_PLANE = "infer gamma quartz 2um --radius2 plane --measured"
+BY_JKR, BY_DMT = FORCE / (3 * math.pi * RADIUS), FORCE / (4 * math.pi * RADIUS)  # P_c = 3/2 πwR and 2πwR, w = 2γ
+SPACINGS = (4e-10, 2e-10)
+QUARTZ: dict[str, Any] = {"material": "quartz", "radius": RADIUS, "radius2": math.inf, "model": "maugis"}
+
+
+def bisected(forward: Callable[[float], float], level: float, low: float, high: float) -> float:
+    """Return where a rising function has a level."""
+    for _ in range(60):
+        middle = math.sqrt(low * high)
+        low, high = (middle, high) if forward(middle) < level else (low, middle)
+    return low
+
+
+def by_maugis(force: float, spacing: float) -> float:
+    """Return the surface energy at which quartz is pulled off a plane by a force."""
+
+    def pulled(energy: float) -> float:
+        return float(solve("pull_off_force", surface_energy=energy, atomic_spacing=spacing, **QUARTZ))
+
+    return bisected(pulled, force, 1e-4, 10.0)
+
+
+def rows(run: Run, words: str) -> list[list[str]]:
+    """Return the rows of a table: the symbol, the law, and the cells behind it."""
+    lines = run(f"{words} --quiet", terminal=True).out.splitlines()
+    start = next(number for number, line in enumerate(lines) if line.startswith("──"))
+    found = ([cell.strip() for cell in line.split("  ") if cell.strip()] for line in lines[start + 1 :])
+    return [cells[1:] for cells in found if len(cells) > 3]
+
+
+def test_the_law_that_holds_stands_first_over_both_spacings(run: Run) -> None:
+    energies = sorted(1e3 * by_maugis(FORCE, spacing) for spacing in SPACINGS)
+    assert 1e3 * BY_DMT < energies[0] < energies[1] < 1e3 * BY_JKR
+    range_of_both = "–".join(f"{energy:.0f}" for energy in energies)
+    assert rows(run, f"{ON_PLANE} P_c=300nN") == [
+        ["γ", "Maugis", range_of_both, "25", "mJ/m²"],
+        ["γ", "JKR", f"{1e3 * BY_JKR:.2f}", "25", "mJ/m²"],
+    ]
+
+
+def test_error_bars_widen_the_range_of_the_law_that_holds(run: Run) -> None:
+    ends = by_maugis(FORCE, SPACINGS[0]), by_maugis(FORCE, SPACINGS[1])
+    (result,) = json.loads(run(f"{ON_PLANE} P_c=300±20nN --json").out)["results"]
+    best = result["best"]
+    assert best["by"] == "Maugis"
+    assert "atomic spacing 2–4 Å (--z0)" in best["why"]
+    # nearly in proportion to the force
+    assert best["low"] == approx(min(ends) * 280 / 300, rel=0.01)
+    assert best["high"] == approx(max(ends) * 320 / 300, rel=0.01)
+    assert result["value"] == approx(BY_JKR)
+
+
+def test_a_law_that_holds_has_one_row(run: Run) -> None:
+    """P_c = 3πγR, with the reduced radius of two equal spheres."""
+    energy = 1e3 * 20e-6 / (3 * math.pi * 50e-6)
+    assert rows(run, "infer gamma pdms 100um --measured P_c=20uN") == [["γ", "JKR", f"{energy:.2f}", "20.1", "mJ/m²"]]
+
+
+@pytest.mark.parametrize(("model", "head", "energy"), [("jkr", "JKR", BY_JKR), ("dmt", "DMT", BY_DMT)])
+def test_a_law_that_is_stated_stands_alone(run: Run, model: str, head: str, energy: float) -> None:
+    found = rows(run, f"{ON_PLANE} P_c=300nN --model {model}")
+    assert found == [["γ", head, f"{1e3 * energy:.2f}", "25", "mJ/m²"]]
+
+
+def test_two_unknowns_have_a_block_of_rows_for_each_law(run: Run) -> None:
+    found = rows(run, f"{ON_PLANE.replace('gamma', 'gamma,young')} P_c=300nN --measured stiffness=1kN/m")
+    assert [row[:2] for row in found] == [["γ", "Maugis"], ["E", "Maugis"], ["γ", "JKR"], ["E", "JKR"]]
+    assert [row[3] for row in found] == ["25", "54", "25", "54"]
+    assert found[2][2] == f"{1e3 * BY_JKR:.2f}"  # which rests on no modulus
+
+
+def test_a_law_without_a_solution_says_why(run: Run) -> None:
+    words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
+    assert [row[:-2] for row in rows(run, words)] == [["E", "Maugis", "–"], ["E", "JKR", "2746"]]
+    said = " ".join(run(words, terminal=True).out.split())
+    assert "JKR only: by Maugis' law no value gives yield_force = 100 pN; it lies between" in said
+
+
+def test_what_no_material_has_stands_alone(run: Run) -> None:
+    words = "infer w --young 54GPa --poisson 0.17 2um --radius2 plane --measured P_c=300nN"
+    assert all("has" not in line.split() for line in run(words, terminal=True).out.splitlines())
+    assert [row[-1] for row in rows(run, words)] == ["mJ/m²"] * 2
+    assert [len(row) for row in rows(run, words)] == [4, 4]
+
+
+@pytest.mark.parametrize(
+    ("words", "factor", "note"),
+    [
+        ("gamma quartz", 1 / 32, "γ is 1/32 of quartz's (25 mJ/m²): rough or wet surfaces? jkroll guide measurements"),
+        ("w quartz", 1 / 32, "w is 1/32 of quartz's (50 mJ/m²): rough or wet surfaces? jkroll guide measurements"),
+        ("w quartz --material2 mica", 1 / 6, "w is 1/6 of quartz and mica's (122 mJ/m²): rough or wet surfaces?"),
+        ("gamma quartz", 5.2, "γ is 5.2 times quartz's (25 mJ/m²): rough or wet surfaces?"),
+        ("gamma quartz", 1 / 4.9, ""),
+        ("gamma quartz", 4.9, ""),
+        ("young quartz", 1 / 32, ""),
+    ],
+)
+def test_energies_far_from_the_materials_are_told(run: Run, words: str, factor: float, note: str) -> None:
+    """P_c = 3/2 πwR; w = 2√(γ1γ2), mica has 0.15 J/m²."""
+    work = 2 * math.sqrt(0.025 * (0.15 if "mica" in words else 0.025))
+    measured = f"P_c={1.5 * math.pi * factor * work * RADIUS}N"
+    if "young" in words:  # a0³ = 9πwR²/8E* of a plane
+        modulus = factor * 54e9 / 2 / (1 - 0.17**2)
+        measured = f"contact_radius={(9 * math.pi * work * RADIUS**2 / 8 / modulus) ** (1 / 3)}m"
+    said = " ".join(run(f"infer {words} 2um --radius2 plane --measured {measured}", terminal=True).err.split())
+    assert (note in said) if note else ("rough or wet" not in said)
+
+
+def test_a_table_has_the_best_range(run: Run) -> None:
+    Path("in.csv").write_text("radius,P_c\n2um,300nN\n1um,-1nN\n")
+    run("batch in.csv -o out.csv --infer gamma --measured P_c --radius2 plane --material quartz --best --quiet")
+    first, last = csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())
+    keys = [f"surface_energy_best_{end} [J/m^2]" for end in ("low", "high")]
+    energies = sorted(by_maugis(FORCE, spacing) for spacing in SPACINGS)
+    assert [float(first[key]) for key in keys] == approx(energies, rel=1e-9)
+    assert [last[key] for key in keys] == ["", ""]
+
+
+@pytest.mark.parametrize("radii", ["2um", "2um,3um", "2um:3um:12"])
+def test_rows_have_the_best_range(run: Run, radii: str) -> None:
+    ran = run(f"infer gamma quartz {radii} --radius2 plane --measured P_c=300nN --csv --best --quiet")
+    first = next(iter(csv.DictReader(ran.out.splitlines())))
+    energies = sorted(by_maugis(FORCE, spacing) for spacing in SPACINGS)
+    ends = [float(first[f"surface_energy_best_{end} [J/m^2]"]) for end in ("low", "high")]
+    assert ends == approx(energies, rel=1e-9)
+    assert first["surface_energy_best_by"] == "Maugis"
+
+
+@pytest.mark.parametrize(
+    ("words", "solid"),
+    [
+        ("pull-off quartz 100nm", "R1 = 100 nm on a plane of quartz"),
+        ("pull-off quartz 100nm --material2 mica", "R1 = 100 nm on a plane of mica"),
+        ("pull-off 100nm --gamma 25mJ/m2", "R1 = 100 nm on a plane of the same solid"),
+        ("pull-off 100nm --gamma 25mJ/m2 --gamma2 50mJ/m2", "R1 = 100 nm on a plane, γ1"),
+        ("pull-off quartz,mica 100nm", "R1 = 100 nm on a plane of the same solid"),
+        ("pull-off quartz 100nm --material2 mica,gold", "R1 = 100 nm on a plane"),
+    ],
+)
+def test_a_plane_is_of_a_solid(run: Run, words: str, solid: str) -> None:
+    head = " ".join(run(f"{words} --radius2 plane", terminal=True).out.split())
+    assert solid in head
+    assert ("plane of" in head) == ("plane of" in solid)
