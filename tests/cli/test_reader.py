@@ -68,7 +68,7 @@ REFUSED = {
     ),
     "pull-off quartz --diam 1um": "no such option '--diam'; did you mean --diameter?",
     "pull-off quartz 1um --format xml": (
-        "pull-off takes no '--format'; write --json, --csv or --bare, or name a file: -o x.tsv"
+        "pull-off takes no '--format'; write --json, --csv, --md or --bare, or name a file: -o x.tsv"
     ),
     "pull-off quartz 1um –to nN": "'–to' begins with a dash; options begin with hyphens: --to",
     "plot quartz": f"no such command 'plot'; {HINTS['plot']}",

@@ -45,6 +45,15 @@ def test_the_same_as_in_csv(run: Run) -> None:
     assert [row["material"] for row in found] == columns["material"]
 
 
+def test_best_ranges_are_numbers_and_a_word(run: Run) -> None:
+    assert run("pull-off quartz 100nm,1um --quantities P_c --best -o best.parquet").code == 0
+    (row, _), columns = parquet.read_table("best.parquet").to_pylist(), parquet.read_table("best.parquet").schema
+    assert row["pull_off_force_best_by"] == "Maugis"
+    assert row["pull_off_force_best_low [N]"] < row["pull_off_force_best_high [N]"]
+    words = [field.name for field in columns if pyarrow.types.is_string(field.type)]
+    assert words == ["material", "pull_off_force_best_by", "doubt", "status"]
+
+
 def test_a_plane_that_a_list_wrote_is_read_as_one(run: Run) -> None:
     assert run("n-grav quartz 100nm,1um --radius2 plane,1um -o list.parquet").code == 0
     listed = parquet.read_table("list.parquet").select(["material", "radius [m]", "radius2 [m]"])

@@ -34,15 +34,17 @@ class Output(NamedTuple):
     has_rows: bool = False  # of columns
     has_answers: bool = False  # each by itself, with its notes
     keeps_all: bool = False  # numbers without a meaning, too: it has no place for a reason
+    for_readers: bool = False  # inputs as they were typed, and lines around the table of an answer
 
 
-TABLE = Output("table", has_rows=True, has_answers=True)
+TABLE = Output("table", has_rows=True, has_answers=True, for_readers=True)
 PLAIN = Output("plain", has_rows=True, has_answers=True, keeps_all=True)
 FILE = Output("file", has_rows=True)
 CHOSEN = (  # by options of these names
     BARE := Output("bare", has_rows=True, keeps_all=True),
     JSON := Output("json", has_answers=True),
     CSV := Output("csv", has_rows=True),
+    MARKDOWN := Output("md", has_rows=True, has_answers=True, for_readers=True),
     EXPLAIN := Output("explain", has_answers=True),
     CITE := Output("cite", has_answers=True),
 )
@@ -185,7 +187,7 @@ class Call(Options):
         chosen = next((output for output in CHOSEN if output.name in self.given), None)
         if self.target is None:
             return chosen or (TABLE if sys.stdout.isatty() else PLAIN)
-        of_file = JSON if ending(self.target) == "json" else FILE
+        of_file = {"json": JSON, "md": MARKDOWN}.get(ending(self.target), FILE)
         if chosen not in (None, of_file) and (chosen, of_file) != (CSV, FILE):
             remedy = "redirect the output: > FILE"
             raise BadRequest(f"-o {quoted(self.target)} and --{chosen.name} exclude each other; {remedy}")
@@ -199,7 +201,7 @@ class Call(Options):
     def form(self, quantities: Sequence[str]) -> Format:
         """Return the format of results; each unit of `--to` applies to the quantities of its dimension.
 
-        A table on a terminal has inputs as they were typed.
+        A table for readers has inputs as they were typed.
         """
         units: dict[str, tuple[str, Unit]] = {}
         of_results = {name: NOMENCLATURE[name].unit for name in quantities}
@@ -218,7 +220,7 @@ class Call(Options):
                 both = f"{quoted(units[fitting[0]][0])} and {quoted(text)}"
                 raise BadRequest(f"--to: {both} are units of one dimension; give one of them")
             units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
-        return Format(units, self.digits, self.typed if self.output is TABLE else {})
+        return Format(units, self.digits, self.typed if self.output.for_readers else {})
 
 
 PICTURES = ("svg", "pdf", "png")

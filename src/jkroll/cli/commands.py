@@ -15,6 +15,7 @@ _OUTPUT = (
     Options.digits,
     Options.json,
     Options.csv,
+    Options.md,
     Options.bare,
     Options.target,
     Options.no_doubt.but(hidden=True),
@@ -32,8 +33,8 @@ _CURVE = (
         hidden=True),
     *(option.but(hidden=True) for option in (Options.width, Options.style, Options.uncaptioned, Options.panel)),
 )  # fmt: skip
-_AS_TEXT = "Output as JSON or CSV"
-_LISTED = (Options.json.but(help=_AS_TEXT), Options.csv.but(help=_AS_TEXT))
+_AS_TEXT = "Output as JSON, CSV or Markdown"
+_LISTED = (Options.json.but(help=_AS_TEXT), Options.csv.but(help=_AS_TEXT), Options.md.but(help=_AS_TEXT))
 _CITE = Options.cite.but(help="Show the BibTeX entries of the data")
 AXES = (Options.x, Options.y)
 PICTURE = (

@@ -103,7 +103,7 @@ def _number(flag: str, help: str, metavar: str, most: int) -> Option[int | None]
 
 
 # Options with one text stand in one line of the help.
-_FORMAT = "JSON, CSV or numbers; -o OUT writes a file"
+_FORMAT = "JSON, CSV, Markdown; --bare numbers; -o a file"
 _INSTEAD = "Derivation; BibTeX, with --tex for Methods"
 _OMITTED = "Omit title and caption, or the limits"
 _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
@@ -129,15 +129,13 @@ class Options:
     digits = _number("--digits", "Significant digits", "N", 17)
     json = _switch("--json", _FORMAT, excludes="bare")
     csv = _switch("--csv", _FORMAT, excludes="bare json")
-    bare = _switch(
-        "--bare",
-        _FORMAT,
-    )
+    md = _switch("--md", _FORMAT, excludes="bare json csv")
+    bare = _switch("--bare", "Only the numbers")
     target = _text("-o", "Write a file", "OUT")
     no_doubt = _switch("--no-doubt", "Omit the column of doubts")
     best = _switch("--best", "Add columns of the best range of each result", excludes="bare")
-    explain = _switch("--explain", _INSTEAD, excludes="bare json csv best curve")
-    cite = _switch("--cite", _INSTEAD, excludes="bare json csv explain best curve")
+    explain = _switch("--explain", _INSTEAD, excludes="bare json csv md best curve")
+    cite = _switch("--cite", _INSTEAD, excludes="bare json csv md explain best curve")
     tex = _switch("--tex", "Instead of BibTeX, a paragraph for a Methods section", needs="cite")
     measured = _texts("--measured", "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
         "QUANTITY=VALUE", group="Measured")  # fmt: skip

@@ -34,6 +34,9 @@ SYNONYMS: Mapping[str, str] = {
     "--format bare": "--bare",
     "--format csv": "--csv",
     "--format json": "--json",
+    "--format markdown": "--md",
+    "--format md": "--md",
+    "--markdown": "--md",
     "--out": "-o",
     "--output": "-o",
     "--unit": "--to",
@@ -42,7 +45,7 @@ SYNONYMS: Mapping[str, str] = {
 # What others type, behind any command or behind that one, and what may be meant by it.
 HINTS: Mapping[str, str] = {
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
-    "--format": "write --json, --csv or --bare, or name a file: -o x.tsv",
+    "--format": "write --json, --csv, --md or --bare, or name a file: -o x.tsv",
     "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
     "--plane": "a plane is a sphere 2 without end: --radius2 plane",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
@@ -53,12 +56,14 @@ HINTS: Mapping[str, str] = {
     **dict.fromkeys(("-R", "--radius"), "a radius stands alone: jkroll pull-off quartz 100nm"),
     **dict.fromkeys(("export -o", "export --output", "export --out"), "it writes to standard output: add > FILE"),
     **dict.fromkeys(
-        ("map --csv", "map --json", "figure --csv", "figure --json"), "--data FILE writes the numbers as CSV"
+        (f"{command} --{form}" for command in ("map", "figure") for form in ("csv", "json", "md")),
+        "--data FILE writes the numbers as CSV",
     ),
     "map --quantities": "the quantity comes first: jkroll map a quartz 100nm --x load=-5nN:20nN",
     **dict.fromkeys(
         ("batch --json", "batch --csv", "batch --bare"), "--format and the name of the file say the format"
     ),
+    "batch --md": "name the file: -o x.md",
 }
 # Words of a frame that may be given by name, too.
 NAMED = {

@@ -22,7 +22,7 @@ from ..quantities.formatting import Format, symbol_of
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
-from .call import BARE, CITE, EXPLAIN, FILE, JSON, PLAIN, TABLE, Call, message_of
+from .call import BARE, CITE, EXPLAIN, JSON, MARKDOWN, PLAIN, TABLE, Call, message_of
 from .options import Options
 
 if TYPE_CHECKING:
@@ -119,10 +119,10 @@ def _write_columns(
 
     tallies: list[Tally] = []
     every = counted(blocks, tallies, symbol_of)
-    if call.output is FILE:
+    if call.target is not None:
         from ..tables.run import write_file
 
-        write_file(wanted, every, form, call.target or "", doubt=not call.no_doubt, quiet=call.quiet)
+        write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
     elif is_table:
         from ..output.table import sweep_table
 
@@ -139,15 +139,15 @@ def _write_columns(
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of states of a curve
         notes = notes_on_rows(groups, tally, wanted.reported_doubts)
     else:
-        notes = _told(call, single)
+        notes = _told(single, is_shown=is_table)
     for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
         say_wrapped(line, sys.stderr)
     return _exit_code(call, tally.failed, tally.rows)
 
 
-def _told(call: Call, single: "Answer") -> "list[Note]":
-    """Return the sentences about a single answer: also the best ranges that no table shows."""
-    if call.output is TABLE:
+def _told(single: "Answer", *, is_shown: bool) -> "list[Note]":
+    """Return the sentences about a single answer; where its table `is_shown`, without those that stand in it."""
+    if is_shown:
         return single.sentences_below
     from ..answers.ranges import notes_on_ranges
 
@@ -200,13 +200,17 @@ def _write_answers(
             from ..output.table import frame_table
 
             frame_table(next(watched()), out, form)
+        elif call.output is MARKDOWN:
+            from ..output.markdown import frame_page
+
+            frame_page(next(watched()), out, form)
         else:
             from ..output.answered import write_plain
 
             write_plain(next(watched()), out, form)
         out.flush()
     if single is not None and call.output.has_rows:
-        for line in lines_of(_told(call, single), quiet=call.quiet):
+        for line in lines_of(_told(single, is_shown=call.output.for_readers), quiet=call.quiet):
             say_wrapped(line, sys.stderr)
     return _exit_code(call, len(failures), count, failures[0] if failures else None)
 

@@ -44,6 +44,8 @@ STATUS = "status"  # the column of reasons
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 _NO_DOUBTS: Counter[int] = Counter()
 _BEST = "_best_"  # in the keys of the columns of a best range, behind the quantity
+_BY = f"{_BEST}by"
+_TEXTS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
 Gaps = tuple[int, int, str]  # rows with one status: their number, the first, counted from 1, and its reasons in full
 _NONE: Mapping[str, Any] = {}  # which can be pickled
@@ -90,7 +92,7 @@ class Wanted:
     def heads(self, header: Callable[[str], str]) -> list[str]:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
         keys = ((name, key) for name in self.names for key in self.keys_of(name))
-        return [key if key.endswith(f"{_BEST}by") else header(name).replace(name, key, 1) for name, key in keys]
+        return [key if key.endswith(_BY) else header(name).replace(name, key, 1) for name, key in keys]
 
     def remarks(self, *, doubt: bool = True) -> tuple[str, ...]:
         """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
@@ -121,6 +123,15 @@ class Wanted:
             return None
         problem = "error bars are left out, for which the table has no columns; --uncertainty adds them"
         return BadRequest(f"{listed(results.sources.given)}: {problem}", "error bars left out")
+
+
+def has_texts(head: str) -> bool:
+    """Return whether the column of a header has texts, not numbers.
+
+    >>> has_texts("material"), has_texts("radius [m]"), has_texts("n_grav_best_by")
+    (True, False, True)
+    """
+    return head in _TEXTS or head.endswith(_BY)
 
 
 def sides_in(groups: Iterable[tuple[Frame, Sequence[str]]]) -> set[str]:

@@ -11,12 +11,12 @@ from ..answers.ranges import lines_on_ranges, lines_on_rules
 from ..model.estimate import BETTER_LAW, DEFINITION, NONE, SCALED, WORDS, XI_UNKNOWN, Estimate
 from ..model.limits import codes
 from ..model.rows import DOUBT, as_list
-from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
+from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
-from ..text import TextColumn, first_of, fit_terminal, listed, say, say_wrapped, text_columns, write_table
+from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
-_DIGITS = 4  # of a result on a terminal
 _LEAST = 0.25  # number that stands in the unit of the rows above it
 _NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _CODES = 24  # characters of the codes of doubts in a cell
@@ -44,7 +43,8 @@ def _cell(value: "Value", unit: tuple[str, Unit], form: Format) -> str:
     if isinstance(value, Interval):
         return from_to(convert(value.low, unit[1]), convert(value.high, unit[1]), form.digits or 2)
     if isinstance(value, float):
-        return significant(convert(value, unit[1]), form.digits or _DIGITS, zeros=form.digits is None and value != 0)
+        zeros = form.digits is None and value != 0
+        return significant(convert(value, unit[1]), form.digits or RESULT_DIGITS, zeros=zeros)
     return form.in_unit(value, unit)
 
 
@@ -58,15 +58,14 @@ def columns_of(name: str, values: "Mapping[str, Sequence[Value]]", form: Format)
     ]
 
 
-def _write_inputs(
+def _about_inputs(
     lead: str,
     inputs: "Mapping[str, float | str | Uncertain]",
     assumed: Mapping[str, str],
-    out: TextIO,
     form: Format,
     several: Sequence[str] = (),
-) -> None:
-    """Write a line with the inputs that were given, behind a lead, and one with what was assumed.
+) -> Iterator[str]:
+    """Iterate over a line with the inputs that were given, behind a lead, and one with what was assumed.
 
     Materials have the values that are theirs in brackets. `several`: the inputs that differ from row to row.
     """
@@ -86,9 +85,9 @@ def _write_inputs(
             solid = inputs[material] if "material" in inputs else f"sphere 2: {inputs[material]}"
             texts[material] = f"{solid} ({', '.join(data)})" if data else str(solid)
     if line := ", ".join(filter(None, [lead, *texts.values()])):
-        say_wrapped(line, out)
+        yield line
     if assumed:
-        say_wrapped(f"assumed: {', '.join(assumed.values())}", out)
+        yield f"assumed: {', '.join(assumed.values())}"
 
 
 def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence[str]) -> str:
@@ -104,25 +103,33 @@ def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence
 
 
 def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write the inputs of one frame, its results below each other, each with its best range, and why it has that.
+    """Write what is shown of one frame."""
+    for part in parts_of_frame(answer, form):
+        if isinstance(part, str):
+            say_wrapped(part, out)
+        else:
+            write_table(part, [], out)
+
+
+def parts_of_frame(answer: "Answer", form: Format) -> Iterator[str | list[TextColumn]]:
+    """Iterate over lines and tables: the inputs of one frame, its results with their best ranges, and why these.
 
     Conventions of other codes stand below the others.
     """
-    _write_inputs("", answer.measures, _in_column(answer), out, form)
-    for line in lines_above(answer.sentences):
-        say_wrapped(line, out)
+    yield from _about_inputs("", answer.measures, _in_column(answer), form)
+    yield from lines_above(answer.sentences)
     if answer.described.unknowns:
-        _write_inferred(answer, out, form)
+        yield _of_inferred(answer, form)
+        yield from lines_on_ranges(answer, answer.estimates)
         return
     law = answer.frame.law.short
     physics, conventions = _rows(answer, form)
     if physics:
-        _write_results([*physics.values(), *_on_surfaces(answer, form)], law, out)
-        for line in lines_on_ranges(answer, physics):
-            say_wrapped(line, out)
+        yield _of_results([*physics.values(), *_on_surfaces(answer, form)], law)
+        yield from lines_on_ranges(answer, physics)
     if conventions:
-        say("conventions of other codes, exact by definition", out)
-        _write_results([*conventions.values()], law, out)
+        yield "conventions of other codes, exact by definition"
+        yield _of_results([*conventions.values()], law)
 
 
 def _in_column(answer: "Answer") -> dict[str, str]:
@@ -180,15 +187,13 @@ def _on_surfaces(answer: "Answer", form: Format) -> Iterator[list[str]]:
         yield [surface, "", from_to(low, high, form.digits or 2), of_jkr, "", unit[0]]
 
 
-def _write_results(rows: Sequence[Sequence[str]], law: str, out: TextIO) -> None:
-    """Write rows of results; without ranges where all of them are those of the law in use."""
+def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
+    """Return the columns of rows of results; without ranges where all of them are those of the law in use."""
     heads = ["quantity", "symbol", "best range", "by", law, "unit"]
     if {row[3] for row in rows} <= {LAWS[DEFAULT_LAW].short, WORDS[DEFINITION], "–"}:
         heads, rows = [*heads[:2], *heads[4:]], [[*row[:2], *row[4:]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
-    write_table(
-        [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns], [], out
-    )
+    return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
 
 
 def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) -> list[str]:
@@ -212,10 +217,10 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
 # --- Inferred values --------------------------------------------------------------------------------------------------
 
 
-def _write_inferred(answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write inferred values by each law, the one that holds first, beside those of the library, and why it holds."""
+def _of_inferred(answer: "Answer", form: Format) -> list[TextColumn]:
+    """Return the columns of inferred values by each law, the one that holds first, beside those of the library."""
     own, library = answer.frame.law.name, library_values(answer.described)
-    exact = Format(form.units, form.digits or _DIGITS)
+    exact = Format(form.units, form.digits or RESULT_DIGITS)
     rows = []
     for law in laws_of(answer):
         for result in answer.results:
@@ -232,9 +237,7 @@ def _write_inferred(answer: "Answer", out: TextIO, form: Format) -> None:
         columns[4] = columns[4]._replace(head="library has")
     if not library:
         del columns[4]
-    write_table(columns, [], out)
-    for line in lines_on_ranges(answer, answer.estimates):
-        say_wrapped(line, out)
+    return columns
 
 
 # --- Lists ------------------------------------------------------------------------------------------------------------
@@ -253,7 +256,8 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     count = f"{number} {'states' if 'state' in inputs else 'pairs'}" if number > 1 else ""
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
-    _write_inputs(count, common, assumed, out, form, several)
+    for line in _about_inputs(count, common, assumed, form, several):
+        say_wrapped(line, out)
     if BETWEEN in distinct.get("model", ()):
         say_wrapped("maugis holds in every row, another law where no law-off doubt stands", out)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []

@@ -17,12 +17,13 @@ from typing import Any, BinaryIO, TextIO, cast
 from ..errors import BadRequest
 from ..model.estimate import WORDS
 from ..model.limits import codes
-from ..model.rows import DOUBT, Columns, Wanted, as_list
-from ..quantities.formatting import Format, in_words, pretty
+from ..model.rows import DOUBT, Columns, Wanted, as_list, has_texts
+from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, in_words, pretty
 from ..quantities.nomenclature import INFINITY, header
 from ..quantities.values import middle
 from ..text import for_terminal, json_text, quoted, say, spelled, write_texts
 
+Cell = str | float | None
 STRIP = 256  # rows written at once: their text stays in the cache, and is no large piece of memory
 
 
@@ -30,6 +31,7 @@ class Lines:
     """Rows as lines of cells with a separator between them."""
 
     has_words = True  # an infinite input is a word
+    digits: int | None = None  # of results, where none are asked for; all where that is None
 
     def __init__(
         self,
@@ -99,14 +101,18 @@ class Lines:
         rows = numbers_in_lines(column[..., part], self.separator, self.gap)
         if self.has_commas:
             rows = [row.replace(b".", b",") for row in rows]
-        return rows if lead == self.separator else [lead + row[1:] for row in rows]
+        return rows if lead == self.separator else [lead + row[len(self.separator) :] for row in rows]
 
     def _cell(self, value: str | float | None) -> bytes:
         if value is None:
             return self.gap
         if not isinstance(value, float):
             return self._text(str(value))
-        return self.gap if isnan(value) else spelled(value + 0.0).encode()
+        return self.gap if isnan(value) else self._number(value + 0.0)
+
+    def _number(self, value: float) -> bytes:
+        """Return a finite number."""
+        return spelled(value).encode()
 
     def _text(self, text: str) -> bytes:
         """Return a text, in quotes where it needs them."""
@@ -133,9 +139,41 @@ class Objects(Lines):
         return encode_basestring(text).encode()
 
 
+class Markdown(Lines):
+    """Rows as a table of GitHub's Markdown, with numbers for readers, set to the right."""
+
+    digits = RESULT_DIGITS
+
+    def __init__(self, are_right: Sequence[bool] = (), *, has_commas: bool = False) -> None:
+        """`are_right`: whether the first columns are set to the right; the headers of others say what they hold."""
+        super().__init__(" | ", end=" |\n", has_commas=has_commas)
+        self.are_right = are_right
+
+    def header(self, heads: Sequence[str], before: Sequence[bytes] = ()) -> bytes:
+        """Return the line of the headers, and the one below it, which sets columns to a side."""
+        others = heads if before else heads[len(self.are_right) :]
+        are_right = [*self.are_right, *(not has_texts(head) for head in others)]
+        sides = b"".join(b"|---:" if is_right else b"|---" for is_right in are_right) + b"|\n"
+        return (b"" if before else b"| ") + super().header(heads, before) + sides
+
+    def _leads(self, heads: Sequence[str], *, is_begun: bool) -> list[bytes]:
+        """Return what stands before the cells of each column."""
+        first, *others = super()._leads(heads, is_begun=is_begun)
+        return [first or b"| ", *others]
+
+    def _number(self, value: float) -> bytes:
+        """Return a number, a whole one without a point."""
+        number = super()._number(value).removesuffix(b".0")
+        return number.replace(b".", b",") if self.has_commas else number
+
+    def _text(self, text: str) -> bytes:
+        return in_markdown(text).encode()
+
+
 WRITERS = {
     "csv": Lines(","),
     "tsv": Lines("\t"),
+    "md": Markdown(),
     "plain": Lines("\t", "-", is_plain=True),
     "bare": Lines("\t", "-", has_header=False, is_plain=True),
     "ndjson": Objects(),
@@ -147,6 +185,21 @@ def in_quotes(cell: str, separator: str) -> str:
     if any(mark in cell for mark in (separator, '"', "\n", "\r")):
         return '"' + cell.replace('"', '""') + '"'
     return cell
+
+
+def in_markdown(text: str) -> str:
+    r"""Return a text in one line that Markdown shows as it is, also in the cell of a table.
+
+    >>> in_markdown("a|b *c*\nP_c [nN] _d_")
+    'a\\|b \\*c\\* P_c [nN] \\_d\\_'
+    """
+    one_line = re.sub(r"\r\n|\r|\n", " ", text)
+    return re.sub(r"[\\|`*<&~$]|\](?=\()|(?<![^\W_])_|_(?![^\W_])", r"\\\g<0>", one_line)
+
+
+def in_row(cells: Iterable[str]) -> str:
+    """Return the beginning of a line of a table in Markdown: texts as cells."""
+    return "| " + " | ".join(map(in_markdown, cells))
 
 
 def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
@@ -191,12 +244,15 @@ def written(
     """
     remarks = () if writer.is_plain else wanted.remarks(doubt=doubt)
     heads = [*map(header, wanted.inputs), *wanted.heads(form.header), *remarks]
+    of_results = Format(form.units, form.digits or writer.digits)
     yield writer.header(heads)
     for columns in blocks:
         inputs = [[*map(middle, column)] if isinstance(column, list) else column for column in columns.inputs.values()]
         if writer.has_words:
             inputs = [_in_words(name, column) for name, column in zip(wanted.inputs, inputs, strict=True)]
-        yield writer.rows(heads, [*inputs, *result_columns(columns, form, remarks)])
+        if writer.digits:
+            inputs = [_rounded(column, form.digits or DIGITS) for column in inputs]
+        yield writer.rows(heads, [*inputs, *result_columns(columns, of_results, remarks)])
 
 
 def _in_words(name: str, column: Any) -> Any:
@@ -204,6 +260,11 @@ def _in_words(name: str, column: Any) -> Any:
     if isinstance(column, list) or (abs(column) == INFINITY).any():
         return [in_words(name, value) for value in as_list(column)]
     return column
+
+
+def _rounded(column: Any, digits: int) -> list[Cell]:
+    """Return a column of numbers and words, the numbers with so many significant digits."""
+    return [float(f"{cell:.{digits}g}") if isinstance(cell, float) else cell for cell in as_list(column)]
 
 
 def result_columns(columns: Columns, form: Format, remarks: Sequence[str]) -> list[Any]:
@@ -239,11 +300,9 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
 
 # --- Records ----------------------------------------------------------------------------------------------------------
 
-Cell = str | float | None
-
 
 def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], output: str, out: TextIO) -> None:
-    """Write records in a format: "table", "plain", "csv" or "json".
+    """Write records in a format: "table", "plain", "csv", "md" or "json".
 
     A cell without a value is None. It is written as "—", "-", an empty cell or null.
     """
@@ -258,6 +317,9 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], outpu
 def write_columns(heads: Sequence[str], columns: Sequence[Any], output: str, out: TextIO) -> None:
     """Write columns as text in a format whose rows are lines."""
     writer = WRITERS[output]
+    if writer.digits:
+        columns = [_rounded(column, DIGITS) for column in columns]
+        writer = Markdown([{*map(type, column)} - {type(None)} == {float} for column in columns])
     text = writer.header(heads) + (writer.rows(heads, columns) if columns else b"")
     out.write(text.decode())
 

@@ -9,6 +9,7 @@ from .units import Unit, convert, power_of_ten
 from .values import Measured, Uncertain, ends_of, middle
 
 DIGITS = 6  # significant, of a rounded value
+RESULT_DIGITS = 4  # of a result in a table for readers
 ROUND_DIGITS = 12  # all that a round value has, and no rounding error
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0

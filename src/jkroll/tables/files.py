@@ -27,7 +27,7 @@ from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import BadRequest, BadTable, JkrollError, missing_extra
 from ..model.rows import BLOCK
-from ..output.writers import Lines, in_quotes
+from ..output.writers import Lines, Markdown, in_quotes, in_row
 from ..text import ending, quoted, say
 from .decimals import decimal_mark, have_decimal_commas, with_decimal_points, without_unclear
 from .header import is_input, typed
@@ -54,6 +54,7 @@ from .table import Asked, Records, Table
 
 NOT_WRITTEN = "xlsx xls ods json svg pdf png jpg jpeg gif tif tiff eps ps svgz bmp webp".split()  # ends of names
 FORMATS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
+WRITTEN = {**FORMATS, "md": "md"}
 SEPARATORS = {"csv": ",", "tsv": "\t"}  # unless --delimiter says others
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
 CHUNK = 1 << 21  # bytes read at a time: twice as much memory stays with a process from block to block
@@ -81,15 +82,17 @@ class FileFormat(NamedTuple):
     separator: str = ""
 
 
-def format_of_name(path: str) -> FileFormat | None:
+def format_of_name(path: str, formats: Mapping[str, str] = FORMATS) -> FileFormat | None:
     """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for x.parquet.gz.
+
+    `formats`: by the ends of names; those of tables that are read unless others are given.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
     (FileFormat(name='csv', compression='gzip', separator=','), None)
     """
     name, _, end = os.path.basename(path).casefold().rpartition(".")
     compression = COMPRESSIONS.get(end, "")
-    known = FORMATS.get(name.rpartition(".")[2] if compression else end, "")
+    known = formats.get(name.rpartition(".")[2] if compression else end, "")
     if known == "parquet" and compression:
         raise BadTable(f"{quoted(path)}: Parquet is compressed in itself; leave out .{end}")
     return FileFormat(known, compression, SEPARATORS.get(known, "")) if known else None
@@ -129,7 +132,7 @@ def output_format(target: str, usual: str, *, quiet: bool) -> FileFormat:
 
     Raises BadRequest for a format that is another program's.
     """
-    if (form := format_of_name(target)) is not None:
+    if (form := format_of_name(target, WRITTEN)) is not None:
         return form
     name, end = os.path.splitext(target)
     if ending(target) in NOT_WRITTEN:
@@ -215,14 +218,17 @@ class Input:
 
 
 def table_of_lines(
-    given: Input, form: FileFormat, asked: Asked, *, excel_safe: bool
+    given: Input, form: FileFormat, asked: Asked, *, excel_safe: bool, as_markdown: bool
 ) -> tuple[Delimited | Ndjson, Iterator[bytes]]:
     """Return a table whose records are lines, with its header read, and its blocks of rows. Raises BadTable.
 
-    `excel_safe`: see Delimited.
+    `excel_safe`, `as_markdown`: see Delimited.
     """
     is_of_blanks = form.separator == " "
-    lines = Ndjson() if form.name == "ndjson" else Delimited(form.separator, excel_safe=excel_safe)
+    if form.name == "ndjson":
+        lines: Delimited | Ndjson = Ndjson()
+    else:
+        lines = Delimited(form.separator, excel_safe=excel_safe, as_markdown=as_markdown)
     every = blocks(given.pieces(form.compression), lines.cut)
     first = next(every, b"")
     mark = BOM if first.startswith(BOM) else b""
@@ -235,7 +241,8 @@ def table_of_lines(
         every = between_tabs(every)
     first = next(every)
     rows = first[lines.begin(first, asked.stated, asked.measured) :]
-    lines.header = mark + lines.header
+    if not as_markdown:
+        lines.header = mark + lines.header
     return lines, filter(None, chain([rows], every))
 
 
@@ -280,13 +287,15 @@ Record = tuple[int, int, list[str], str]  # its first line, that behind it, its 
 class Delimited:
     """A table of cells with a separator between them."""
 
-    def __init__(self, separator: str, *, excel_safe: bool = False) -> None:
+    def __init__(self, separator: str, *, excel_safe: bool = False, as_markdown: bool = False) -> None:
         """`separator`: a blank is written as a tab, and has become one in what is read.
 
         `excel_safe`: whether cells are written so that a spreadsheet takes no text for a formula.
+        `as_markdown`: whether a table of Markdown is written.
         """
         self.word = next(word for word, mark in DELIMITERS.items() if mark == separator)
         self.separator, self.excel_safe = separator.replace(" ", "\t"), excel_safe
+        self.as_markdown = as_markdown
         self.blanks = _BLANKS.replace(self.separator, "")  # a line of these is no record
 
     def cut(self, text: bytes) -> int:
@@ -316,11 +325,13 @@ class Delimited:
         """Return the line of some cells, in quotes where they need them."""
         return self.separator.join(in_quotes(cell, self.separator) for cell in cells)
 
-    def _safe(self, cells: Sequence[str], line: str) -> str:
-        """Return the line of some cells as it is written."""
-        if not (self.excel_safe and any(map(_is_formula, cells))):
-            return line
-        return self._line(f"'{cell}" if _is_formula(cell) else cell for cell in cells)
+    def _written(self, cells: Sequence[str], line: str) -> bytes:
+        """Return the line of some cells as it is written, without its end."""
+        if self.excel_safe and any(map(_is_formula, cells)):
+            cells = [f"'{cell}" if _is_formula(cell) else cell for cell in cells]
+            line = self._line(cells)
+        text = in_row(cells) if self.as_markdown else line.rstrip("\r\n")
+        return text.encode(BYTES)
 
     # --- The header ---------------------------------------------------------------------------------------------------
 
@@ -346,15 +357,22 @@ class Delimited:
         if not any(len(row.cells) == len(self.names) for row in first):
             column = unnamed_column(self.names, first, self.word, is_read)
             cells, line = self._with_unnamed(column, cells, line)
-        self.header = self._safe(cells, line).rstrip("\r\n").encode(BYTES)
+        self.header = self._written(cells, line)
         marked = [row.without_mark() for row in first[:1] if is_marked]  # of units, as the header is
         count = self._take_units([*marked, *first[len(marked) :]], stated, measured)
         whole = (row.cells for row in chain(first[count:], rows) if len(row.cells) == len(self.names))
         self.sample = [[*map(text_of, row)] for row in islice(whole, SAMPLE)]
         self._take_decimal_mark([*map(is_read, self.names)])
-        end = "\r\n" if line.endswith("\r\n") else "\n"
-        self.writer = Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
+        self.writer = self._writer("\r\n" if line.endswith("\r\n") else "\n")
         return sum(map(len, lines[: self.lines]))
+
+    def _writer(self, end: str) -> Lines:
+        """Return the writer of lines with this end, unless they are of Markdown; numbers stand on the right there."""
+        if not self.as_markdown:
+            return Lines(self.separator, end=end, has_commas=self.has_decimal_commas)
+        columns = [[row[position].strip() for row in self.sample] for position in range(len(self.names))]
+        are_right = [any(cells) and all(map(_NUMBER.fullmatch, filter(None, cells))) for cells in columns]
+        return Markdown(are_right, has_commas=self.has_decimal_commas)
 
     def _rows(self, lines: Sequence[str]) -> Iterator[Row]:
         """Iterate over the rows below the header that can be read."""
@@ -386,8 +404,8 @@ class Delimited:
         self.names = headers.names
         end = first + 1 + len([*takewhile(partial(is_remark, names=self.names), rows[first + 1 :])])
         for row in rows[:end]:
-            line = self._safe(row.cells, row.line).rstrip("\r\n").encode(BYTES)
-            self.above.append((line, ROW_OF_UNITS if row is rows[first] else ROW_OF_COMMENTS))
+            status = ROW_OF_UNITS if row is rows[first] else ROW_OF_COMMENTS
+            self.above.append((self._written(row.cells, row.line), status))
         self.remarks.append(f"units: line {rows[first].number}")
         self.lines = rows[end - 1].last
         return end
@@ -445,7 +463,7 @@ class Delimited:
     def _cut(self, text: bytes, positions: Mapping[str, int]) -> Records | None:
         """Cut lines without quotes that have the right width at their separators; None if there are others."""
         width, separator = len(self.names), self.separator.encode()
-        if b'"' in text or self.excel_safe:
+        if b'"' in text or self.excel_safe or self.as_markdown:
             return None
         if b"\r" in text:  # to search for two bytes takes 100 times as long
             text = text.replace(b"\r\n", b"\n")
@@ -479,7 +497,7 @@ class Delimited:
                 cells = [*padded[: width - 1], rest]
                 line = self._line(cells)
             starts.append(start)
-            before.append(self._safe(cells, line).encode(BYTES))
+            before.append(self._written(cells, line))
             rows.append(cells)
         columns = {name: [row[position].encode(BYTES) for row in rows] for name, position in positions.items()}
         return Records(before, columns, odd, starts, len(lines))

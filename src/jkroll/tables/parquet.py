@@ -8,9 +8,8 @@ import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest, BadTable
-from ..model.rows import BLOCK, DOUBT, STATUS
+from ..model.rows import BLOCK, has_texts
 from ..output.writers import divided, length
-from ..quantities.nomenclature import NOMENCLATURE
 from ..text import quoted, shown
 from .cells import cell_of, cells_of
 from .files import Input
@@ -19,8 +18,6 @@ from .table import Asked, Records, Table
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, about
-# The headers of columns of texts; the others hold numbers.
-WORDS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if quantity.is_word)}
 
 # --- Rows as batches --------------------------------------------------------------------------------------------------
 
@@ -28,12 +25,12 @@ WORDS = {DOUBT, STATUS, *(name for name, quantity in NOMENCLATURE.items() if qua
 class Batches:
     """The writer of rows as batches of Arrow, of which the header is an empty one."""
 
-    is_plain, has_words = False, False
+    is_plain, has_words, digits = False, False, None
 
     def header(self, heads: Sequence[str], before: Sequence[Any] = ()) -> Any:
         """Return the batch without rows. `before`: the schema of the columns that stand before these."""
         (schema,) = before or (pyarrow.schema([]),)
-        new = [pyarrow.field(head, pyarrow.string() if head in WORDS else pyarrow.float64()) for head in heads]
+        new = [pyarrow.field(head, pyarrow.string() if has_texts(head) else pyarrow.float64()) for head in heads]
         every = pyarrow.schema([*schema, *new], metadata=schema.metadata)
         return pyarrow.RecordBatch.from_pylist([], schema=every)
 

@@ -24,7 +24,17 @@ from ..output.writers import WRITERS, remove_begun, result_columns, whole_file, 
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, computed_as
 from ..text import quoted, say, say_wrapped, shown
-from .files import Delimited, Input, compressed, format_of_name, input_format, output_format, table_of_lines
+from .files import (
+    SEPARATORS,
+    WRITTEN,
+    Delimited,
+    Input,
+    compressed,
+    format_of_name,
+    input_format,
+    output_format,
+    table_of_lines,
+)
 from .header import check_inputs, understood
 from .ndjson import Ndjson
 from .table import Asked, Table, TableBlock
@@ -162,7 +172,8 @@ class Converter(NamedTuple):
         records = records._replace(cells={})  # as much memory as all else, which writing takes again
         if self.strict and (failed := columns.first_failed):
             raise BadRow(records.starts[failed.first], worded(failed.reasons))
-        added = [*table.said.values(), *result_columns(columns, Format(), table.wanted.remarks())]
+        form = Format(digits=self.form.writer.digits)
+        added = [*table.said.values(), *result_columns(columns, form, table.wanted.remarks())]
         output = compressed(self.form.writer.rows(table.added, added, records.before), self.compression)
         tally = Tally.of(columns)
         if unknown := table.asked.infer:
@@ -175,7 +186,8 @@ def convert_one(path: str, job: Job) -> Tally:
     asked = job.asked
     given = input_format(path, job.target, job.format, job.delimiter)
     wanted = output_format(job.target, given.name, quiet=job.quiet)
-    if wanted.name != given.name:
+    as_markdown = wanted.name == "md" and given.name in SEPARATORS
+    if wanted.name != given.name and not as_markdown:
         name = quoted(f"{os.path.basename(job.target).partition('.')[0]}.{given.name}")
         raise BadTable(f"-o: the output has the format of the input; write {name}, and convert it with another program")
     file = Input(path)
@@ -187,7 +199,7 @@ def convert_one(path: str, job: Job) -> Tally:
                 from .parquet import batches_of
             form, blocks = batches_of(file, job.target, asked)
         else:
-            form, blocks = table_of_lines(file, given, asked, excel_safe=job.excel_safe)
+            form, blocks = table_of_lines(file, given, asked, excel_safe=job.excel_safe, as_markdown=as_markdown)
         header = understood(
             form.names, form.sample, form.stated, asked.inputs, asked.measured, asked.supply, pass_rest=asked.pass_rest
         )
@@ -290,7 +302,7 @@ def _convert_many(path: str, job: Job) -> tuple[Tally, int]:
 def _pairs(directory: str, path: str) -> list[Pair]:
     """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
     place = directory.rstrip(os.sep)
-    is_file = os.path.exists(place) or format_of_name(directory) is not None
+    is_file = os.path.exists(place) or format_of_name(directory, WRITTEN) is not None
     if directory == "-" or (is_file and not os.path.isdir(place)):
         raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
     paths = [path] if os.path.exists(path) else sorted(glob.glob(path))

@@ -1,0 +1,23 @@
+"""One frame as a page of Markdown: the tables of a terminal, and the lines around them as paragraphs."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, TextIO
+
+from ..quantities.formatting import Format
+from ..text import TextColumn
+from .table import parts_of_frame
+from .writers import Markdown, in_markdown
+
+if TYPE_CHECKING:
+    from ..answers.answer import Answer
+
+
+def frame_page(answer: "Answer", out: TextIO, form: Format) -> None:
+    """Write what is shown of one frame, with an empty line between paragraphs and tables."""
+    parts = parts_of_frame(answer, form)
+    out.write("\n".join(f"{in_markdown(part)}\n" if isinstance(part, str) else _table(part) for part in parts))
+
+
+def _table(columns: Sequence[TextColumn]) -> str:
+    writer, heads = Markdown([column.is_right for column in columns]), [column.head for column in columns]
+    return (writer.header(heads) + writer.rows(heads, [[*column.cells] for column in columns])).decode()
