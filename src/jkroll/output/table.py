@@ -159,20 +159,20 @@ def _rows(answer: "Answer", form: Format) -> tuple[_Rows, _Rows]:
             continue
         shown.add((result.value, quantity.unit))
         estimate = answer.estimates.get(name)
-        first, unit = _largest(result.measure, estimate), units.get(quantity.unit)
-        if not unit or not _LEAST <= abs(convert(first, unit[1])) < 1:
-            unit = form.common_unit(name, [first])
-        units |= {quantity.unit: unit} if first else {}
+        sizes, unit = _sizes(result.measure, estimate), units.get(quantity.unit)
+        if not unit or not all(_LEAST <= convert(size, unit[1]) < 1 for size in sizes):
+            unit = form.common_unit(name, sizes[-1:])
+        units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
         row += [_cell(result.measure, unit, form), unit[0]]
         (conventions if estimate and estimate.by == DEFINITION else physics)[name] = row
     return physics, conventions
 
 
-def _largest(measure: "float | Uncertain | None", estimate: "Estimate | None") -> float:
-    """Return the number whose unit suits a row: the end of the range that is farthest from 0, or the result."""
+def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> list[float]:
+    """Return the sizes in order of the numbers that a row should show well: of its best range, or of the result."""
     ends = [] if estimate is None else [float(end) for end in estimate[:2] if not isnan(end)]
-    return max(ends, key=abs) if ends else middle(measure or 0.0)
+    return sorted(map(abs, ends or [middle(measure or 0.0)]))
 
 
 _SURFACES = {"on smooth glass": ("1/4–1/2 of JKR", 4, 2), "on rough grains in air": ("1/100–1/10", 100, 10)}
