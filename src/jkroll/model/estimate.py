@@ -41,6 +41,7 @@ _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
 _IMPACT = ("restitution", "lost_energy", "sticking_speed", "sticking_energy")  # of which adhesion alone sets an end
 _AT_MOST = ("lost_energy", "sticking_energy")
 _SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
+_PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
 
 
@@ -114,8 +115,8 @@ class Ranges:
         low, high = self.by_better_law(name)
         theirs = [law(self.results.described).column(name).or_else(0.0) for law in _BETTER]
         if name in _AS_PULL_OFF:
-            theirs.append(self._by_lennard_jones(name))
-            high = at_least(high, theirs[-1])
+            force, most = self._by_lennard_jones(name)
+            theirs, high = [*theirs, force], at_least(high, most)
         ours = self.results.columns[name].or_else(0.0)
         yield farthest((value, ours) for value in theirs) > LAW_MATTERS, low, high, BETTER_LAW
         yield True, at_most(low, own[0]), at_least(high, own[1]), LAW_IN_USE
@@ -167,7 +168,9 @@ class Ranges:
         if make not in self._made:
             self._made[make] = {}
             with suppress(MissingInput, NoResult):
-                self._made[make] = _ends_by(make, self.results.described, [*self.names, "hysteresis_ratio"])
+                forces = () if {*self.names}.isdisjoint(_AS_PULL_OFF) else _PULL_OFF
+                names = dict.fromkeys((*self.names, "hysteresis_ratio", *forces))
+                self._made[make] = _ends_by(make, self.results.described, names)
         return self._made[make]
 
     @property
@@ -184,10 +187,11 @@ class Ranges:
         """The pull-off force of rigid spheres over that of soft ones."""
         return self.frame["pull_off_force_dmt"] / self.frame["pull_off_force"]
 
-    def _by_lennard_jones(self, name: str) -> Any:
-        numbers = self.frame.numbers("pull_off_force", "pull_off_force_lennard_jones")
-        force = numbers.get("pull_off_force_lennard_jones", nan)
-        return self.frame[name] * (force / numbers["pull_off_force"])
+    def _by_lennard_jones(self, name: str) -> Ends:
+        """Return what is in proportion to the pull-off force by Lennard-Jones' law, and its upper end."""
+        own, force, by_lennard_jones = (self.frame.column(each).values for each in (name, *_PULL_OFF))
+        own_most, most, most_by_lennard_jones = (self.hull(each, _itself)[1] for each in (name, *_PULL_OFF))
+        return own * (by_lennard_jones / force), own_most * (most_by_lennard_jones / most)
 
 
 def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, Ends]:
