@@ -145,11 +145,11 @@ def test_what_stuck_otherwise_was_not_measured(other: Mapping[str, Any]) -> None
     assert best("sticking_speed", **given)["sticking_speed"].by != "measured"
 
 
-@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
-def test_a_law_that_is_given_decides(model: str) -> None:
+@pytest.mark.parametrize(("model", "word"), [("jkr", "JKR"), ("maugis", "Maugis"), ("dmt", "DMT")])
+def test_a_law_that_is_given_decides(model: str, word: str) -> None:
     force = solve("pull_off_force", model=model, **QUARTZ)
     estimate = best("pull_off_force", model=model, **QUARTZ)["pull_off_force"]
-    assert estimate[:2] == (approx(force), approx(force))
+    assert estimate == (approx(force), approx(force), word)
 
 
 def test_conventions_are_exact_and_laws_have_none() -> None:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.elementary import at_least, at_most, where
-from ..quantities.laws import BETWEEN
+from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import ends_of
 from .frame import Frame
@@ -35,7 +35,11 @@ from .uncertainty import ErrorBar, error_bars
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
 NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, ADHESION_ONLY, LAW_ONLY, AT_LEAST, BETTER_LAW, LAW_IN_USE = range(10)
-WORDS = ("–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR only", "at least", "Maugis", "JKR")
+_GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
+WORDS = (
+    "–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR only", "at least", "Maugis", "JKR",
+    *(law.short for law in LAWS.values()),
+)  # fmt: skip
 
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
 _IMPACT = ("restitution", "lost_energy", "sticking_speed", "sticking_energy")  # of which adhesion alone sets an end
@@ -96,7 +100,7 @@ class Ranges:
         if NOMENCLATURE[name].reference and not is_rolling and name not in _IMPACT:
             yield True, *own, DEFINITION
         if self.frame.stated_model is not None:
-            yield True, *own, LAW_IN_USE
+            yield True, *own, _GIVEN[self.frame.stated_model]
             return
         if is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
