@@ -195,7 +195,7 @@ class Ranges:
         """Return what is in proportion to the pull-off force by Lennard-Jones' law, and its upper end."""
         own, force, by_lennard_jones = (self.frame.column(each).values for each in (name, *_PULL_OFF))
         own_most, most, most_by_lennard_jones = (self.hull(each, _itself)[1] for each in (name, *_PULL_OFF))
-        return own * (by_lennard_jones / force), own_most * (most_by_lennard_jones / most)
+        return by_lennard_jones * (own / force), most_by_lennard_jones * (own_most / most)
 
 
 def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, Ends]:
