@@ -282,13 +282,13 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
     """Return the columns of the best range of a quantity and of its rule, and the rules of the rows.
 
-    There are none where all rows have the law in use.
+    There are none where all rows have the law in use, or a definition.
     """
     if not columns.wanted.best_of(name):
         return [], []
     lows, highs, rules = (as_list(columns.column(key)) for key in columns.wanted.best_of(name))
     words = [WORDS[NONE] if isnan(by) else WORDS[int(by)] for by in rules]
-    if not any(NONE < by < LAW_IN_USE for by in rules):
+    if not any(DEFINITION < by < LAW_IN_USE for by in rules):
         return [], []
     unit = form.common_unit(name, _measures(columns, name))
     ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]
