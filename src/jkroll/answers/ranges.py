@@ -57,7 +57,7 @@ def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
             text = f"{symbol_among(name, answer.inputs)}: {range_in_words(name, estimate)}"
             texts.setdefault(estimate.by, []).append(text)
     for by, of_rule in texts.items():
-        yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}: {why(by, answer)})")
+        yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {why(by, answer)}")
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:
