@@ -1,6 +1,6 @@
 """What measured forces mean in place of the assumed yield displacement, and hysteresis of adhesion as a part of w."""
 
-from math import inf, pi, sqrt
+from math import inf, sqrt
 from typing import Any
 
 import pytest
