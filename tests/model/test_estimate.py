@@ -49,7 +49,7 @@ def test_where_laws_are_within_5_percent_both_are_the_range() -> None:
 def test_an_error_bar_is_in_the_range_and_moves_no_law() -> None:
     """At 1 mm of iron all laws are within 5 %, however uncertain γ is; at 100 nm each end is by the law of its end."""
     gamma = value_of("20 to 30 mJ/m2", "surface_energy")
-    small = {"radius": 1e-7, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
+    small: dict[str, Any] = {"radius": 1e-7, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
     low, high, by = best("pull_off_force", surface_energy=gamma, **small)["pull_off_force"]
     least = solve("pull_off_force", model="maugis", atomic_spacing=2e-10, surface_energy=0.02, **small)
     most = solve("pull_off_force_lennard_jones", surface_energy=0.03, **small)
@@ -83,7 +83,7 @@ def test_what_follows_from_a_displacement_has_that_of_every_law() -> None:
 
 
 def test_an_unknown_displacement_is_from_an_atom_to_all_of_the_work() -> None:
-    given = {"material": "silica-dry", "radius": 2.5e-7}
+    given: dict[str, Any] = {"material": "silica-dry", "radius": 2.5e-7}
     force = best("yield_force", **given)["yield_force"]
     at_an_atom = by_maugis("yield_force", yield_displacement=2e-10, **given)
     ratios = by_maugis("hysteresis_ratio", yield_displacement=2e-10, **given)

@@ -275,9 +275,9 @@ def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = Fal
     lines = _warning(texts["warning"])
     if quiet:
         return lines
-    leads, notes = texts["lead"], [*texts["caveat"], *texts["remark"]]
-    shown = [_first_clauses(f"note: {text}") for text in (*leads[:_MAX_NOTES], *notes[:_MAX_NOTES])]
-    has_more = shown != [f"note: {text}" for text in (*leads, *notes)] or texts["more"]
+    leads, others = texts["lead"], [*texts["caveat"], *texts["remark"]]
+    shown = [_first_clauses(f"note: {text}") for text in (*leads[:_MAX_NOTES], *others[:_MAX_NOTES])]
+    has_more = shown != [f"note: {text}" for text in (*leads, *others)] or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
 
 

@@ -12,7 +12,7 @@ from ..model.estimate import BETTER_LAW, DEFINITION, LAW_IN_USE, NONE, SCALED, W
 from ..model.limits import codes
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, Format, amount, from_to, in_words, significant, symbol_among
-from ..quantities.laws import BETWEEN
+from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
