@@ -380,10 +380,10 @@ def _in_scene(scene: Frame, values: Mapping[str, float]) -> Iterator[str]:
 def _in_lines(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     """Iterate over the lines of one pair that are not the values of its row, and those that it has not."""
     ran = answered(run, *ask.words("--best"))
-    if ran.code:
-        return  # without a contact there is no line
-    lines = dict(line.split(" ", 1) for line in ran.out.splitlines())
     ended = {name for name, error in floats.reasons[0].items() if is_end_of_meaning(error)}
+    if ran.code or (ended and scenes_of(ask)[0].uncertainties):
+        return  # without a contact there is no line; other sources enter where lines keep what has no meaning
+    lines = dict(line.split(" ", 1) for line in ran.out.splitlines())
     for key in [key for key in floats.keys if best_of(key) and best_of(key) not in ended]:
         cell, expected = lines.get(key), _as_cell(key, floats.values[0])
         found = cell if cell is None or key.endswith("_by") else float(cell.split()[0])

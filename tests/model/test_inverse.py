@@ -500,7 +500,7 @@ def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
 def test_a_value_that_maugis_law_does_not_have_is_not_told(run: Run) -> None:
     words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
     said = " ".join(run(words).err.split())
-    assert "best range of E: 2.7e12 Pa (JKR only: by Maugis' law no value gives yield_force = 100 pN" in said
+    assert "best range of E: 2.7e12 Pa (JKR only); by Maugis' law no value gives yield_force = 100 pN" in said
     assert "no value gives yield_force = 100 pN" in run(f"{words} --model maugis").err
 
 
