@@ -251,6 +251,9 @@ def test_doors_agree_on_best_ranges_of_fresh_questions(run: Run, numbers: range)
     check_best(run, seed=int(os.environ["ACCURACY_SEED"]), numbers=numbers)
 
 
+GEL = (
+    "'1.5e-5 m' --radius2 plane --work-of-adhesion '0.071 J/m^2' --young rigid --young2 '1e6 Pa,3e3 Pa' --poisson2 0.5"
+)
 BEST: Mapping[str, str] = {
     "one pair": "yield-force quartz '3e-7 m'",
     "one pair with an error bar": "yield-force quartz '3e-7 m' --gamma '0.022±0.002 J/m^2'",
@@ -268,7 +271,12 @@ BEST: Mapping[str, str] = {
     "a displacement that was given": "yield-force quartz '1e-7 m,1e-6 m' --xi '1e-10 m'",
     "one pair with open ends": "energies quartz '1e-7 m'",
     "open ends": "energies quartz,iron '1e-7 m,1e-5 m'",
-    "a meaning that ends in one row": "yield-force quartz '2e-9 m,1e-7 m'",
+    "a displacement beyond its limit": "yield-force quartz '2e-9 m,1e-7 m'",
+    "turns that do not begin": "n-roll quartz '1e-7 m' --speed '0.12 m/s,0.1 m/s'",
+    "a sphere that flies off": "n-roll quartz '1e-6 m' --speed '4.65 m/s,4.66 m/s'",
+    "a contact wider than its sphere": f"contact {GEL}",
+    "a pull-off force of it": f"pull-off {GEL}",
+    "a chain without a sphere": "n-grav quartz '1e-6 m,1e-3 m'",
     "no modulus": "pull-off '1e-7 m,1e-6 m' --gamma '0.025 J/m^2'",
 }
 
