@@ -22,8 +22,10 @@ from jkroll.cli.call import Call
 from jkroll.cli.process import action_of
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError
+from jkroll.model.estimate import NONE
 from jkroll.model.frame import Frame
 from jkroll.model.limits import LIMITS, NOT_JUDGED, Limit
+from jkroll.model.other_law import at_half_spacing
 from jkroll.model.ranges import LEAST
 from jkroll.model.reasons import Failure, NoErrorBar
 from jkroll.model.rows import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
@@ -63,11 +65,13 @@ class Rows(NamedTuple):
 def rows_of(every: Sequence[Columns]) -> Rows:
     """Return the rows of columns."""
     found = Rows(every[0].wanted.keys, [], [], [], [])
+    rules = {key for key in found.keys if key.endswith("_best_by")}
     values, doubts, reasons, status = [], [], [], []
     for columns in every:
         numbers = {key: np.asarray(columns.column(key), dtype=float).tolist() for key in found.keys}
         for row in range(len(columns)):
-            values.append({key: own[row] for key, own in numbers.items() if not math.isnan(own[row])})
+            of_row = {key: own[row] for key, own in numbers.items() if not math.isnan(own[row])}
+            values.append({key: number for key, number in of_row.items() if key not in rules or number != NONE})
             doubts.append(int(columns.doubts[row]))
             gap = columns.gap_of(row)
             reasons.append({} if gap is None else dict(_by_key(gap.reasons)))
@@ -84,12 +88,13 @@ def _by_key(reasons: Mapping[str, JkrollError]) -> Iterator[tuple[str, JkrollErr
 def side_of(key: str) -> str:
     """Return the quantity of a column that has a side of its uncertainty; an empty text for other columns."""
     name, _, side = key.rpartition("_")
-    return name if key not in NOMENCLATURE and side in SIDES else ""
+    return name if key not in NOMENCLATURE and side in SIDES and not best_of(key) else ""
 
 
-def kind_of(key: str) -> str:
-    """Return the kind of what a column has in place of a quantity, as "maugis"; an empty text for other columns."""
-    return (side_of(key) or key).partition("_by_")[2]
+def best_of(key: str) -> str:
+    """Return the quantity of a column that has a part of its best range; an empty text for other columns."""
+    name, part, _ = key.partition("_best_")
+    return name if part else ""
 
 
 # --- Doors ------------------------------------------------------------------------------------------------------------
@@ -107,14 +112,14 @@ def scenes_of(ask: Ask) -> list[Frame]:
     return [*call_of(ask.words()).sweep.frames()]
 
 
-def of_list(ask: Ask, *, by_arrays: bool, alternatives: bool = False) -> Rows:
-    """Return the rows of a list, or with what may stand in place of its results."""
+def of_list(ask: Ask, *, by_arrays: bool, best: bool = False) -> Rows:
+    """Return the rows of a list. `best`: with the best ranges of its results."""
     call = call_of(ask.words())
     sweep, question = call.sweep, question_of(call, QUESTIONS[call.command])
     with computed(by_arrays=by_arrays):
         wanted = sweep.wanted(question.quantities, question.named)
-        if alternatives:
-            wanted = wanted.with_alternatives(sweep.groups, wanted.names)
+        if best:
+            wanted = wanted.with_best(wanted.names)
         rows = rows_of([*sweep.columns(wanted)])
     if by_arrays:
         return rows
@@ -262,10 +267,10 @@ def _error(scene: Frame, name: str) -> float:
     return abs(value) * STATED * ULP * (1 + _condition(scene, name, value)) if isinstance(value, float) else 0.0
 
 
-def _ends(scene: Frame, name: str) -> Iterator[Frame]:
+def _ends(scene: Frame, *names: str) -> Iterator[Frame]:
     """Iterate over the scene and those at the ends of the sources of uncertainty, one by one and all together."""
     yield scene
-    sources = sources_of(scene, scene.inputs_of(name)).entering
+    sources = sources_of(scene, scene.inputs_of(*names)).entering
     for source in sources:
         yield from (scene.replace(**dict.fromkeys(source.names, end)) for end in (source.given.low, source.given.high))
     for corner in product(*((source.given.low, source.given.high) for source in sources)):
@@ -338,15 +343,15 @@ def _in_rows(one: Rows, other: Rows, row: int, keys: Sequence[str], scene: Frame
 def _same(scene: Frame | None, key: str, one: float | None, other: float | None) -> bool:
     if one == other or scene is None:
         return one == other
-    name = (side_of(key) or key).partition("_by_")[0]
-    scenes = _made_of(scene, kind_of(key))
     if side_of(key):
-        return any(sides_agree(each, name, one, other) for each in scenes)
-    return one is not None and other is not None and any(agree(each, name, one, other) for each in scenes)
+        return sides_agree(scene, side_of(key), one, other)
+    if one is None or other is None or key.endswith("_best_by"):
+        return False
+    name = best_of(key)
+    return any(agree(each, name or key, one, other) for each in (_ends_of_best(scene) if name else [scene]))
 
 
-def _made_of(scene: Frame, kind: str) -> list[Frame]:
-    """Return the scenes whose answers stand in a column: of a kind of what may stand in place, or without a kind."""
-    if kind == "data":
-        return [at_least_measured(scene), at_most_measured(scene)]
-    return [scene.by_law if kind else scene]
+def _ends_of_best(scene: Frame) -> Iterator[Frame]:
+    """Iterate over the scene and that under the better law, at the ends of uncertain inputs."""
+    for each in _ends(scene, *scene.possible(["pull_off_force", "yield_force"])):
+        yield from (each, each.by_law_at_spacing, at_half_spacing(each.by_law_at_spacing))

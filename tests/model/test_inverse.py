@@ -321,7 +321,9 @@ def test_the_command(run: Run) -> None:
         "quartz,2e-6,plane,3e-7,0.015915494309189534,law-off-5% rough-matters,",
         "quartz,2e-6,plane,1e26,,,no value gives it",
     ]
-    assert "note: doubts in 1 of 2 rows (jkroll guide doubts): law-off-5% 1, rough-matters 1" in table.err
+    assert "no value gives pull_off_force = 1e26 N" in table.err
+    doubted = run(*words, "pull_off_force=300nN,310nN", "--csv").err
+    assert "note: doubts in 2 of 2 rows (jkroll guide doubts): law-off-5% 2, rough-matters 2" in doubted
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
 
 
@@ -498,7 +500,7 @@ def test_what_follows_from_an_inferred_value_has_its_reason() -> None:
 def test_a_value_that_maugis_law_does_not_have_is_not_told(run: Run) -> None:
     words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
     said = " ".join(run(words).err.split())
-    assert "best range of E: 2.7e12 Pa (JKR only: by Maugis' law no value gives yield_force = 100 pN" in said
+    assert "best range of E: 2.7e12 Pa (JKR only); by Maugis' law no value gives yield_force = 100 pN" in said
     assert "no value gives yield_force = 100 pN" in run(f"{words} --model maugis").err
 
 

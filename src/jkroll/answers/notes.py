@@ -268,16 +268,16 @@ def lines_above(notes: Sequence[Note]) -> list[str]:
 def lines_of(notes: Sequence[Note], *, has_head: bool = False, quiet: bool = False) -> list[str]:
     """Return the lines below an answer or rows, the last of which says that there is more.
 
-    They are what was assumed unless a head has it, warnings, and the first of the other notes; warnings alone if
-    `quiet`.
+    They are what was assumed unless a head has it, warnings, and of what answers the question and of the other notes
+    the first; warnings alone if `quiet`.
     """
     texts = {severity: [note.text for note in notes if note.severity == severity] for severity in _SEVERITIES}
     lines = _warning(texts["warning"])
     if quiet:
         return lines
-    others = [f"note: {text}" for text in (*texts["lead"], *texts["caveat"], *texts["remark"])]
-    shown = [_first_clauses(line) for line in others[:_MAX_NOTES]]
-    has_more = shown != others or texts["more"]
+    leads, others = texts["lead"], [*texts["caveat"], *texts["remark"]]
+    shown = [_first_clauses(f"note: {text}") for text in (*leads[:_MAX_NOTES], *others[:_MAX_NOTES])]
+    has_more = shown != [f"note: {text}" for text in (*leads, *others)] or texts["more"]
     return [*([] if has_head else texts["assumed"]), *lines, *shown, *(["more: --explain"] if has_more else [])]
 
 

@@ -57,7 +57,7 @@ def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
             text = f"{symbol_among(name, answer.inputs)}: {range_in_words(name, estimate)}"
             texts.setdefault(estimate.by, []).append(text)
     for by, of_rule in texts.items():
-        yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}: {why(by, answer)})")
+        yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {why(by, answer)}")
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:
@@ -235,14 +235,14 @@ def leads(answer: "Answer") -> Iterator[Note]:
 
 
 def _first_to_give_way(answer: "Answer") -> str:
-    frame, (low, high, _) = answer.frame, answer.estimates["yield_force"]
+    frame, rolling = answer.frame, answer.estimates["yield_force"]
     force = frame["sliding_or_peeling_force"]
     first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
     gives = f"it {first} at {span('yield_force', force, force)}, before it {last}"
-    rolls = span("yield_force", low, high)
-    if high < force:
+    rolls = range_in_words("yield_force", rolling)
+    if rolling.high < force:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
-    if low > force:
+    if rolling.low > force:
         return f"pushed, {gives}; to roll it takes {rolls}"
     return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
 

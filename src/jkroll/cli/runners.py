@@ -207,7 +207,7 @@ def _write_answers(
         else:
             from ..output.answered import write_plain
 
-            write_plain(next(watched()), out, form)
+            write_plain(next(watched()), out, form, best=call.best)
         out.flush()
     if single is not None and call.output.has_rows:
         for line in lines_of(_told(single, is_shown=call.output.for_readers), quiet=call.quiet):

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.elementary import at_least, at_most, where
-from ..quantities.laws import BETWEEN
+from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import ends_of
 from .frame import Frame
@@ -35,12 +35,17 @@ from .uncertainty import ErrorBar, error_bars
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
 NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, ADHESION_ONLY, LAW_ONLY, AT_LEAST, BETTER_LAW, LAW_IN_USE = range(10)
-WORDS = ("–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR only", "at least", "Maugis", "JKR")
+_GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
+WORDS = (
+    "–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR only", "at least", "Maugis", "JKR",
+    *(law.short for law in LAWS.values()),
+)  # fmt: skip
 
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
 _IMPACT = ("restitution", "lost_energy", "sticking_speed", "sticking_energy")  # of which adhesion alone sets an end
 _AT_MOST = ("lost_energy", "sticking_energy")
 _SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
+_PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
 
 
@@ -95,7 +100,7 @@ class Ranges:
         if NOMENCLATURE[name].reference and not is_rolling and name not in _IMPACT:
             yield True, *own, DEFINITION
         if self.frame.stated_model is not None:
-            yield True, *own, LAW_IN_USE
+            yield True, *own, _GIVEN[self.frame.stated_model]
             return
         if is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
@@ -114,8 +119,8 @@ class Ranges:
         low, high = self.by_better_law(name)
         theirs = [law(self.results.described).column(name).or_else(0.0) for law in _BETTER]
         if name in _AS_PULL_OFF:
-            theirs.append(self._by_lennard_jones(name))
-            high = at_least(high, theirs[-1])
+            force, most = self._by_lennard_jones(name)
+            theirs, high = [*theirs, force], at_least(high, most)
         ours = self.results.columns[name].or_else(0.0)
         yield farthest((value, ours) for value in theirs) > LAW_MATTERS, low, high, BETTER_LAW
         yield True, at_most(low, own[0]), at_least(high, own[1]), LAW_IN_USE
@@ -167,7 +172,9 @@ class Ranges:
         if make not in self._made:
             self._made[make] = {}
             with suppress(MissingInput, NoResult):
-                self._made[make] = _ends_by(make, self.results.described, [*self.names, "hysteresis_ratio"])
+                forces = () if {*self.names}.isdisjoint(_AS_PULL_OFF) else _PULL_OFF
+                names = dict.fromkeys((*self.names, "hysteresis_ratio", *forces))
+                self._made[make] = _ends_by(make, self.results.described, names)
         return self._made[make]
 
     @property
@@ -184,10 +191,11 @@ class Ranges:
         """The pull-off force of rigid spheres over that of soft ones."""
         return self.frame["pull_off_force_dmt"] / self.frame["pull_off_force"]
 
-    def _by_lennard_jones(self, name: str) -> Any:
-        numbers = self.frame.numbers("pull_off_force", "pull_off_force_lennard_jones")
-        force = numbers.get("pull_off_force_lennard_jones", nan)
-        return self.frame[name] * (force / numbers["pull_off_force"])
+    def _by_lennard_jones(self, name: str) -> Ends:
+        """Return what is in proportion to the pull-off force by Lennard-Jones' law, and its upper end."""
+        own, force, by_lennard_jones = (self.frame.column(each).values for each in (name, *_PULL_OFF))
+        own_most, most, most_by_lennard_jones = (self.hull(each, _itself)[1] for each in (name, *_PULL_OFF))
+        return by_lennard_jones * (own / force), most_by_lennard_jones * (own_most / most)
 
 
 def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, Ends]:

@@ -21,12 +21,22 @@ if TYPE_CHECKING:
     from ..model.limits import Doubt
 
 
-def write_plain(answer: Answer, out: TextIO, form: Format) -> None:
-    """Write a line `name value unit` for each result of a frame, and for each side of its uncertainty."""
+def write_plain(answer: Answer, out: TextIO, form: Format, *, best: bool = False) -> None:
+    """Write a line `name value unit` for each result of a frame, each side of its uncertainty, and its best range."""
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
     for result in answer.results:
         write_measure(result.name, {result.name: result.measure}, out, form)
+        if best and result.name in answer.estimates:
+            _write_best(result.name, answer.estimates[result.name], out, form)
+
+
+def _write_best(name: str, best: Estimate, out: TextIO, form: Format) -> None:
+    """Write a line for each end of a best range that is not open, and for its rule."""
+    ends = zip(("low", "high"), best[:2], strict=True)
+    write_measure(name, {f"{name}_best_{which}": end for which, end in ends if not isnan(end)}, out, form)
+    if best.by != NONE:
+        say(f"{name}_best_by {WORDS[best.by]}", out)
 
 
 def write_measure(quantity: str, measures: Mapping[str, float | Uncertain | None], out: TextIO, form: Format) -> None:

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any, TextIO
 from ..answers.inferred import laws_of, library_values, solids_of
 from ..answers.notes import lines_above
 from ..answers.ranges import lines_on_ranges, lines_on_rules
-from ..model.estimate import BETTER_LAW, DEFINITION, NONE, SCALED, WORDS, XI_UNKNOWN, Estimate
+from ..model.estimate import BETTER_LAW, DEFINITION, LAW_IN_USE, NONE, SCALED, WORDS, XI_UNKNOWN, Estimate
 from ..model.limits import codes
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
+from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
@@ -190,7 +190,7 @@ def _on_surfaces(answer: "Answer", form: Format) -> Iterator[list[str]]:
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     """Return the columns of rows of results; without ranges where all of them are those of the law in use."""
     heads = ["quantity", "symbol", "best range", "by", law, "unit"]
-    if {row[3] for row in rows} <= {LAWS[DEFAULT_LAW].short, WORDS[DEFINITION], "–"}:
+    if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–"}:
         heads, rows = [*heads[:2], *heads[4:]], [[*row[:2], *row[4:]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
     return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
@@ -286,13 +286,13 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
     """Return the columns of the best range of a quantity and of its rule, and the rules of the rows.
 
-    There are none where all rows have the law in use.
+    There are none where all rows have the law in use, or a definition.
     """
     if not columns.wanted.best_of(name):
         return [], []
     lows, highs, rules = (as_list(columns.column(key)) for key in columns.wanted.best_of(name))
     words = [WORDS[NONE] if isnan(by) else WORDS[int(by)] for by in rules]
-    if {*words} <= {LAWS[DEFAULT_LAW].short, WORDS[NONE]}:
+    if not any(DEFINITION < by < LAW_IN_USE for by in rules):
         return [], []
     unit = form.common_unit(name, _measures(columns, name))
     ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]

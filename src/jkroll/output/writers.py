@@ -15,7 +15,7 @@ from math import isnan
 from typing import Any, BinaryIO, TextIO, cast
 
 from ..errors import BadRequest
-from ..model.estimate import WORDS
+from ..model.estimate import NONE, WORDS
 from ..model.limits import codes
 from ..model.rows import DOUBT, Columns, Wanted, as_list, has_texts
 from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, in_words, pretty
@@ -292,7 +292,7 @@ def _formatted(columns: Columns, form: Format) -> Iterator[Any]:
         for key in columns.wanted.keys_of(name):
             column = columns.column(key)
             if key.endswith("_best_by"):
-                column = [None if isnan(by) else WORDS[int(by)] for by in as_list(column)]
+                column = [WORDS[int(by)] if by > NONE else None for by in as_list(column)]
             elif form.changes(name):
                 column = [value if isnan(value) else form.number(name, value) for value in as_list(column)]
             yield column

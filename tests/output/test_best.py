@@ -1,0 +1,109 @@
+"""Best ranges on a terminal, in lists, lines, files and explanations: where they stand, and where they are left out."""
+
+import csv
+import re
+from typing import Any
+
+import pytest
+
+from harness import Run
+from jkroll import answer, solve
+from jkroll.quantities.formatting import significant
+from relative import approx
+
+QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
+
+
+def cells(run: Run, words: str, symbol: str) -> list[str]:
+    """Return the cells of the row of a symbol in a table on a terminal, from the symbol on."""
+    (line,) = [line for line in run(words, terminal=True).out.splitlines() if f" {symbol} " in line]
+    return re.split(r"\s{2,}", line[line.index(f"{symbol} ") :].strip())
+
+
+def test_a_table_has_the_range_first_and_the_law_last(run: Run) -> None:
+    """SiO2 of 0.95 µm rolled at 0.69 to 1.57 nN: as R 73, as R^(2/3) 350 pN. ξ/R is 4 mrad at 2 Å in every law."""
+    assert approx([72.6, 350.0], rel=1e-3) == [0.69e3 * 1 / 9.5, 1.57e3 * (1 / 9.5) ** (2 / 3)]
+    assert cells(run, "yield-force quartz 100nm", "Q") == ["Q", "73–350", "scaled", "94.25", "pN"]
+    assert cells(run, "yield-force quartz 100nm --xi 2angstrom", "δ_α") == ["δ_α", "4", "JKR", "4.000", "mrad"]
+    heads = re.split(r"\s{2,}", run("yield-force quartz 100nm", terminal=True).out.partition("\n─")[0].splitlines()[-1])
+    assert heads == ["quantity", "symbol", "best range", "by", "JKR", "unit"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["frequencies iron {}", "yield-force quartz {} --model dmt", "report quartz {} --quantities F_cδ_c"],
+)
+def test_a_range_that_is_the_law_in_use_or_a_definition_is_left_out(run: Run, words: str) -> None:
+    for sizes in ("1mm", "1mm,2mm"):
+        assert "best" not in run(words.format(sizes), terminal=True).out
+
+
+def test_lists_have_it_beside_the_headline(run: Run) -> None:
+    least, most = (solve(name, model=model, **QUARTZ, atomic_spacing=spacing) for name, model, spacing in (
+        ("pull_off_force", "maugis", 2e-10), ("pull_off_force_lennard_jones", None, 4e-10),
+    ))  # fmt: skip
+    out = run("pull-off quartz 100nm,200nm --quantities P_c", terminal=True).out
+    row = next(line for line in out.splitlines() if line.split()[:1] == ["100"])
+    assert row.split()[2:4] == [f"{significant(least * 1e9, 2)}–{significant(most * 1e9, 2)}", "Maugis"]
+    assert "best" not in run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
+    out = run("yield-force quartz 2nm 1um", terminal=True).out  # of which the first has no meaning
+    assert re.search(r"^best +– +710–1700$", out, re.MULTILINE)
+    assert re.search(r"^by +– +scaled$", out, re.MULTILINE)
+
+
+def test_files_and_lines_have_it_where_it_is_asked_for(run: Run) -> None:
+    best = answer("pull-off", **QUARTZ).best["pull_off_force"]
+    heads = ["pull_off_force_best_low [N]", "pull_off_force_best_high [N]", "pull_off_force_best_by"]
+    assert not any(head in run("pull-off quartz 100nm --csv").out for head in heads)
+    (row,) = csv.DictReader(run("pull-off quartz 100nm --csv --best").out.splitlines())
+    assert [row[head] for head in heads[2:]] == [best.by]
+    assert [float(row[head]) for head in heads[:2]] == [best.low, best.high]
+    assert [*row].index(heads[0]) == [*row].index("pull_off_force [N]") + 1
+    lines = run("pull-off quartz 100nm --best").out.splitlines()
+    assert [line.split()[0] for line in lines[1:4]] == [head.split()[0] for head in heads]
+    assert "_best_" not in run("pull-off quartz 100nm").out
+    for words in ("pull-off quartz 100nm --bare", "contact quartz 100nm --curve --csv"):
+        assert run(f"{words} --best").code == 2
+
+
+@pytest.mark.parametrize("option", ["", "--best"])
+def test_a_row_that_only_another_law_can_answer_fails_whatever_is_written(run: Run, option: str) -> None:
+    """In DMT no hysteresis of adhesion has a lag; by Maugis' law it has one."""
+    words = "yield-force quartz 100nm,200nm --hysteresis-fraction 0.9 --model dmt --csv"
+    ran = run(f"{words} {option}")
+    assert (ran.code, ran.out.count("not in DMT")) == (1, 2)
+    assert "2 of 2 rows failed" in ran.err
+
+
+def test_a_range_has_error_bars_in_lists(run: Run) -> None:
+    """Each end is that of its law at the end of the input."""
+    (row, _) = csv.DictReader(
+        run("pull-off", "quartz", "100nm,1um", "--gamma", "20 to 30 mJ/m2", "--csv", "--best").out.splitlines()
+    )
+    given = {**QUARTZ, "surface_energy": 0.02, "atomic_spacing": 2e-10}
+    assert float(row["pull_off_force_best_low [N]"]) == approx(solve("pull_off_force", model="maugis", **given))
+    given = {**QUARTZ, "surface_energy": 0.03}
+    assert float(row["pull_off_force_best_high [N]"]) == approx(solve("pull_off_force_lennard_jones", **given))
+
+
+def test_explanations_have_what_a_range_is_made_of(run: Run) -> None:
+    """Both laws, at both atomic spacings."""
+    said = run("pull-off quartz 100nm --explain").out
+    forces = [
+        solve("pull_off_force", model=model, **QUARTZ, atomic_spacing=spacing) * 1e9
+        for model, spacing in (("jkr", 4e-10), ("maugis", 4e-10), ("maugis", 2e-10))
+    ]
+    (line,) = re.findall(r"^  made of +(.*)", said, re.MULTILINE)
+    for law, force in zip(("JKR", "Maugis at 4 Å", "at 2 Å"), forces, strict=True):
+        assert f"{law} {significant(force, 2)} nN" in line
+
+
+def test_explanations_have_the_powers_of_inputs(run: Run) -> None:
+    """Of f_z, γ^(1/6) E^(1/3) R^(-7/6) ρ^(-1/2); of δ under a load, at which no power is a simple one."""
+    said = run("frequencies quartz 100nm --quantities f_z --explain").out
+    assert "  power law R1^-1.17 γ1^0.167 E1^0.333 ν1^0.0198 ρ1^-0.5\n" in said
+    assert " N^-0.5\n" in run("aggregates quartz 100nm --monomers 2 --filling-factor 0.2 --explain").out  # at least 2
+    under_load = run("contact quartz 100nm --load -5nN --quantities δ --explain").out
+    powers = dict(word.split("^") for word in re.findall(r"power law (.*)", under_load)[0].split())
+    ends = [solve("approach_at_load", **QUARTZ, load=load) for load in (-5.001e-9, -4.999e-9)]
+    assert float(powers["P"]) == approx(2500 * (ends[0] - ends[1]) / ends[0], rel=0.01)
