@@ -20,8 +20,8 @@ TABLES = (
     "none.csv", "-", ".", "null.csv", "mine.toml", "*.csv", "gr*.csv", "[", "grains.*", "no*thing", "",
 )  # fmt: skip
 TARGETS = (
-    "out.csv", "out.csv", "out.tsv", "out.ndjson", "out.csv.gz", "out.parquet", "out.md", "out/", "-", "full.csv", "null.csv",
-    ".", "a/b.csv", "",
+    "out.csv", "out.csv", "out.tsv", "out.ndjson", "out.csv.gz", "out.parquet", "out.md", "out/", "-", "full.csv",
+    "null.csv", ".", "a/b.csv", "",
 )  # fmt: skip
 PICTURES = ("out.svg", "out.svg", "out.pdf", "out.png", "full.svg", "out.jpg", "a/b.svg", ".svg")
 FIGURES = ("3a", "3a", "3b", "3c", "3d", "6a", "6b", "8", "2", "9", "7", "3A", "")
