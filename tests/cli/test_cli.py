@@ -745,10 +745,11 @@ def test_the_notes_on_a_curve_are_those_on_its_pull_off_force(run: Run) -> None:
     inexact = run("pull-off quartz 100nm").err.splitlines()[1]
     assert "P_c: 14–15 nN (Maugis)" in inexact
     for options in ("--csv", "--bare", "-o curve.csv", "-o curve.svg", "--panel force"):
-        assert inexact in run(f"contact quartz 100nm --curve {options}").err.splitlines(), options
+        lines = run(f"contact quartz 100nm --curve {options}").err.splitlines()
+        assert any(line.startswith(inexact) for line in lines), options
     assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err
     listed = run("contact quartz 100nm,10um --curve --csv")
-    assert re.search(r"law-off-25% \d+", listed.err)
+    assert any("law-off-25%" in row["doubt"] for row in csv.DictReader(listed.out.splitlines()))
 
 
 @pytest.mark.parametrize(

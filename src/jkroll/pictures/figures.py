@@ -14,6 +14,7 @@ import numpy
 from ..answers.answer import Answer
 from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..answers.questions import Question
+from ..answers.ranges import notes_on_ranges
 from ..materials.library import Materials
 from ..model.frame import DEFAULTS, Frame
 from ..model.reasons import BEYOND_PULL_OFF, Failure, NotInLaw
@@ -170,7 +171,7 @@ def curves_of_contact(
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return the panels of a contact that all its laws have, or one of them, and notes.
 
-    First on laws that lack a panel; then what is in doubt, unless several laws can be compared.
+    First on laws that lack a panel; then best ranges and what is in doubt, unless several laws can be compared.
     """
     is_one = len(frames) == 1
     asked = [PANELS[panel]] if panel is not None else [*PANELS.values()]
@@ -185,7 +186,8 @@ def curves_of_contact(
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)
     if is_one:
         about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else WHOLE_CURVE
-        notes |= dict.fromkeys(note.text for note in Answer(about, frames[0]).doubts())
+        answer = Answer(about, frames[0])
+        notes |= dict.fromkeys(note.text for note in (*notes_on_ranges(answer), *answer.doubts()))
     for frame in frames:
         held = [name for name in names if not _lacking(frame, name)]
         unloaded = frame.replace(load=0.0)
