@@ -16,10 +16,10 @@ import maugis_reference as reference
 from frames import factor_of_law, outcomes
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.answers.answer import Answer
 from jkroll.answers.curve import frames_of_curve
 from jkroll.answers.questions import QUESTIONS, question_about
 from jkroll.answers.ranges import lines_on_ranges
+from jkroll.answers.report import Report
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.model.estimate import estimates
@@ -124,7 +124,7 @@ def test_an_error_names_the_pull_off_force_of_the_law(model: str) -> None:
 
 
 def test_a_load_that_only_maugis_holds_is_said() -> None:
-    found = Answer(QUESTIONS["moment"], Frame({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
+    found = Report(QUESTIONS["moment"], Frame({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
     assert "--model maugis" in str(found.failure)
     assert solve("contact_radius_at_load", model="maugis", **QUARTZ, load=-1.3e-8) > 0
 
@@ -135,7 +135,7 @@ def test_spheres_can_be_bound_without_touching() -> None:
     assert found["load"] < 0 < found["zone_radius"]
     with pytest.raises(Failure, match="the spheres have parted"):
         solve("load", model="maugis", **QUARTZ, approach_at_load=-1e-9)
-    shown = Answer(
+    shown = Report(
         QUESTIONS["contact"],
         Frame({"radius": 1e-7, "approach_at_load": -3e-10}, known_materials()["quartz"], model="maugis"),
     )
@@ -267,7 +267,7 @@ def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -
 
 
 def test_before_a_headline_of_jkr_stands_what_maugis_says(run: Run) -> None:
-    found = Answer(QUESTIONS["pull-off"], Frame({"radius": 1e-7}, known_materials()["quartz"]))
+    found = Report(QUESTIONS["pull-off"], Frame({"radius": 1e-7}, known_materials()["quartz"]))
     (text,) = lines_on_ranges(found, found.values)
     assert text.startswith("Maugis: the law for this size and stiffness (Tabor parameter 0.14–0.27, JKR needs 5)")
     (best,) = (one["best"] for one in json.loads(run("pull-off quartz 100nm --json").out)["results"][:1])
@@ -306,7 +306,7 @@ def test_for_energies_below_a_jump_no_correction_is_named(run: Run) -> None:
 
 
 def test_a_result_of_another_law_says_so() -> None:
-    found = Answer(QUESTIONS["yield-force"], Frame({"radius": 1e-7}, known_materials()["quartz"], model="maugis"))
+    found = Report(QUESTIONS["yield-force"], Frame({"radius": 1e-7}, known_materials()["quartz"], model="maugis"))
     results = {result.name: result for result in found.results}
     assert (results["yield_force"].law, results["yield_force"].equation) == ("maugis", "Maugis 1992")
     assert results["yield_angle"].law == ""
@@ -315,13 +315,13 @@ def test_a_result_of_another_law_says_so() -> None:
 
 def test_a_sticking_energy_that_the_spacing_decides_has_no_value_at_the_prompt_either() -> None:
     quartz = known_materials()["quartz"]
-    found = Answer(QUESTIONS["energies"], Frame({"radius": 1e-7}, quartz, model="maugis"))
+    found = Report(QUESTIONS["energies"], Frame({"radius": 1e-7}, quartz, model="maugis"))
     results = {result.name: result for result in found.results}
     for name in ("sticking_energy", "sticking_speed"):
         assert (results[name].value, results[name].reason) == (None, "rests on z0; give --z0 4angstrom")
-    alone = Answer(question_about("v_stick"), Frame({"radius": 1e-7}, quartz, model="maugis"))
+    alone = Report(question_about("v_stick"), Frame({"radius": 1e-7}, quartz, model="maugis"))
     assert str(alone.failure) == "sticking_speed: rests on z0; give --z0 4angstrom"
-    said = Answer(QUESTIONS["contact"], Frame({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
+    said = Report(QUESTIONS["contact"], Frame({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.values["sticking_energy"] == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
 
 

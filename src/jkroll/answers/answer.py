@@ -1,26 +1,23 @@
-"""The answer of a command for one frame: its results, the inputs as understood, limits and notes."""
+"""The answer of a command for one frame: its results, the inputs as understood, best ranges and limits."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from copy import copy
 from functools import cached_property
 from math import isfinite
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Self
 
 from ..errors import JkrollError
-from ..model.column import Column
-from ..model.estimate import ADHESION_ONLY, Estimate, Ranges
+from ..model.estimate import Estimate, Ranges
 from ..model.frame import Frame
 from ..model.limits import (
     CONTACT_EXCEEDS_SPHERE,
-    INEXACT,
     LAW,
     LAW_MATTERS,
     ROUGH_MATTERS,
-    STICKING_UNSURE,
     Doubt,
     Limit,
-    doubts,
     touched,
 )
 from ..model.other_law import factor_of_law, has_other_formulas
@@ -29,32 +26,17 @@ from ..model.reasons import (
     HELD_BY_MAUGIS,
     OF_IDENTICAL_SPHERES,
     Failure,
+    MissingInput,
     explanation_of,
 )
 from ..model.results import ROW, Results, has_code
-from ..model.uncertainty import ErrorBar
-from ..quantities.formatting import amount, in_words, span
-from ..quantities.laws import BETWEEN, DEFAULT_LAW
+from ..model.uncertainty import ErrorBar, error_bars
+from ..quantities.formatting import amount, in_words
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import Uncertain, is_uncertain, middle
-from .inferred import about_limit, by_each_law, proofs
-from .notes import (
-    ABOVE,
-    Note,
-    Severity,
-    about_assumed,
-    about_given,
-    about_idle,
-    about_left_out,
-    about_limits,
-    about_lost_contacts,
-    about_missing,
-    about_values,
-    assumed,
-    entering,
-)
+from .notes import assumed, entering
 from .questions import Question
-from .ranges import leads
 
 # --- Results ----------------------------------------------------------------------------------------------------------
 
@@ -149,7 +131,7 @@ def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
 
 
 class Answer(Results):
-    """The results of a command for one frame, with all that is to be said of them."""
+    """The results of a command for one frame, with their best ranges and the limits of the model."""
 
     def __init__(self, question: Question, frame: Frame, *, keeps_all: bool = False) -> None:
         """Compute the quantities of a question as far as the frame allows."""
@@ -172,12 +154,12 @@ class Answer(Results):
         return {name: error for name, error in self.reasons.items() if not has_code(error)}
 
     @property
-    def explained(self) -> "Answer":
+    def explained(self) -> Self:
         """The answer with all that `--explain` derives: of inferred values the measured quantities, too."""
         measured = tuple(name for name in self.judged if name not in self.computed)
         if not measured or self.failure is not None:
             return self
-        explained, forward = copy(self), Answer(Question(measured, measured, measured), self.frame)
+        explained, forward = copy(self), type(self)(Question(measured, measured, measured), self.frame)
         forward.bars = {}  # they are those of the unknowns
         explained.results = (*self.results, *forward.results)
         return explained
@@ -246,25 +228,17 @@ class Answer(Results):
     @cached_property
     def by_law(self) -> Mapping[str, Mapping[str, Any]]:
         """Inferred values, with error bars, by each law that has the measured quantities by other formulas."""
-        return by_each_law(self.described) if self.described.unknowns and self.values and not self.ended else {}
-
-    def inexact(self, columns: Mapping[str, Column]) -> list[Doubt]:
-        """Return the limits that end no meaning, with that of an assumed displacement."""
-        return doubts(self.frame, columns, INEXACT)
-
-    def doubts(self) -> list[Note]:
-        """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
-        notes = []
-        for doubt in self.exceeded:
-            if doubt.limit is LAW:
-                continue  # the best ranges say so
-            severity: Severity = "caveat" if doubt.limit.is_told and not self._is_in_ranges(doubt) else "more"
-            notes.append(Note("warning" if doubt.limit.ends_meaning else severity, self.about(doubt)))
-        return notes
-
-    def _is_in_ranges(self, doubt: Doubt) -> bool:
-        """Return whether the best range of results says what a limit means for them."""
-        return doubt.code == STICKING_UNSURE and ADHESION_ONLY in {each.by for each in self.estimates.values()}
+        unknowns, found = self.described.unknowns, dict[str, Mapping[str, Any]]()
+        if not unknowns or not self.values or self.ended:
+            return found
+        formulas = self.described.formulas_to(*unknowns)
+        for law in LAWS:
+            other = self.described.replace(model=law)
+            with suppress(MissingInput):
+                if other.formulas_to(*unknowns) != formulas and (values := other.numbers(*unknowns)):
+                    bars = error_bars(other, values) if other.uncertainties else {}
+                    found[law] = values | {name: bar.of(values[name]) for name, bar in bars.items() if bar.sides}
+        return found
 
     @property
     def exceeded(self) -> list[Doubt]:
@@ -297,12 +271,6 @@ class Answer(Results):
             return bool(factor_of_law(self.frame, {name: self.columns[name] for name in names}) > LAW_MATTERS)
         return bool(touched(self.frame, names, [limit]))
 
-    def about(self, doubt: Doubt) -> str:
-        """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
-        if self.described.unknowns:
-            return about_limit(doubt, self)
-        return _about_roughness(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
-
     @cached_property
     def _entering(self) -> tuple[set[str], list[str]]:
         return entering(self.frame, [*self.judged])
@@ -318,46 +286,9 @@ class Answer(Results):
         return self.frame.possible(self.judged)
 
     @property
-    def _valued(self) -> list[str]:
-        """The quantities that are judged and have a value."""
-        columns = self.judged if self.keeps_all else self.judged_meant
-        return [name for name, column in columns.items() if not column.is_empty]
-
-    @cached_property
-    def notes(self) -> tuple[Note, ...]:
-        """The sentences about the answer, but for doubts."""
-        if self.described.unknowns and self.failure is not None:
-            return ()
-        inputs, idle = self._entering
-        every = (
-            *proofs(self),
-            *about_assumed(self.assumed),
-            *about_missing({**self.lacking, **self.open_bars()}),
-            *about_left_out(self.sources),
-            *about_given(self.frame, self._possible, inputs),
-            *about_idle(idle),
-            *about_values(self.frame, self._valued),
-            *leads(self),
-            *about_limits(self.validity),
-            *about_lost_contacts(self),
-        )
-        return tuple(dict.fromkeys(every))
-
-    @property
     def is_of_impact(self) -> bool:
         """True if the answer says whether spheres that collide stick."""
         return {"restitution", "sticking_speed"} <= self.values.keys()
-
-    @property
-    def sentences(self) -> list[Note]:
-        """All sentences about the answer."""
-        return [*self.notes, *self.doubts()]
-
-    @property
-    def sentences_below(self) -> list[Note]:
-        """The sentences that a table leaves to the lines below it."""
-        in_rows = {_about_roughness(self.frame)} if self.shows_surfaces else set()
-        return [note for note in self.sentences if note.severity not in ABOVE and note.text not in in_rows]
 
     @property
     def shows_surfaces(self) -> bool:
@@ -373,16 +304,3 @@ class Answer(Results):
         if self.values or self.ended:  # what has no meaning is an answer
             return None
         return next(iter(self.reasons.values()), Failure(OF_IDENTICAL_SPHERES))
-
-
-# --- What stands in place of results, in words ------------------------------------------------------------------------
-
-
-def _about_roughness(frame: Frame) -> str:
-    """Return what was measured where the pull-off force is that of smooth spheres."""
-    force = frame.numbers("pull_off_force").get("pull_off_force", 0.0)
-    smooth, rough = (span("pull_off_force", force / most, force / least) for most, least in ((4, 2), (100, 10)))
-    return (
-        f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 "
-        f"({rough})"
-    )

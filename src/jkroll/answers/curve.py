@@ -12,8 +12,8 @@ from ..model.rows import Wanted, sides_in
 from ..quantities.nomenclature import STATE_OR_LOAD
 from ..quantities.values import parse_quantity
 from ..text import quoted
-from .answer import Answer
 from .questions import Question
+from .report import Report
 
 FORCE_CURVE = Question(
     ("approach_at_load", "load"),
@@ -125,11 +125,11 @@ def frames_of_curve(frame: Frame, loads: Loads | None = None) -> Iterator[Frame]
     return (state.in_frame(frame) for state in states(frame, loads))
 
 
-def answer_at_state(question: Question, frame: Frame) -> Answer:
+def answer_at_state(question: Question, frame: Frame) -> Report:
     """Return the answer at a state. The quantity that sets the state is an input and no result."""
     sets_state = STATE_OR_LOAD & frame.stated.keys()
     names = tuple(name for name in question.quantities if name not in sets_state) or question.quantities
-    return Answer(Question(question.headline, names, names), frame)
+    return Report(Question(question.headline, names, names), frame)
 
 
 def curve_columns(frames: Sequence[Frame], names: Sequence[str], *, doubts: bool, keeps_all: bool) -> Wanted:

@@ -1,24 +1,19 @@
 """Inferred values: by each law, beside those of the library, and the sentences on them."""
 
 from collections.abc import Iterator, Mapping
-from contextlib import suppress
-from typing import TYPE_CHECKING, Any
 
 from ..model.estimate import BETTER_LAW, LAW_ONLY
 from ..model.frame import Frame
 from ..model.limits import Doubt
-from ..model.reasons import MissingInput, explanation_of
-from ..model.uncertainty import error_bars
+from ..model.reasons import explanation_of
 from ..model.unsolved import SIZES, equal, sizes_in_words
 from ..quantities.formatting import Format, amount, significant, symbol_among, symbol_of
-from ..quantities.laws import BETWEEN, LAWS
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.values import Uncertain, middle
 from ..text import listed
+from .answer import Answer
 from .notes import Note
-
-if TYPE_CHECKING:
-    from .answer import Answer
 
 # Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
 _LOSING = frozenset({"restitution", "sticking_speed"})
@@ -30,14 +25,14 @@ _FAR = 5.0  # factor between an inferred value and the library's from which on a
 # --- By each law ------------------------------------------------------------------------------------------------------
 
 
-def laws_of(answer: "Answer") -> list[str]:
+def laws_of(answer: Answer) -> list[str]:
     """Return the laws by which inferred values are shown: the one that holds first, and then the one in use."""
     own = answer.frame.law.name
     is_moved = any(estimate.by == BETTER_LAW for estimate in answer.estimates.values())
     return [BETWEEN, own] if is_moved or lack_by_better_law(answer) else [own]
 
 
-def lack_by_better_law(answer: "Answer") -> str:
+def lack_by_better_law(answer: Answer) -> str:
     """Return why Maugis' law gives no value where the law in use does; empty if it does, or lacks what was measured."""
     if not answer.described.unknowns or all(estimate.by != LAW_ONLY for estimate in answer.estimates.values()):
         return ""
@@ -45,20 +40,6 @@ def lack_by_better_law(answer: "Answer") -> str:
     if other.missing(other.unknowns) or other.solution.failure is None:
         return ""
     return f"by Maugis' law {explanation_of(','.join(other.unknowns), other.solution.failure)}"
-
-
-def by_each_law(frame: Frame) -> dict[str, dict[str, Any]]:
-    """Return the unknowns, with error bars, under each other law that has the measured quantities by other formulas."""
-    formulas = frame.formulas_to(*frame.unknowns)
-    by_law = {}
-    for law in LAWS:
-        other = frame.replace(model=law)
-        with suppress(MissingInput):
-            if other.formulas_to(*other.unknowns) != formulas and (values := other.numbers(*other.unknowns)):
-                bars = error_bars(other, values) if other.uncertainties else {}
-                of_bars = {name: bar.of(values[name]) for name, bar in bars.items() if bar.sides}
-                by_law[law] = {**values, **of_bars}
-    return by_law
 
 
 # --- Beside the library -----------------------------------------------------------------------------------------------
@@ -77,7 +58,7 @@ def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
     return {name: alone.uncertainties.get(name, number) for name, number in numbers.items()}
 
 
-def _about_library(answer: "Answer") -> Iterator[Note]:
+def _about_library(answer: Answer) -> Iterator[Note]:
     """Iterate over a note where an inferred energy of surfaces is far from that of the materials."""
     for name, usual in library_values(answer.described).items():
         factor = answer.values[name] / middle(usual)
@@ -91,7 +72,7 @@ def _about_library(answer: "Answer") -> Iterator[Note]:
 # --- Sentences --------------------------------------------------------------------------------------------------------
 
 
-def about_limit(doubt: Doubt, answer: "Answer") -> str:
+def about_limit(doubt: Doubt, answer: Answer) -> str:
     """Return what follows from a limit for the unknowns."""
     if doubt.code == "rough-matters":
         unknowns = listed(symbol_among(name, {*answer.inputs, *answer.assumed}) for name in answer.described.unknowns)
@@ -99,7 +80,7 @@ def about_limit(doubt: Doubt, answer: "Answer") -> str:
     return doubt.text
 
 
-def proofs(answer: "Answer") -> Iterator[Note]:
+def proofs(answer: Answer) -> Iterator[Note]:
     """Iterate over what is unusual in inferred values, what of the materials is not used, and their proof."""
     if not answer.described.unknowns or not answer.values:
         return

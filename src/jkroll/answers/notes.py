@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from math import erfc, hypot, sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from ..errors import JkrollError
@@ -11,7 +10,7 @@ from ..model.limits import ENDING, ENDING_MEANING, LIMITS, MEANINGS, Doubt, doub
 from ..model.measured import SIO2, rolling, solid_of_pair
 from ..model.plan import depends_on
 from ..model.reasons import grouped
-from ..model.uncertainty import Sources, error_bars, sources_of_results
+from ..model.uncertainty import Sources, sources_of_results
 from ..quantities.formatting import Format, amount, first_symbols, significant, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD, XI, computed_as
@@ -20,7 +19,6 @@ from ..text import first_of, listed
 if TYPE_CHECKING:
     from ..model.rows import Tally
     from ..quantities.values import Interval, Uncertain
-    from .answer import Answer
 
 # A warning is of a number without a meaning; a lead answers the question in a sentence; a caveat may change what a
 # reader does; a remark is less; what was assumed stands above results; "more" is in explanations alone. Of one severity
@@ -48,7 +46,6 @@ _RULES = {  # by which quantities follow that could have been given
     "work_of_adhesion": "w = 2√(γ1γ2)",
 }
 _UNLIKE = 3.0  # ratio of two surface energies from which on their geometric mean is too much
-_LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
 _MAX_NOTES = 1  # below results, besides the warning
 _MAX_LENGTH = 154  # of a note, two lines of a terminal
 _MAX_CODES = 4  # of doubts, which are named
@@ -186,20 +183,6 @@ def about_left_out(*every: Sources | None) -> list[Note]:
     return [Note("caveat", text)] if symbols else []
 
 
-def about_lost_contacts(answer: "Answer") -> Iterator[Note]:
-    """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
-    has_spread = answer.sources is not None and "load" in answer.described.inputs_used([*answer.computed])
-    forces = answer.frame.numbers("load", "pull_off_force") if has_spread else {}
-    if len(forces) < 2 or answer.open_bars():
-        return
-    bars = error_bars(answer.frame, forces, sources=answer.sources).values()
-    spread = hypot(*(bar.sides["minus"] for bar in bars if "minus" in bar.sides))
-    part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
-    if part >= _LOST:
-        text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
-        yield Note("caveat", f"error bars are of contacts that hold: {text}")
-
-
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
@@ -285,13 +268,13 @@ def _warning(texts: Sequence[str]) -> list[str]:
     return [f"warning: {'; '.join(texts)}"] if texts else []
 
 
-def every_line(answer: "Answer") -> list[str]:
-    """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    return [note.line for note in sorted(answer.sentences, key=lambda note: _SEVERITIES.index(note.severity))]
-
-
 def _first_clauses(text: str) -> str:
     """Return as many clauses of a text as fit into two lines, one at least."""
     while len(text) > _MAX_LENGTH and "; " in text:
         text = text.rpartition("; ")[0]
     return text
+
+
+def by_severity(notes: Iterable[Note]) -> list[Note]:
+    """Return notes by falling importance."""
+    return sorted(notes, key=lambda note: _SEVERITIES.index(note.severity))

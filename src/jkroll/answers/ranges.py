@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isnan
-from typing import TYPE_CHECKING
 
 from ..model.estimate import (
     ADHESION_ONLY,
@@ -25,17 +24,15 @@ from ..quantities.formatting import amount, from_to, significant, span, symbol_a
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import XI
 from ..text import first_of
+from .answer import Answer
 from .inferred import lack_by_better_law
 from .notes import Note
-
-if TYPE_CHECKING:
-    from .answer import Answer
 
 _MOST = 3  # results in a note
 _ALIKE = 0.01  # relative difference of radii that needs no scaling
 
 
-def lines_on_ranges(answer: "Answer", names: Iterable[str]) -> Iterator[str]:
+def lines_on_ranges(answer: Answer, names: Iterable[str]) -> Iterator[str]:
     """Iterate over a line for each rule by which some results have a range, in the order of the results."""
     for by in dict.fromkeys(answer.estimates[name].by for name in names if name in answer.estimates):
         if text := why(by, answer):
@@ -49,7 +46,7 @@ def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
             yield f"{WORDS[by]}: {_WORDS[by]}"
 
 
-def notes_on_ranges(answer: "Answer") -> Iterator[Note]:
+def notes_on_ranges(answer: Answer) -> Iterator[Note]:
     """Iterate over a note for each rule by which results of the headline have a range, where no table shows it."""
     texts: dict[int, list[str]] = {}
     for name, estimate in answer.estimates.items():
@@ -71,14 +68,14 @@ def range_in_words(name: str, estimate: Estimate) -> str:
     return span(name, low, high)
 
 
-def why(by: int, answer: "Answer") -> str:
+def why(by: int, answer: Answer) -> str:
     """Return why results have a range by a rule, what it holds and leaves out; empty for the law in use."""
     if by == LAW_ONLY and (lack := lack_by_better_law(answer)):
         return lack
     return _OF_ANSWER[by](answer) if by in _OF_ANSWER else _WORDS.get(by, "")
 
 
-def made_of(name: str, answer: "Answer") -> str:
+def made_of(name: str, answer: Answer) -> str:
     """Return what the best range of a result is made of: its ends by each law, at both atomic spacings."""
     estimate, half = answer.estimates[name], answer.frame.numbers("atomic_spacing").get("atomic_spacing", 0.0) / 2
     if estimate.by not in (SCALED, XI_UNKNOWN, BETTER_LAW, LAW_IN_USE):
@@ -109,7 +106,7 @@ _WORDS: Mapping[int, str] = {
 # --- Rules in words, for an answer ------------------------------------------------------------------------------------
 
 
-def _better_law(answer: "Answer") -> str:
+def _better_law(answer: Answer) -> str:
     frame = answer.frame
     is_pulled = not {"pull_off_force", "bond_number"}.isdisjoint(answer.estimates)
     if frame.missing(["tabor_parameter"]):
@@ -125,7 +122,7 @@ def _angstroms(low: float, high: float) -> str:
     return f"{from_to(low / 1e-10, high / 1e-10)} Å"
 
 
-def _measured(answer: "Answer") -> str:
+def _measured(answer: Answer) -> str:
     solid = solid_of_pair(answer.frame)
     stuck = STUCK[solid]
     pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
@@ -133,7 +130,7 @@ def _measured(answer: "Answer") -> str:
     return f"{solid} stuck to a plane up to {' and '.join(pairs)}, between them as R^{stuck.exponent}, {bar}"
 
 
-def _scaled(answer: "Answer") -> str:
+def _scaled(answer: Answer) -> str:
     frame = answer.frame
     solid = solid_that_rolled(frame)
     rolled, radius = ROLLED[solid], 2 * frame["reduced_radius"]
@@ -148,7 +145,7 @@ def _scaled(answer: "Answer") -> str:
     return text + _of_both_laws(answer) + _ceiling(answer)
 
 
-def _of_both_laws(answer: "Answer") -> str:
+def _of_both_laws(answer: Answer) -> str:
     """Return the results whose ends are by different laws, as forces mean another ξ by each."""
     of_two = [
         symbol_among(name, answer.inputs)
@@ -164,7 +161,7 @@ def _differ(every: Sequence[tuple[float, float]]) -> bool:
     return bool(farthest(pair for least, most in others for pair in ((least, low), (most, high))) > LAW_MATTERS)
 
 
-def _ceiling(answer: "Answer") -> str:
+def _ceiling(answer: Answer) -> str:
     """Return what adhesion supplies at most, if forces that were measured mean more."""
     ceiling = answer.ranges.at_full_hysteresis("yield_force")
     found = answer.estimates.get("yield_force")
@@ -173,7 +170,7 @@ def _ceiling(answer: "Answer") -> str:
     return f". Adhesion supplies {span('yield_force', *ceiling)} at most; above it another loss supplies the rest"
 
 
-def _xi_unknown(answer: "Answer") -> str:
+def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
         return "from ξ = 2 Å, one atom; how large it can be needs γ, Young's modulus and Poisson's ratio"
     by_law = "" if answer.frame.law.name == BETWEEN else " by Maugis' law"
@@ -181,7 +178,7 @@ def _xi_unknown(answer: "Answer") -> str:
     return f"{limits}; measure it or give --xi{_of_measured_solid(answer)}"
 
 
-def _of_measured_solid(answer: "Answer") -> str:
+def _of_measured_solid(answer: Answer) -> str:
     """Return the forces that were measured on spheres of the same solid and size with another surface energy."""
     solid, radius = solid_that_rolled(answer.frame), 2 * answer.frame["reduced_radius"]
     rolled = ROLLED.get(solid)
@@ -192,7 +189,7 @@ def _of_measured_solid(answer: "Answer") -> str:
     return f". {solid} of γ = {energies} rolled at {forces} (scaled)"
 
 
-def _adhesion_only(answer: "Answer") -> str:
+def _adhesion_only(answer: Answer) -> str:
     speed = 0.0 if answer.is_of_impact else answer.frame.numbers("sticking_speed").get("sticking_speed", 0.0)
     seen = f", here {span('sticking_speed', speed, 10 * speed)}" if speed else ""
     return (
@@ -201,7 +198,7 @@ def _adhesion_only(answer: "Answer") -> str:
     )
 
 
-def _law_only(answer: "Answer") -> str:
+def _law_only(answer: Answer) -> str:
     if answer.frame.missing(["tabor_parameter"]):
         return "which law holds needs Young's modulus and Poisson's ratio: name a material, or give them"
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
@@ -211,7 +208,7 @@ def _law_only(answer: "Answer") -> str:
     return f"no other law here has it{area}"
 
 
-_OF_ANSWER: Mapping[int, Callable[["Answer"], str]] = {
+_OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {
     BETTER_LAW: _better_law,
     MEASURED: _measured,
     SCALED: _scaled,
@@ -224,7 +221,7 @@ _OF_ANSWER: Mapping[int, Callable[["Answer"], str]] = {
 # --- Sentences that an answer begins with -----------------------------------------------------------------------------
 
 
-def leads(answer: "Answer") -> Iterator[Note]:
+def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over sentences that answer a question: what gives way first, and whether spheres stick or bounce."""
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
@@ -234,7 +231,7 @@ def leads(answer: "Answer") -> Iterator[Note]:
         yield Note("lead", _law_that_holds(answer))
 
 
-def _first_to_give_way(answer: "Answer") -> str:
+def _first_to_give_way(answer: Answer) -> str:
     frame, rolling = answer.frame, answer.estimates["yield_force"]
     force = frame["sliding_or_peeling_force"]
     first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
@@ -247,7 +244,7 @@ def _first_to_give_way(answer: "Answer") -> str:
     return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
 
 
-def _stick_or_bounce(answer: "Answer") -> str:
+def _stick_or_bounce(answer: Answer) -> str:
     speed, v_stick = answer.frame["speed"], answer.values["sticking_speed"]
     low, high, by = answer.estimates["sticking_speed"]
     if by == ADHESION_ONLY:
@@ -258,7 +255,7 @@ def _stick_or_bounce(answer: "Answer") -> str:
     return f"at {amount('speed', speed)} {verdict}: {seen} {sides}"
 
 
-def _law_that_holds(answer: "Answer") -> str:
+def _law_that_holds(answer: Answer) -> str:
     force = Ranges(Results(answer.frame, answer.frame.columns(["pull_off_force"]))).estimate("pull_off_force")
     if force.by == BETTER_LAW:
         return "Maugis' law holds here: JKR needs a Tabor parameter of 5"

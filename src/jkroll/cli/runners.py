@@ -26,8 +26,8 @@ from .call import BARE, CITE, EXPLAIN, JSON, MARKDOWN, PLAIN, TABLE, Call, messa
 from .options import Options
 
 if TYPE_CHECKING:
-    from ..answers.answer import Answer
     from ..answers.notes import Note
+    from ..answers.report import Report
     from ..model.rows import Columns, Wanted
 
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
@@ -54,10 +54,10 @@ def run_question(call: Call) -> int:
 def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> int:
     """Write what is asked, as rows or as answers; return the exit code."""
 
-    def answer(row: Frame) -> "Answer":
-        from ..answers.answer import Answer  # of which rows that are written with fewer words need nothing
+    def answer(row: Frame) -> "Report":
+        from ..answers.report import Report  # of which rows that are written with fewer words need nothing
 
-        return Answer(question, row, keeps_all=call.output.keeps_all)
+        return Report(question, row, keeps_all=call.output.keeps_all)
 
     output, count, sizes = call.output, len(sweep), sweep.sizes
     single = answer(next(sweep.frames())) if count == 1 else None
@@ -88,7 +88,7 @@ def question_of(call: Call, usual: Question) -> Question:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, single: "Answer | None") -> int:
+def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, single: "Report | None") -> int:
     """Write a row for each frame; return the exit code. `single`: the answer of the only one."""
     from ..model.rows import of_single_row
 
@@ -109,7 +109,7 @@ def _write_rows(call: Call, sweep: Sweep, question: Question, form: Format, sing
 
 def _write_columns(
     call: Call, wanted: "Wanted", groups: Sequence[Group], blocks: "Iterable[Columns]", form: Format, *,
-    is_table: bool, single: "Answer | None",
+    is_table: bool, single: "Report | None",
 ) -> int:  # fmt: skip
     """Write columns to a file, to stdout as lines, or as a table, and their notes; return the exit code.
 
@@ -145,7 +145,7 @@ def _write_columns(
     return _exit_code(call, tally.failed, tally.rows)
 
 
-def _told(single: "Answer", *, is_shown: bool) -> "list[Note]":
+def _told(single: "Report", *, is_shown: bool) -> "list[Note]":
     """Return the sentences about a single answer; where its table `is_shown`, without those that stand in it."""
     if is_shown:
         return single.sentences_below
@@ -168,7 +168,7 @@ def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = 
 
 
 def _write_answers(
-    call: Call, answers: "Iterable[Answer]", count: int, form: Format, single: "Answer | None" = None
+    call: Call, answers: "Iterable[Report]", count: int, form: Format, single: "Report | None" = None
 ) -> int:
     """Write answers one by one, and behind them the notes of a `single` one unless these are in it.
 
@@ -176,7 +176,7 @@ def _write_answers(
     """
     failures: list[JkrollError] = []
 
-    def watched() -> "Iterator[Answer]":
+    def watched() -> "Iterator[Report]":
         for answer in answers:
             if answer.failure is not None:
                 failures.append(answer.failure)
@@ -242,8 +242,8 @@ def _write_curve(call: Call) -> int:
 
     Raises the failure of the first state if each has one.
     """
-    from ..answers.answer import Answer
     from ..answers.curve import FORCE_CURVE, WHOLE_CURVE, answer_at_state, curve_columns, frames_of_curve
+    from ..answers.report import Report
     from ..model.rows import Columns, Wanted
 
     check_format(call)
@@ -274,7 +274,7 @@ def _write_curve(call: Call) -> int:
                 columns.put(row, wanted.results(frame))
             yield columns
 
-    curves = [Answer(WHOLE_CURVE, frame) for frame in sweep.groups]
+    curves = [Report(WHOLE_CURVE, frame) for frame in sweep.groups]
     groups = [(curve.frame, [*curve.columns]) for curve in curves]
     single = curves[0] if len(sweep) == 1 and not call.quiet else None
     return _write_columns(call, wanted, groups, columns(), form, is_table=is_table, single=single)
@@ -285,9 +285,9 @@ def _write_curve(call: Call) -> int:
 
 def run_export(call: Call) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
-    from ..answers.answer import Answer
-    from ..answers.notes import about_middles, every_line
+    from ..answers.notes import about_middles
     from ..answers.ranges import notes_on_ranges
+    from ..answers.report import Report, every_line
     from ..output.exports import PROGRAMS
 
     word = call.subject.casefold()
@@ -306,7 +306,7 @@ def run_export(call: Call) -> int:
         return 0
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
-    answer = Answer(Question(names, names), frame)
+    answer = Report(Question(names, names), frame)
     notes = [*(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
     notes += [note.line for note in notes_on_ranges(answer)]
     if program.about:

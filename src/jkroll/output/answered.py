@@ -5,9 +5,10 @@ from functools import cached_property
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..answers.answer import Answer, Result
+from ..answers.answer import Result
 from ..answers.questions import QUESTIONS, Question, question_about
 from ..answers.ranges import why
+from ..answers.report import Report
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
 from ..model.estimate import NONE, WORDS, Estimate
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from ..model.limits import Doubt
 
 
-def write_plain(answer: Answer, out: TextIO, form: Format, *, best: bool = False) -> None:
+def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False) -> None:
     """Write a line `name value unit` for each result of a frame, each side of its uncertainty, and its best range."""
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
@@ -58,14 +59,14 @@ def numbers_of(measures: Mapping[str, float | Uncertain | None]) -> dict[str, fl
     return numbers
 
 
-def write_json(answers: Iterable[Answer], count: int, out: TextIO, form: Format) -> None:
+def write_json(answers: Iterable[Report], count: int, out: TextIO, form: Format) -> None:
     """Write an object for each frame; several frames are an array, written as they are computed."""
     for position, answer in enumerate(answers, 1):
         start, end = ("[\n" if position == 1 else "", "\n]" if position == count else ",") if count > 1 else ("", "")
         say(start + json_text(as_object(answer, form), out) + end, out)
 
 
-def as_object(answer: Answer, form: Format) -> dict[str, Any]:
+def as_object(answer: Report, form: Format) -> dict[str, Any]:
     """Return the JSON object of one frame."""
     from .. import __version__
 
@@ -81,7 +82,7 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     return entry
 
 
-def _result_object(result: Result, answer: Answer, form: Format) -> dict[str, Any]:
+def _result_object(result: Result, answer: Report, form: Format) -> dict[str, Any]:
     quantity = NOMENCLATURE[result.name]
     entry: dict[str, Any] = {
         "name": result.name,
@@ -161,7 +162,7 @@ class Answered:
     object of `--json`.
     """
 
-    def __init__(self, answer: Answer) -> None:
+    def __init__(self, answer: Report) -> None:
         self._answer = answer
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -217,7 +218,7 @@ class Answered:
 
 def _answered(question: Question, frame: Frame) -> Answered:
     """Return the answer to a question about a frame."""
-    return Answered(Answer(question, frame))
+    return Answered(Report(question, frame))
 
 
 def answer(
@@ -264,7 +265,7 @@ def answer(
     is_command = isinstance(wanted, str) and wanted in QUESTIONS
     text = ",".join(words_in(wanted))
     question = QUESTIONS[text] if is_command else question_about(text)
-    answered = Answer(question, Frame(described, *materials_of(material, material2, materials), model=model))
+    answered = Report(question, Frame(described, *materials_of(material, material2, materials), model=model))
     if answered.failure is not None and answered.has_no_headline:
         raise answered.failure
     return Answered(answered)

@@ -9,10 +9,10 @@ from .table import parts_of_frame
 from .writers import Markdown, in_markdown
 
 if TYPE_CHECKING:
-    from ..answers.answer import Answer
+    from ..answers.report import Report
 
 
-def frame_page(answer: "Answer", out: TextIO, form: Format) -> None:
+def frame_page(answer: "Report", out: TextIO, form: Format) -> None:
     """Write what is shown of one frame, with an empty line between paragraphs and tables."""
     parts = parts_of_frame(answer, form)
     out.write("\n".join(f"{in_markdown(part)}\n" if isinstance(part, str) else _table(part) for part in parts))

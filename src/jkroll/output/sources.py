@@ -10,9 +10,9 @@ from math import log
 from typing import TYPE_CHECKING, Any, TextIO
 
 from .. import __version__
-from ..answers.answer import Answer, Result
-from ..answers.notes import every_line
+from ..answers.answer import Result
 from ..answers.ranges import made_of, range_in_words, why
+from ..answers.report import Report, every_line
 from ..errors import BadRequest
 from ..materials.library import data_of
 from ..model.estimate import NONE, WORDS
@@ -54,7 +54,7 @@ def docstring_fields(formula: Any) -> dict[str, str]:
     return {field: " ".join(words.split()) for field, words in fields.items()}
 
 
-def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> None:
+def write_explanation(answers: Iterable[Report], out: TextIO, form: Format) -> None:
     """Write for each result its formula, inputs, steps, value, source, validity and accuracy; then every note."""
     if not write_explanation.__doc__:
         raise BadRequest("--explain is worded from docstrings, which python -OO drops")
@@ -68,7 +68,7 @@ def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> N
             say_wrapped(line, out)
 
 
-def _explanation(result: Result, answer: Answer, form: Format) -> list[str]:
+def _explanation(result: Result, answer: Report, form: Format) -> list[str]:
     """Return the lines that explain one result."""
     quantity, frame = NOMENCLATURE[result.name], answer.frame
     title = f"{result.name} — {quantity.sentence}" + (f", {result.source}" if result.source else "")
@@ -95,7 +95,7 @@ def _explanation(result: Result, answer: Answer, form: Format) -> list[str]:
     return [*lines, *(f"  {key:9} {text}" for key, text in facts if text), ""]
 
 
-def _facts(result: Result, answer: Answer, form: Format) -> Iterator[tuple[str, str]]:
+def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, str]]:
     """Iterate over what is known of a value: its error bar, what an inferred one has, and its values by other laws."""
 
     def shown(value: "float | Uncertain") -> str:
@@ -178,7 +178,7 @@ def references() -> dict[str, Mapping[str, str]]:
 class Cited:
     """The equations of the paper on which an answer rests, and the references of its law, conventions and data."""
 
-    def __init__(self, answer: Answer) -> None:
+    def __init__(self, answer: Report) -> None:
         self.names = [result.name for result in answer.results if result.value is not None]
         formulas = answer.frame.formulas_to(*self.names)
         self.equations = {equation for name in formulas if (equation := NOMENCLATURE[name].equation)}
@@ -192,14 +192,14 @@ class Cited:
         self.data = [entry for material, name in used for entry in material.sources_of(name)]
 
 
-def _with_cited(answers: Iterable[Answer]) -> Iterator[tuple[Answer, Cited]]:
+def _with_cited(answers: Iterable[Report]) -> Iterator[tuple[Report, Cited]]:
     """Iterate over the answers that have results, each with what is cited of it."""
     for answer in answers:
         if (cited := Cited(answer)).names:
             yield answer, cited
 
 
-def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
+def write_citations(answers: Iterable[Report], out: TextIO) -> None:
     """Write BibTeX entries of this program, of the paper, with the equations used, and of the laws and data used."""
     equations: set[str] = set()
     others: dict[str, Mapping[str, str]] = {}
@@ -239,7 +239,7 @@ def bibtex(entry: Mapping[str, str]) -> str:
 # --- Methods ----------------------------------------------------------------------------------------------------------
 
 
-def write_methods(answers: Iterable[Answer], out: TextIO) -> None:
+def write_methods(answers: Iterable[Report], out: TextIO) -> None:
     """Write a paragraph for each answer: what was computed, by which equations, and from which values."""
     for place, (answer, cited) in enumerate(_with_cited(answers)):
         if place:
@@ -247,7 +247,7 @@ def write_methods(answers: Iterable[Answer], out: TextIO) -> None:
         say_wrapped(f"{_computed(answer, cited)} {_values(answer)}", out, 0)
 
 
-def _computed(answer: Answer, cited: Cited) -> str:
+def _computed(answer: Report, cited: Cited) -> str:
     """Return the sentence with the program, the equations, the laws and conventions, and the quantities."""
     program, paper, *_ = references().values()
     authors = f"Dominik \\& Tielens{_cite([paper])}"
@@ -261,7 +261,7 @@ def _computed(answer: Answer, cited: Cited) -> str:
     return f"{with_program}, after {listed(ways)}, we computed for elastic spheres in adhesive contact: {quantities}."
 
 
-def _values(answer: Answer) -> str:
+def _values(answer: Report) -> str:
     """Return the sentence with the inputs, where their data come from, and which of them were assumed."""
     omitted = {"model", "energy"} if "energy_ratio" in answer.inputs else {"model"}  # the energy follows from its ratio
     texts = []

@@ -19,7 +19,7 @@ from ..quantities.values import Interval, Uncertain, middle, with_sides
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
-    from ..answers.answer import Answer
+    from ..answers.report import Report
     from ..model.rows import Columns
 
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
@@ -102,7 +102,7 @@ def _of_solid(inputs: "Mapping[str, float | str | Uncertain]", several: Sequence
 # --- One frame --------------------------------------------------------------------------------------------------------
 
 
-def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
+def frame_table(answer: "Report", out: TextIO, form: Format) -> None:
     """Write what is shown of one frame."""
     for part in parts_of_frame(answer, form):
         if isinstance(part, str):
@@ -111,7 +111,7 @@ def frame_table(answer: "Answer", out: TextIO, form: Format) -> None:
             write_table(part, [], out)
 
 
-def parts_of_frame(answer: "Answer", form: Format) -> Iterator[str | list[TextColumn]]:
+def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextColumn]]:
     """Iterate over lines and tables: the inputs of one frame, its results with their best ranges, and why these.
 
     Conventions of other codes stand below the others.
@@ -132,7 +132,7 @@ def parts_of_frame(answer: "Answer", form: Format) -> Iterator[str | list[TextCo
         yield _of_results([*conventions.values()], law)
 
 
-def _in_column(answer: "Answer") -> dict[str, str]:
+def _in_column(answer: "Report") -> dict[str, str]:
     """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
     if BETTER_LAW in rules:
@@ -146,7 +146,7 @@ def _in_column(answer: "Answer") -> dict[str, str]:
 _Rows = dict[str, list[str]]  # the cells of results, by name
 
 
-def _rows(answer: "Answer", form: Format) -> tuple[_Rows, _Rows]:
+def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
     """Return the rows of results, and those of conventions. A result that repeats another has none."""
     physics: _Rows = {}
     conventions: _Rows = {}
@@ -178,7 +178,7 @@ def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> 
 _SURFACES = {"on smooth glass": ("1/4–1/2 of JKR", 4, 2), "on rough grains in air": ("1/100–1/10", 100, 10)}
 
 
-def _on_surfaces(answer: "Answer", form: Format) -> Iterator[list[str]]:
+def _on_surfaces(answer: "Report", form: Format) -> Iterator[list[str]]:
     """Iterate over rows of what was measured on other surfaces, where the pull-off force is what is asked for."""
     for surface, (of_jkr, most, least) in _SURFACES.items() if answer.shows_surfaces else ():
         ends = answer.values["pull_off_force"] / most, answer.values["pull_off_force"] / least
@@ -217,7 +217,7 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
 # --- Inferred values --------------------------------------------------------------------------------------------------
 
 
-def _of_inferred(answer: "Answer", form: Format) -> list[TextColumn]:
+def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
     """Return the columns of inferred values by each law, the one that holds first, beside those of the library."""
     own, library = answer.frame.law.name, library_values(answer.described)
     exact = Format(form.units, form.digits or RESULT_DIGITS)

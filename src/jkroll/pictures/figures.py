@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..answers.answer import Answer
 from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..answers.questions import Question
 from ..answers.ranges import notes_on_ranges
+from ..answers.report import Report
 from ..materials.library import Materials
 from ..model.frame import DEFAULTS, Frame
 from ..model.reasons import BEYOND_PULL_OFF, Failure, NotInLaw
@@ -186,7 +186,7 @@ def curves_of_contact(
     notes = dict.fromkeys(f"no curve: {error}" for error in missing)
     if is_one:
         about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else WHOLE_CURVE
-        answer = Answer(about, frames[0])
+        answer = Report(about, frames[0])
         notes |= dict.fromkeys(note.text for note in (*notes_on_ranges(answer), *answer.doubts()))
     for frame in frames:
         held = [name for name in names if not _lacking(frame, name)]

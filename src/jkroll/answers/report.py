@@ -1,0 +1,122 @@
+"""The report of one frame: its answer, with all that is to be said of it, in the order in which a reader needs it."""
+
+from collections.abc import Iterator
+from functools import cached_property
+from math import erfc, hypot, sqrt
+
+from ..model.estimate import ADHESION_ONLY
+from ..model.frame import Frame
+from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, Doubt
+from ..model.uncertainty import error_bars
+from ..quantities.formatting import span
+from .answer import Answer
+from .inferred import about_limit, proofs
+from .notes import (
+    ABOVE,
+    Note,
+    Severity,
+    about_assumed,
+    about_given,
+    about_idle,
+    about_left_out,
+    about_limits,
+    about_missing,
+    about_values,
+    by_severity,
+)
+from .ranges import leads
+
+_LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
+
+
+class Report(Answer):
+    """The answer to the question of a command, with its warnings and notes."""
+
+    @cached_property
+    def notes(self) -> tuple[Note, ...]:
+        """The sentences about the answer, but for doubts."""
+        if self.described.unknowns and self.failure is not None:
+            return ()
+        inputs, idle = self._entering
+        every = (
+            *proofs(self),
+            *about_assumed(self.assumed),
+            *about_missing({**self.lacking, **self.open_bars()}),
+            *about_left_out(self.sources),
+            *about_given(self.frame, self._possible, inputs),
+            *about_idle(idle),
+            *about_values(self.frame, self._valued),
+            *leads(self),
+            *about_limits(self.validity),
+            *_about_lost_contacts(self),
+        )
+        return tuple(dict.fromkeys(every))
+
+    def doubts(self) -> list[Note]:
+        """Return a note for each limit of the model that does not hold, in the order of `exceeded`."""
+        notes = []
+        for doubt in self.exceeded:
+            if doubt.limit is LAW:
+                continue  # the best ranges say so
+            severity: Severity = "caveat" if doubt.limit.is_told and not self._is_in_ranges(doubt) else "more"
+            notes.append(Note("warning" if doubt.limit.ends_meaning else severity, self.about(doubt)))
+        return notes
+
+    def _is_in_ranges(self, doubt: Doubt) -> bool:
+        """Return whether the best range of results says what a limit means for them."""
+        return doubt.code == STICKING_UNSURE and ADHESION_ONLY in {each.by for each in self.estimates.values()}
+
+    def about(self, doubt: Doubt) -> str:
+        """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
+        if self.described.unknowns:
+            return about_limit(doubt, self)
+        return _about_roughness(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
+
+    @property
+    def sentences(self) -> list[Note]:
+        """All sentences about the answer."""
+        return [*self.notes, *self.doubts()]
+
+    @property
+    def sentences_below(self) -> list[Note]:
+        """The sentences that a table leaves to the lines below it."""
+        in_rows = {_about_roughness(self.frame)} if self.shows_surfaces else set()
+        return [note for note in self.sentences if note.severity not in ABOVE and note.text not in in_rows]
+
+    @property
+    def _valued(self) -> list[str]:
+        """The quantities that are judged and have a value."""
+        columns = self.judged if self.keeps_all else self.judged_meant
+        return [name for name, column in columns.items() if not column.is_empty]
+
+
+# --- Sentences --------------------------------------------------------------------------------------------------------
+
+
+def _about_roughness(frame: Frame) -> str:
+    """Return what was measured where the pull-off force is that of smooth spheres."""
+    force = frame.numbers("pull_off_force").get("pull_off_force", 0.0)
+    smooth, rough = (span("pull_off_force", force / most, force / least) for most, least in ((4, 2), (100, 10)))
+    return (
+        f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 "
+        f"({rough})"
+    )
+
+
+def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
+    """Iterate over a note where a part of the uncertain values, taken as normally distributed, is beyond pull-off."""
+    has_spread = answer.sources is not None and "load" in answer.described.inputs_used([*answer.computed])
+    forces = answer.frame.numbers("load", "pull_off_force") if has_spread else {}
+    if len(forces) < 2 or answer.open_bars():
+        return
+    bars = error_bars(answer.frame, forces, sources=answer.sources).values()
+    spread = hypot(*(bar.sides["minus"] for bar in bars if "minus" in bar.sides))
+    part = erfc(sum(forces.values()) / (sqrt(2) * spread)) / 2 if spread else 0.0
+    if part >= _LOST:
+        text = f"at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
+        yield Note("caveat", f"error bars are of contacts that hold: {text}")
+
+
+def every_line(report: Report) -> list[str]:
+    """Return a line for each note of a report, by falling importance, for a file that is read without the answer."""
+    return [note.line for note in by_severity(report.sentences)]
