@@ -3,11 +3,11 @@
 from random import Random
 from typing import Any
 
-from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import COMMANDS
 from jkroll.cli.options import Option
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.units import PLAIN, PREFIXABLE, PREFIXES
+from jkroll.report.questions import QUESTIONS
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")

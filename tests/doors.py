@@ -17,7 +17,6 @@ import jkroll.model.rows
 import jkroll.tables.run
 from frames import outcomes
 from harness import Ran, Run
-from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.call import Call
 from jkroll.cli.process import action_of
 from jkroll.cli.runners import question_of
@@ -31,6 +30,7 @@ from jkroll.model.reasons import Failure, NoErrorBar
 from jkroll.model.rows import SIDES, Block, Columns, Wanted, evaluated, of_single_row, put_single_rows
 from jkroll.model.uncertainty import sources_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.report.questions import QUESTIONS
 from jkroll.tables.table import Table
 from questions import Ask, Sheet
 from tuning import computed

@@ -17,10 +17,10 @@ from random import Random
 from typing import NamedTuple
 from unicodedata import normalize
 
-from jkroll.answers.questions import EVERYTHING
 from jkroll.errors import BadTable
 from jkroll.materials.library import known_materials
 from jkroll.quantities.nomenclature import computed_as
+from jkroll.report.questions import EVERYTHING
 from jkroll.tables.header import Header as Understood
 from jkroll.tables.header import understood
 from jkroll.tables.table import Asked

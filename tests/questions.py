@@ -8,7 +8,6 @@ from random import Random
 from typing import Any, NamedTuple
 
 from jkroll import solve
-from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import COMMANDS
 from jkroll.errors import JkrollError
 from jkroll.model.plan import formula_of
@@ -16,6 +15,7 @@ from jkroll.physics.jkr import FOLD_APPROACH
 from jkroll.quantities.laws import LAWS
 from jkroll.quantities.nomenclature import CONVERTED, NOMENCLATURE, header
 from jkroll.quantities.values import has_uncertainty
+from jkroll.report.questions import QUESTIONS
 from scenes import log_uniform
 
 MATERIALS = ["quartz", "iron", "gold", "PS", "graphite", "silica-dry", "silica-humid", "ice-warm", "ice-cold"]

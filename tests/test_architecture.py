@@ -19,16 +19,16 @@ SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
 # From the top down: a folder imports from those below it. The files outside a folder are the ground.
-FOLDERS = "cli bench pictures tables output answers model materials quantities physics ground".split()
+FOLDERS = "cli bench pictures tables write report model materials quantities physics ground".split()
 # The package and its script hand out names of all folders; the wheel's build adds the module of shipped materials.
 PUBLIC = {"__init__", "__main__"}
 ONLY = {
     "typer": {"cli"},
-    "rich": {"output"},
+    "rich": {"write"},
     "pint": {"quantities"},
     "tomllib": {"materials"},
     "matplotlib": {"pictures"},
-    "orjson": {"tables", "output"},
+    "orjson": {"tables", "write"},
     "pyarrow": {"tables"},
     "distributed": {"tables"},
     "zstandard": {"tables"},

@@ -8,7 +8,7 @@ import pytest
 
 from harness import Run
 from jkroll import JkrollError, solve
-from jkroll.output.manual import page
+from jkroll.write.manual import page
 from relative import approx
 from scenes import QUARTZ
 

@@ -34,8 +34,6 @@ from doors import (
 from frames import bits, outcomes
 from harness import Run
 from jkroll import answer, known_materials, solve
-from jkroll.answers.answer import with_force_by_maugis
-from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.runners import question_of
 from jkroll.errors import JkrollError, NoResult
 from jkroll.model.estimate import WORDS
@@ -56,6 +54,8 @@ from jkroll.pictures.picture import Axis, over
 from jkroll.pictures.request import PlotRequest, picture_of
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import is_uncertain, value_of
+from jkroll.report.answer import with_force_by_maugis
+from jkroll.report.questions import QUESTIONS
 from questions import SPHERES, Ask, Sheet, any_ask, ask_of, mixed_sheet, sheet_of
 
 FEW, MANY = range(10, 16), 1000

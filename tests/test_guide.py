@@ -11,7 +11,7 @@ import pytest
 from harness import Run
 from jkroll import solve
 from jkroll.cli.commands import COMMANDS
-from jkroll.output.manual import FIELD_TERMS, page, sections, topics
+from jkroll.write.manual import FIELD_TERMS, page, sections, topics
 from relative import approx
 from transcripts import copied_once, exit_code, failures, printed, rounded, transcripts
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from jkroll.output.manual import page
+from jkroll.write.manual import page
 from transcripts import commands, copied_once, exit_code, failures, printed, rounded, transcripts
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")

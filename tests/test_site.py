@@ -13,7 +13,7 @@ from urllib.parse import urldefrag
 import pytest
 
 from browser import CHROMIUM, DRIVER, Browser, browser, hosts_asked, served
-from jkroll.output.manual import page, topics
+from jkroll.write.manual import page, topics
 from terminal import script, without_colours
 from transcripts import commands, rounded, transcripts
 

@@ -102,7 +102,7 @@ def candidates(line: str) -> list[str]:
             else []
         )
     elif before[0] == "guide":
-        from jkroll.output.manual import topics
+        from jkroll.write.manual import topics
 
         names = [*topics()]
     else:

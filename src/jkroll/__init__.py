@@ -18,7 +18,7 @@ _HOMES = {
     "Materials": "materials.library",
     "Measured": "quantities.values",
     "Quantity": "quantities.nomenclature",
-    "answer": "output.answered",
+    "answer": "write.answered",
     "infer": "model.infer",
     "known_materials": "materials.library",
     "solve": "model.solver",

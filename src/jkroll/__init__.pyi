@@ -7,7 +7,6 @@ from .materials.library import known_materials as known_materials
 from .model.infer import infer as infer
 from .model.solver import FORMULAS as FORMULAS
 from .model.solver import solve as solve
-from .output.answered import answer as answer
 from .physics.any_law import adhesion_hysteresis_of_fraction as adhesion_hysteresis_of_fraction
 from .physics.any_law import adhesive_force as adhesive_force
 from .physics.any_law import atomic_spacing_of_cutoff as atomic_spacing_of_cutoff
@@ -203,5 +202,6 @@ from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
 from .quantities.nomenclature import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
+from .write.answered import answer as answer
 
 __version__: str

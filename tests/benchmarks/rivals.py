@@ -38,7 +38,7 @@ def formulas() -> list[tuple[str, str]]:
 
 def results() -> list[str]:
     """The quantities that `jkroll batch` writes of this table."""
-    from jkroll.answers.questions import EVERYTHING
+    from jkroll.report.questions import EVERYTHING
 
     known = {name for name, _ in formulas()}
     names = [name for name in EVERYTHING if name in known]

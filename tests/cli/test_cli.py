@@ -17,9 +17,9 @@ import pytest
 from doors import strict_json
 from harness import Run
 from jkroll import NOMENCLATURE, __version__, solve
-from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import COMMANDS
 from jkroll.model.limits import UNCHECKED
+from jkroll.report.questions import QUESTIONS
 from relative import approx
 
 # --- Messages, whole ------------------------------------------------------------------------------------------------

@@ -8,8 +8,8 @@ import pytest
 
 from harness import Run
 from jkroll import solve
-from jkroll.output.exports import PROGRAMS
 from jkroll.physics.motion import STICKS_FROM
+from jkroll.write.exports import PROGRAMS
 from relative import approx
 
 NUMBER = r"([-+.e\d]+)"

@@ -8,9 +8,9 @@ import typer
 from typer.core import TyperOption
 
 from harness import Run
-from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import COMMANDS, GUTTER, flags_of, help_of
 from jkroll.cli.shells import app
+from jkroll.report.questions import QUESTIONS
 
 NAMES = [None, *COMMANDS]
 

@@ -11,13 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from harness import Run
-from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.call import Call
 from jkroll.cli.commands import COMMANDS, OUTPUT, flags_of
 from jkroll.cli.options import EVERY, Option
 from jkroll.cli.process import HINTS, SYNONYMS, action_of
 from jkroll.errors import BadRequest, JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.report.questions import QUESTIONS
 
 # Lines that ask for the same.
 ALIKE = [

@@ -11,7 +11,7 @@ import pytest
 
 from jkroll import infer, solve
 from jkroll.model.unsolved import Unseparated
-from jkroll.output.manual import page
+from jkroll.write.manual import page
 from relative import approx
 from tools import lennard_jones as made
 

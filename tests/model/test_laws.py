@@ -16,10 +16,6 @@ import maugis_reference as reference
 from frames import factor_of_law, outcomes
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.answers.curve import frames_of_curve
-from jkroll.answers.questions import QUESTIONS, question_about
-from jkroll.answers.ranges import lines_on_ranges
-from jkroll.answers.report import Report
 from jkroll.errors import BadRequest
 from jkroll.materials.library import known_materials
 from jkroll.model.estimate import estimates
@@ -27,10 +23,14 @@ from jkroll.model.frame import Frame
 from jkroll.model.plan import plan_for
 from jkroll.model.reasons import Failure, NotInLaw
 from jkroll.model.results import Results
-from jkroll.output.manual import page
-from jkroll.output.sources import references
 from jkroll.physics import jkr
 from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
+from jkroll.report.curve import frames_of_curve
+from jkroll.report.questions import QUESTIONS, question_about
+from jkroll.report.ranges import lines_on_ranges
+from jkroll.report.report import Report
+from jkroll.write.manual import page
+from jkroll.write.sources import references
 from maugis_reference import cbrt, mpf, pi
 from relative import approx
 from scenes import log_uniform

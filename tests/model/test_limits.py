@@ -10,12 +10,12 @@ import pytest
 from frames import bits, doubts, factor_of_law, outcomes
 from harness import Run
 from jkroll import NOMENCLATURE, solve
-from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
 from jkroll.model.frame import Frame
 from jkroll.model.limits import BITS, LIMITS, Doubt, Limit, codes
 from jkroll.model.plan import depends_on
 from jkroll.model.reasons import TWO_RIGID_BODIES, Failure
+from jkroll.report.questions import QUESTIONS
 from relative import approx
 from scenes import OTHER, QUARTZ
 

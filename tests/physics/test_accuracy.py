@@ -17,11 +17,11 @@ import pytest
 
 import law_reference
 from jkroll import NOMENCLATURE, physics, solve
-from jkroll.answers.questions import QUESTIONS
 from jkroll.model.plan import formula_of, parameters_of
 from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, shifted
 from jkroll.physics.accuracy import accuracy_of
 from jkroll.physics.motion import FITTED_UP_TO
+from jkroll.report.questions import QUESTIONS
 from reference import (
     BOUND,
     EQUATIONS,

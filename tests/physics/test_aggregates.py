@@ -6,9 +6,9 @@ from typing import Any
 import pytest
 
 from jkroll import solve
-from jkroll.answers.questions import QUESTIONS
 from jkroll.model.reasons import MissingInput
 from jkroll.quantities.values import QuantityError
+from jkroll.report.questions import QUESTIONS
 from maugis_reference import mpf
 from reference import ulp_error
 from scenes import QUARTZ

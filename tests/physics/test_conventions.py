@@ -9,8 +9,8 @@ import pytest
 
 from harness import Run
 from jkroll import NOMENCLATURE, solve
-from jkroll.answers.questions import QUESTIONS
 from jkroll.errors import JkrollError
+from jkroll.report.questions import QUESTIONS
 from relative import approx
 
 GRAIN: dict[str, Any] = {

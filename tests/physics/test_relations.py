@@ -15,12 +15,12 @@ import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.errors import BadRequest
 from jkroll.model.reasons import Failure, MissingInput
-from jkroll.output.sources import docstring_fields
 from jkroll.physics import FORMULAS as PLAIN_FORMULAS
 from jkroll.physics import cylinder, dimensions
 from jkroll.quantities.nomenclature import UnknownQuantity
 from jkroll.quantities.units import dimension_of, kind_of
 from jkroll.quantities.values import QuantityError
+from jkroll.write.sources import docstring_fields
 
 INFINITY = math.inf
 QUARTZ: dict[str, Any] = {"surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17, "density": 2600.0}

@@ -17,7 +17,6 @@ import pytest
 from doors import call_of
 from harness import Run
 from jkroll import known_materials, solve
-from jkroll.answers.curve import Loads, loads_of
 from jkroll.cli.map import MAX_CURVES, map_request
 from jkroll.cli.process import main
 from jkroll.model.frame import Frame
@@ -27,6 +26,7 @@ from jkroll.pictures.request import picture_of
 from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
+from jkroll.report.curve import Loads, loads_of
 from jkroll.text import wrapped
 from relative import approx
 

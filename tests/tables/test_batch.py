@@ -16,11 +16,11 @@ from hypothesis import strategies as st
 
 from harness import Run, captured
 from jkroll.model.limits import CODES, UNCHECKED
-from jkroll.output.manual import page
 from jkroll.quantities.values import QuantityError, unit_of
 from jkroll.tables import files
 from jkroll.tables.cells import Column
 from jkroll.tables.header import understood
+from jkroll.write.manual import page
 from random_tables import ENDS, IN_SMALL_BLOCKS, random_table, read_rows, write_rows
 from relative import approx
 

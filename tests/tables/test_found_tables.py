@@ -17,10 +17,10 @@ from typing import Any, NamedTuple
 import pytest
 
 from harness import Ran, Run
-from jkroll.answers.questions import EVERYTHING
 from jkroll.errors import BadTable
 from jkroll.materials.library import known_materials
 from jkroll.quantities.values import QuantityError, Uncertain
+from jkroll.report.questions import EVERYTHING
 from jkroll.tables.cells import Column
 from jkroll.tables.files import DELIMITERS, Delimited
 from jkroll.tables.header import check_inputs, stated_meanings, understood

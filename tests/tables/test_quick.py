@@ -8,9 +8,9 @@ from unittest.mock import patch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from jkroll.answers.questions import quantities_named
 from jkroll.materials.library import known_materials
 from jkroll.model.limits import EVERY_DOUBT
+from jkroll.report.questions import quantities_named
 from jkroll.tables import cells
 from jkroll.tables.files import SEPARATORS, Delimited, as_lines
 from jkroll.tables.header import understood

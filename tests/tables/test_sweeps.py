@@ -12,11 +12,11 @@ from unittest.mock import patch
 import pytest
 
 from harness import Ran, Run
-from jkroll.answers.questions import QUESTIONS
 from jkroll.model import sweep as sweeps
 from jkroll.model.plan import formula_of
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.report.questions import QUESTIONS
 from jkroll.text import spelled
 from random_tables import read_rows
 from relative import approx

@@ -16,7 +16,7 @@ from pathlib import Path
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-TESTS = ("tests/physics", "tests/model", "tests/output", "tests/quantities")
+TESTS = ("tests/physics", "tests/model", "tests/write", "tests/quantities")
 CORPUS = ("tests/tools/run_command_lines.py", "check", "60")
 # Fails for a shim without a Python behind it, and where no environment can be made.
 ASK = "import sys, ensurepip, venv; print(sys.implementation.name, *sys.version_info[:2])"

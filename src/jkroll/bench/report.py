@@ -22,7 +22,6 @@ from numpy import cbrt, exp, interp, linspace, pi, sqrt, where
 
 from .. import __version__
 from ..model.frame import Frame
-from ..output.writers import Cell, write_records
 from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.contact import pull_off_force, reduced_radius
 from ..physics.jkr import FOLD_APPROACH
@@ -30,6 +29,7 @@ from ..pictures.picture import Axis, Curve, Panel, Picture
 from ..quantities.formatting import significant
 from ..quantities.nomenclature import NOMENCLATURE
 from ..text import say
+from ..write.writers import Cell, write_records
 
 SYMBOLS = {
     "R1": "radius", "R2": "radius2", "w": "work_of_adhesion", "E": "contact_modulus",

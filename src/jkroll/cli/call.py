@@ -7,7 +7,6 @@ from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..answers.questions import QUESTIONS, quantity_named
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, UnknownMaterial, materials_of_user
 from ..model.frame import check_exclusive
@@ -19,11 +18,12 @@ from ..quantities.laws import law_named
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
+from ..report.questions import QUESTIONS, quantity_named
 from ..text import ending, quoted, say_wrapped, shown
 from .options import Options
 
 if TYPE_CHECKING:
-    from ..answers.curve import Loads
+    from ..report.curve import Loads
     from .commands import Command
 
 
@@ -124,7 +124,7 @@ class Call(Options):
     @cached_property
     def loads(self) -> "Loads | None":
         """The loads between which a force curve is wanted, if they are given."""
-        from ..answers.curve import loads_of
+        from ..report.curve import loads_of
 
         if "approach_at_load" in self.values:
             raise BadRequest("--curve goes through all approaches; it takes none")

@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any
 
-from ..answers.questions import QUESTIONS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
+from ..report.questions import QUESTIONS
 from ..text import terminal_width, wrapped
 from .options import HELP, PROGRAM, Option, Options
 
@@ -134,7 +134,7 @@ class Command:
 
 
 def _options_of_export() -> tuple[Option[Any], ...]:
-    from ..output.exports import THRESHOLDS, USUAL
+    from ..write.exports import THRESHOLDS, USUAL
 
     law = Option(None, "--model", "Law of attraction, jkr (the default) or dmt", "dmt", name="model")
     inputs = (option for option in input_options(USUAL + THRESHOLDS) if option.name != law.name)

@@ -6,12 +6,10 @@ from collections.abc import Iterable
 
 import numpy
 
-from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
 from ..model.frame import Frame
 from ..model.limits import LIMITS
 from ..model.plan import depends_on
-from ..output.writers import text_output, whole_file, write_columns
 from ..pictures.figures import FIGURE_NAMES, PANELS, PAPER_MAPS, PROFILES, curves_of_contact, figure_laws, paper_map
 from ..pictures.picture import STYLES, Axis, Picture, evaluate, say_texts, write_picture
 from ..pictures.request import PlotRequest, picture_of
@@ -20,7 +18,9 @@ from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import plain, symbol
 from ..quantities.nomenclature import as_input, computed_as, header
 from ..quantities.values import QuantityError, between, parse_quantity
+from ..report.questions import quantity_named
 from ..text import ending, listed, quoted, say, say_wrapped
+from ..write.writers import text_output, whole_file, write_columns
 from .call import CHOSEN, PICTURES, Call
 
 

@@ -10,8 +10,6 @@ from functools import reduce
 from itertools import islice
 from typing import TYPE_CHECKING, TextIO
 
-from ..answers.notes import Group, assumed_in, lines_of, notes_on_rows
-from ..answers.questions import EVERYTHING, QUESTIONS, Question, quantities_named, quantity_named, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import UnknownMaterial
 from ..model.frame import Frame
@@ -21,14 +19,16 @@ from ..model.sweep import Sweep
 from ..quantities.formatting import Format, symbol_of
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity
 from ..quantities.values import Spread, spreads_of
+from ..report.notes import Group, assumed_in, lines_of, notes_on_rows
+from ..report.questions import EVERYTHING, QUESTIONS, Question, quantities_named, quantity_named, question_about
 from ..text import ascii_text, closest, listed, quoted, say, say_wrapped, wrapped
 from .call import BARE, CITE, EXPLAIN, JSON, MARKDOWN, PLAIN, TABLE, Call, message_of
 from .options import Options
 
 if TYPE_CHECKING:
-    from ..answers.notes import Note
-    from ..answers.report import Report
     from ..model.rows import Columns, Wanted
+    from ..report.notes import Note
+    from ..report.report import Report
 
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
 MOST_FOUND = 12  # quantities in a table of those that have some words
@@ -55,7 +55,7 @@ def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> i
     """Write what is asked, as rows or as answers; return the exit code."""
 
     def answer(row: Frame) -> "Report":
-        from ..answers.report import Report  # of which rows that are written with fewer words need nothing
+        from ..report.report import Report  # of which rows that are written with fewer words need nothing
 
         return Report(question, row, keeps_all=call.output.keeps_all)
 
@@ -124,12 +124,12 @@ def _write_columns(
 
         write_file(wanted, every, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
     elif is_table:
-        from ..output.table import sweep_table
+        from ..write.table import sweep_table
 
         for columns in every:
             sweep_table(columns, sys.stdout, form, assumed_in(groups))
     else:
-        from ..output.writers import WRITERS, written
+        from ..write.writers import WRITERS, written
 
         writer = WRITERS[PLAIN.name if call.output is TABLE else call.output.name]
         for text in written(writer, wanted, every, form, doubt=not call.no_doubt):
@@ -149,7 +149,7 @@ def _told(single: "Report", *, is_shown: bool) -> "list[Note]":
     """Return the sentences about a single answer; where its table `is_shown`, without those that stand in it."""
     if is_shown:
         return single.sentences_below
-    from ..answers.ranges import notes_on_ranges
+    from ..report.ranges import notes_on_ranges
 
     return [*notes_on_ranges(single), *single.sentences]
 
@@ -184,28 +184,28 @@ def _write_answers(
 
     with _output(call.target) as out:
         if call.output is JSON:
-            from ..output.answered import write_json
+            from ..write.answered import write_json
 
             write_json(watched(), count, out, form)
         elif call.output is EXPLAIN:
-            from ..output.sources import write_explanation
+            from ..write.sources import write_explanation
 
             write_explanation((answer.explained for answer in watched()), out, form)
         elif call.output is CITE:
-            from ..output.sources import write_citations, write_methods
+            from ..write.sources import write_citations, write_methods
 
             write_sources = write_methods if call.tex else write_citations
             write_sources((answer.explained for answer in watched()), out)
         elif call.output is TABLE:
-            from ..output.table import frame_table
+            from ..write.table import frame_table
 
             frame_table(next(watched()), out, form)
         elif call.output is MARKDOWN:
-            from ..output.markdown import frame_page
+            from ..write.markdown import frame_page
 
             frame_page(next(watched()), out, form)
         else:
-            from ..output.answered import write_plain
+            from ..write.answered import write_plain
 
             write_plain(next(watched()), out, form, best=call.best)
         out.flush()
@@ -219,7 +219,7 @@ def _output(target: str | None) -> AbstractContextManager[TextIO]:
     """Return the file of a name, which is written whole, or stdout."""
     if target is None:
         return nullcontext(sys.stdout)
-    from ..output.writers import text_output
+    from ..write.writers import text_output
 
     return text_output(target)
 
@@ -242,9 +242,9 @@ def _write_curve(call: Call) -> int:
 
     Raises the failure of the first state if each has one.
     """
-    from ..answers.curve import FORCE_CURVE, WHOLE_CURVE, answer_at_state, curve_columns, frames_of_curve
-    from ..answers.report import Report
     from ..model.rows import Columns, Wanted
+    from ..report.curve import FORCE_CURVE, WHOLE_CURVE, answer_at_state, curve_columns, frames_of_curve
+    from ..report.report import Report
 
     check_format(call)
     question = question_of(call, FORCE_CURVE)
@@ -285,10 +285,10 @@ def _write_curve(call: Call) -> int:
 
 def run_export(call: Call) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
-    from ..answers.notes import about_middles
-    from ..answers.ranges import notes_on_ranges
-    from ..answers.report import Report, every_line
-    from ..output.exports import PROGRAMS
+    from ..report.notes import about_middles
+    from ..report.ranges import notes_on_ranges
+    from ..report.report import Report, every_line
+    from ..write.exports import PROGRAMS
 
     word = call.subject.casefold()
     program = next((known for name, known in PROGRAMS.items() if word in (name, known.title.casefold())), None)
@@ -400,7 +400,7 @@ def _unknown_and_measured(call: Call) -> tuple[str, str]:
 
 def run_materials(call: Call) -> int:
     """List the materials, or those that have some words, or show some in full; return the exit code."""
-    from ..output.catalogue import write_materials
+    from ..write.catalogue import write_materials
 
     output, materials = call.output.name, call.materials
     text = " ".join(call.words)
@@ -409,7 +409,7 @@ def run_materials(call: Call) -> int:
         named = [] if lists_all else [materials[word] for word in text.split(",")]
         chosen = named or [*materials.materials.values()]
     except UnknownMaterial:
-        from ..output.manual import materials_with
+        from ..write.manual import materials_with
 
         named, chosen = [], materials_with(text, materials.materials.values())
         if not chosen:
@@ -424,8 +424,8 @@ def run_materials(call: Call) -> int:
 
 def run_quantities(call: Call) -> int:
     """List quantities, those that have some words, or one in full, or what the manual has; return the exit code."""
-    from ..output.catalogue import write_quantities
-    from ..output.manual import hits_of, quantities_meant, write_hits
+    from ..write.catalogue import write_quantities
+    from ..write.manual import hits_of, quantities_meant, write_hits
     from .commands import takers
 
     output, text = call.output.name, " ".join(call.words)
@@ -446,7 +446,7 @@ def run_quantities(call: Call) -> int:
 
 def run_guide(call: Call) -> int:
     """Show a page of the manual, list the pages, or show what has some words; return the exit code."""
-    from ..output.manual import hits_of, page, section_meant, topics, write_hits, write_text, write_topics
+    from ..write.manual import hits_of, page, section_meant, topics, write_hits, write_text, write_topics
 
     text = " ".join(call.words)
     if not call.words:

@@ -11,10 +11,6 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
-from ..answers.questions import Question
-from ..answers.ranges import notes_on_ranges
-from ..answers.report import Report
 from ..materials.library import Materials
 from ..model.frame import DEFAULTS, Frame
 from ..model.reasons import BEYOND_PULL_OFF, Failure, NotInLaw
@@ -28,6 +24,10 @@ from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
+from ..report.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
+from ..report.questions import Question
+from ..report.ranges import notes_on_ranges
+from ..report.report import Report
 from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
 from .request import DRAWN_LIMITS, PlotRequest, fixed_inputs, inputs_as_texts, mark_at, notes_on, picture_of
 

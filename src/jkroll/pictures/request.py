@@ -7,9 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..answers.answer import equation_of
-from ..answers.notes import about_assumed, about_data, about_given, about_idle, about_middles, assumed, entering
-from ..answers.ranges import range_in_words
 from ..errors import BadRequest, JkrollError, NoResult
 from ..materials.library import Materials
 from ..model.estimate import BETTER_LAW, estimates
@@ -21,6 +18,9 @@ from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_o
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, computed_as
 from ..quantities.values import parse_quantity
+from ..report.answer import equation_of
+from ..report.notes import about_assumed, about_data, about_given, about_idle, about_middles, assumed, entering
+from ..report.ranges import range_in_words
 from ..text import quoted
 from .picture import (
     SAME,

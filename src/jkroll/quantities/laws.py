@@ -6,7 +6,7 @@ such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) 
 for a quantity that the law does not have; a name without a route is found by the formula of the same name. A formula
 that one law alone routes to belongs to that law: under another it would mix the two, and is refused.
 
-A new law is one more `Law` here, its formulas in `physics`, its reference in `output/references.toml`, the states of
+A new law is one more `Law` here, its formulas in `physics`, its reference in `write/references.toml`, the states of
 its force curve in `answers.curve`, and where the physics gives a formula no result, the reason in `model.reasons`. The
 nomenclature takes the names of its formulas from the routes.
 """

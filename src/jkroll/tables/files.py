@@ -27,8 +27,8 @@ from typing import Any, BinaryIO, NamedTuple
 
 from ..errors import BadRequest, BadTable, JkrollError, missing_extra
 from ..model.rows import BLOCK
-from ..output.writers import Lines, Markdown, in_quotes, in_row
 from ..text import ending, quoted, say
+from ..write.writers import Lines, Markdown, in_quotes, in_row
 from .decimals import decimal_mark, have_decimal_commas, with_decimal_points, without_unclear
 from .header import is_input, typed
 from .layouts import (

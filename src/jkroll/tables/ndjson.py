@@ -10,8 +10,8 @@ from typing import Any
 import orjson
 
 from ..errors import BadRequest, BadTable
-from ..output.writers import Objects
 from ..text import quoted
+from ..write.writers import Objects
 from .cells import cell_of, cells_of
 from .header import meaning_of
 from .layouts import SAMPLE

@@ -9,8 +9,8 @@ import pyarrow.parquet
 
 from ..errors import BadRequest, BadTable
 from ..model.rows import BLOCK, has_texts
-from ..output.writers import divided, length
 from ..text import quoted, shown
+from ..write.writers import divided, length
 from .cells import cell_of, cells_of
 from .files import Input
 from .layouts import SAMPLE

@@ -20,10 +20,10 @@ from typing import Any, BinaryIO, NamedTuple
 from ..errors import ROWS_FAILED, BadRequest, BadRow, BadTable, JkrollError, MissingExtra, missing_extra
 from ..model.limits import EVERY_DOUBT
 from ..model.rows import DOUBT, STATUS, Columns, Tally, Wanted, evaluated, worded
-from ..output.writers import WRITERS, remove_begun, result_columns, whole_file, written
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, computed_as
 from ..text import quoted, say, say_wrapped, shown
+from ..write.writers import WRITERS, remove_begun, result_columns, whole_file, written
 from .files import (
     SEPARATORS,
     WRITTEN,
@@ -93,7 +93,7 @@ def run(path: str, job: Job) -> int:
 
 def _notes(tally: Tally, asked: Asked) -> Iterator[str]:
     """Iterate over lines on what was inferred, and in how many rows numbers are in doubt, or cells empty."""
-    from ..answers.notes import about_rows
+    from ..report.notes import about_rows
 
     if tally.inferred:
         yield _summary(asked.infer, tally)
@@ -124,7 +124,7 @@ def _about(table: Table) -> Iterator[str]:
     They say which inputs are assumed, which labels may be meant as materials, which options change nothing, and what
     enters no error bar.
     """
-    from ..answers.notes import about_idle, about_left_out, assumed_in, idle_in
+    from ..report.notes import about_idle, about_left_out, assumed_in, idle_in
 
     texts = assumed_in(table.groups, judges=table.wanted.doubts)
     if assumed := [text for name, text in texts.items() if name not in table.given]:

@@ -15,7 +15,7 @@ from threading import Thread
 from typing import Any
 
 from ..errors import JkrollError
-from ..output.writers import SIGNALS
+from ..write.writers import SIGNALS
 
 Answer = Callable[[Any], Any]
 

@@ -8,10 +8,10 @@ import pytest
 from harness import Run, Stream
 from jkroll.cli.commands import takers
 from jkroll.model.limits import LIMITS
-from jkroll.output.catalogue import write_quantities
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.text import say_wrapped
+from jkroll.write.catalogue import write_quantities
 from relative import approx
 from tuning import computed, tables_on_a_terminal
 

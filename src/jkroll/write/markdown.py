@@ -9,7 +9,7 @@ from .table import parts_of_frame
 from .writers import Markdown, in_markdown
 
 if TYPE_CHECKING:
-    from ..answers.report import Report
+    from ..report.report import Report
 
 
 def frame_page(answer: "Report", out: TextIO, form: Format) -> None:

@@ -12,7 +12,7 @@ from harness import Run
 from jkroll.errors import code_of
 from jkroll.model import reasons, unsolved
 from jkroll.model.limits import ENDS
-from jkroll.output.manual import page
+from jkroll.write.manual import page
 
 SCENES: list[tuple[str, str | list[str], dict[str, Any]]] = [
     ("pull-off quartz 100nm", "pull-off", {"material": "quartz", "radius": 1e-7}),

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import pytest
 
 from harness import Run
-from jkroll.output.writers import in_markdown
+from jkroll.write.writers import in_markdown
 from relative import approx
 
 HOSTILE = ("a|b", "|", "\\", "a\\|b\\", "`code` `", "*b* **", "_i_ a_b __", "<b>x</b>", "&amp;", "[x](y) ![z](w)",

@@ -5,9 +5,6 @@ from itertools import chain
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..answers.inferred import laws_of, library_values, solids_of
-from ..answers.notes import lines_above
-from ..answers.ranges import lines_on_ranges, lines_on_rules
 from ..model.estimate import BETTER_LAW, DEFINITION, LAW_IN_USE, NONE, SCALED, WORDS, XI_UNKNOWN, Estimate
 from ..model.limits import codes
 from ..model.rows import DOUBT, as_list
@@ -16,11 +13,14 @@ from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
+from ..report.inferred import laws_of, library_values, solids_of
+from ..report.notes import lines_above
+from ..report.ranges import lines_on_ranges, lines_on_rules
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
-    from ..answers.report import Report
     from ..model.rows import Columns
+    from ..report.report import Report
 
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 

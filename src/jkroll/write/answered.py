@@ -5,10 +5,6 @@ from functools import cached_property
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..answers.answer import Result
-from ..answers.questions import QUESTIONS, Question, question_about
-from ..answers.ranges import why
-from ..answers.report import Report
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
 from ..model.estimate import NONE, WORDS, Estimate
@@ -16,6 +12,10 @@ from ..model.frame import Frame
 from ..quantities.formatting import AS_USUAL, Format, in_words
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..quantities.values import Uncertain, is_uncertain, middle
+from ..report.answer import Result
+from ..report.questions import QUESTIONS, Question, question_about
+from ..report.ranges import why
+from ..report.report import Report
 from ..text import json_text, listed, quoted, say, spelled
 
 if TYPE_CHECKING:

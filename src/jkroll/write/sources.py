@@ -10,9 +10,6 @@ from math import log
 from typing import TYPE_CHECKING, Any, TextIO
 
 from .. import __version__
-from ..answers.answer import Result
-from ..answers.ranges import made_of, range_in_words, why
-from ..answers.report import Report, every_line
 from ..errors import BadRequest
 from ..materials.library import data_of
 from ..model.estimate import NONE, WORDS
@@ -25,6 +22,9 @@ from ..quantities.formatting import Format, amount, symbol_of
 from ..quantities.laws import BETWEEN
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import CONVERTED, INFINITY, NOMENCLATURE
+from ..report.answer import Result
+from ..report.ranges import made_of, range_in_words, why
+from ..report.report import Report, every_line
 from ..text import listed, say, say_wrapped
 
 if TYPE_CHECKING:

@@ -4,7 +4,6 @@ import re
 from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Any, TextIO
 
-from ..answers.questions import QUESTIONS
 from ..materials.library import ORIGIN, Material
 from ..model.frame import DEFAULTS
 from ..model.limits import LIMITS
@@ -13,6 +12,7 @@ from ..model.rows import Wanted
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, DIGITS, Format, amount, in_words, pretty, symbol_among
 from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, PROPERTIES, XI, bracketed, header
+from ..report.questions import QUESTIONS
 from ..text import TextColumn, json_text, say, say_wrapped, write_table, write_texts
 from .answered import bar_object, numbers_of, write_measure
 from .manual import without_variants

@@ -1,1 +1,0 @@
-"""The questions that commands ask of a frame, and the answers."""
