@@ -200,7 +200,7 @@ def _adhesion_only(answer: Answer) -> str:
 
 def _law_only(answer: Answer) -> str:
     if answer.frame.missing(["tabor_parameter"]):
-        return "which law holds needs Young's modulus and Poisson's ratio: name a material, or give them"
+        return "which law holds needs Young's modulus and Poisson's ratio"
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
