@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from jkroll.write.manual import page
 from transcripts import commands, copied_once, exit_code, failures, printed, rounded, transcripts
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
@@ -34,11 +33,3 @@ def test_two_commands_are_all_the_set_up_there_is() -> None:
 
 def test_it_is_a_page() -> None:
     assert len(README.encode()) <= MOST
-
-
-def test_its_number_of_the_validation_is_that_of_the_table() -> None:
-    ((solids, radius, force, ratio),) = re.findall(
-        r"rolls (\S+) of R1 = (.*?) was measured as (.*?), (\S+) times", README
-    )
-    rows = [[cell.strip() for cell in line.split("|")[2:-1]] for line in page("validation").splitlines()]
-    assert [row[-1] for row in rows if row[:4] == [solids, radius, "Q", force]] == [ratio]

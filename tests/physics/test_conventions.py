@@ -151,14 +151,8 @@ def test_the_time_step_is_stable_for_many_contacts() -> None:
             assert step < 2 / (math.sqrt(contacts) * 2 * math.pi * slide)
 
 
-def test_speeds_are_told_to_be_low_with_values(run: Run) -> None:
-    said = run("energies quartz 100nm --explain").out.replace("\n ", "")
-    assert "E_break of SiO2: for spheres of 1.9 µm diameter" in said
-    found = re.search(r"gives ([\d.]+) m/s, of silica-dry ([\d.]+) m/s", said)
-    assert found
-    for number, material in zip(found.groups(), ("quartz", "silica-dry"), strict=True):
-        speed = solve("sticking_speed", material=material, radius=2.5e-7, radius2=float("inf"))
-        assert float(number) == approx(speed, rel=0.03)
+def test_a_measured_energy_is_said_beside_the_convention(run: Run) -> None:
+    assert "E_break of SiO2: for spheres of 1.9 µm diameter" in run("energies quartz 100nm --explain").out
 
 
 @pytest.mark.parametrize("grain", ["iron 1um", "polystyrene 1um", "quartz 1um --material2 iron"])

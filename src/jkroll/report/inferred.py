@@ -84,7 +84,6 @@ def proofs(answer: Answer) -> Iterator[Note]:
     """Iterate over what is unusual in inferred values, what of the materials is not used, and their proof."""
     if not answer.described.unknowns or not answer.values:
         return
-    yield from _about_library(answer)
     frame, values = answer.frame, answer.values
     forward = frame.numbers(*answer.judged)
     used = frame.data_used(frame.inputs_of(*forward))
@@ -99,6 +98,7 @@ def proofs(answer: Answer) -> Iterator[Note]:
             if replaced in material.properties and (material, replaced) not in used:
                 symbol = NOMENCLATURE[replaced].symbol.rstrip("1")
                 yield Note("more", f"{symbol} of {material.name} is not used")
+    yield from _about_library(answer)
     proof = f"{equal(values, symbol_of)} {'give' if answer.condition else 'gives'} {equal(forward, symbol_of)}"
     if "surface_energy" in values and "radius2" in frame.stated and "surface_energy2" not in frame.given:
         proof += f" if γ2 = γ1, so w = {amount('work_of_adhesion', frame['work_of_adhesion'])}"
