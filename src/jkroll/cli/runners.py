@@ -436,6 +436,7 @@ def run_quantities(call: Call) -> int:
     if hits.quantities:
         write_quantities(hits.quantities, sys.stdout, output, takers, most=MOST_FOUND)
     elif output in ("table", "plain"):
+        say_wrapped(f"no quantity is called {quoted(text)}; the manual has:", sys.stdout)
         write_hits(text, hits, sys.stdout)
     else:
         raise UnknownQuantity(text)

@@ -11,7 +11,7 @@ from math import inf, nan
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
-from ..physics.elementary import at_least, at_most, where
+from ..physics.elementary import at_least, at_most, is_anywhere, where
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import ends_of
@@ -44,6 +44,7 @@ WORDS = (
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
 _IMPACT = ("restitution", "lost_energy", "sticking_speed", "sticking_energy")  # of which adhesion alone sets an end
 _AT_MOST = ("lost_energy", "sticking_energy")
+_MOST_SEEN = 10  # times the speed of JKR: the largest at which solids were seen to stick
 _SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
 _PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
@@ -85,7 +86,7 @@ class Ranges:
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
         self.names = [name for name, column in results.columns.items() if not column.is_empty]
-        self._made: dict[Make, Mapping[str, Ends]] = {}
+        self._made: dict[Make, Mapping[str, tuple[Any, Any, Any]]] = {}
 
     def estimate(self, name: str) -> Estimate:
         """Return the estimate of a result that has a value in some row."""
@@ -107,6 +108,8 @@ class Ranges:
             return
         if name == "sticking_speed" and (stuck := STUCK.get(solid_of_pair(self.frame))) is not None:
             yield stuck.is_near(self.frame), *stuck.ends(self.frame), MEASURED
+        if name == "sticking_speed":
+            yield self._is_smooth, own[0], _MOST_SEEN * own[1], MEASURED
         if name in _IMPACT:
             yield self._is_smooth, nan, own[1] if name in _AT_MOST else nan, ADHESION_ONLY
         if name not in self._ends(_between):
@@ -159,16 +162,27 @@ class Ranges:
         return self.hull(name, *_BETTER)
 
     def hull(self, name: str, *makers: Make) -> Ends:
-        """Return the least and the largest value of a result among what is made of the frame, with error bars."""
+        """Return the least and the largest value of a result among what is made of the frame, with error bars.
+
+        An end is open where the value beyond it has no meaning.
+        """
         low: Any = inf
         high: Any = -inf
-        for least, most in (ends[name] for ends in map(self._ends, makers) if name in ends):
-            has_value = most - least >= 0
+        without_meaning = []
+        for least, most, is_ended in (ends[name] for ends in map(self._ends, makers) if name in ends):
+            has_value: Any = where(is_ended, False, most - least >= 0)
             low, high = at_most(low, where(has_value, least, inf)), at_least(high, where(has_value, most, -inf))
+            if is_anywhere(is_ended):
+                without_meaning.append((where(is_ended, least, inf), where(is_ended, most, -inf)))
+        for least, most in without_meaning:
+            low, high = where(least < low, inf, low), where(most > high, -inf, high)
         return where(low < inf, low, nan), where(high > -inf, high, nan)
 
-    def _ends(self, make: Make) -> Mapping[str, Ends]:
-        """Return the ends of the error bars of results of what is made of the frame, once, or their values."""
+    def _ends(self, make: Make) -> Mapping[str, tuple[Any, Any, Any]]:
+        """Return the ends of the error bars of results of what is made of the frame, once, or their values.
+
+        With them stand the rows in which they have no meaning.
+        """
         if make not in self._made:
             self._made[make] = {}
             with suppress(MissingInput, NoResult):
@@ -198,8 +212,10 @@ class Ranges:
         return by_lennard_jones * (own / force), most_by_lennard_jones * (own_most / most)
 
 
-def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, Ends]:
+def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, tuple[Any, Any, Any]]:
     """Return the ends of the error bars of quantities of what is made of a frame; where there is none, twice the value.
+
+    With them stand the rows in which a limit ends their meaning.
 
     Raises a JkrollError for several rows of which some have no error bars.
     """
@@ -211,7 +227,12 @@ def _ends_by(make: Make, frame: Frame, names: Iterable[str]) -> dict[str, Ends]:
         except JkrollError:
             if frame.shape:  # of several rows, one may be to blame
                 raise
-    return {name: _with_bar(column.values, bars.get(name)) for name, column in columns.items() if not column.is_empty}
+    ended = Results(other, columns).ended
+    return {
+        name: (*_with_bar(column.values, bars.get(name)), ended.get(name, False))
+        for name, column in columns.items()
+        if not column.is_empty
+    }
 
 
 def _with_bar(value: Any, bar: ErrorBar | None) -> Ends:

@@ -17,13 +17,14 @@ from ..physics.contact import pull_off_force_dmt
 from ..physics.elementary import where
 from ..physics.jkr import approach_at_fold
 from ..physics.motion import FITTED_UP_TO
-from ..quantities.formatting import DIGITS, Format, amount
+from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_OR_LOAD
 from ..quantities.values import parse_quantity
 from ..text import listed
 
 MAX_DIGITS = 17  # that tell two doubles apart
+_FEWEST = 4  # digits of the numbers of a reason
 
 
 class MissingInput(JkrollError):
@@ -125,9 +126,8 @@ MISSING = Cause("", "an input is missing, which the plan names", code="missing-i
 NOT_IN_LAW = Cause("", "the law does not have the quantity, as its plan says", code="not-in-law")
 HIDDEN = Cause("", "a quantity of identical spheres, not asked for by name", code="hidden")
 BEYOND_PULL_OFF = Cause("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
-HELD_BY_MAUGIS = Cause(
-    BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} ({{2}} by Maugis' law: --model maugis)", "load"
-)
+BEYOND_JKR = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} by JKR, {{2}} by Maugis' law", "load")
+HELD_BY_MAUGIS = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_JKR.words}: --model maugis", "load")
 BEYOND_FOLD = Cause(
     "beyond the fold",
     "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
@@ -170,7 +170,7 @@ NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-
 
 # In the numbers of reasons, of which 0 is none.
 _CAUSES = [
-    None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
+    None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, BEYOND_JKR, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
     RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
     STICKS_ALWAYS, NO_POISSON_RATIO, NO_DOUBLE, INFINITE, NO_STIFFNESS, OF_ANOTHER_PAIR,
 ]  # fmt: skip
@@ -217,7 +217,7 @@ class Failure(NoResult):
         """
         if not self.numbers:
             return self.cause.words
-        for digits in range(DIGITS, MAX_DIGITS + 1):
+        for digits in range(_FEWEST, MAX_DIGITS + 1):
             value, *limits = (amount(self.name, number, Format(digits=digits)) for number in self.numbers)
             held = (parse_quantity(text, self.name) for text in limits)
             if value != limits[0] and all(map(ge, held, self.numbers[1:])):

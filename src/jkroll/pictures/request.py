@@ -12,9 +12,11 @@ from ..materials.library import Materials
 from ..model.estimate import BETTER_LAW, estimates
 from ..model.frame import Frame
 from ..model.limits import LAW, LIMITS, Doubt, Limit, doubts
+from ..model.other_law import has_other_formulas
 from ..model.reasons import RESTS_ON_SPACING, Cause, Failure, MissingInput, explanation_of
 from ..model.results import Results
 from ..quantities.formatting import AS_USUAL, Format, amount, in_words, symbol_of
+from ..quantities.laws import BETWEEN
 from ..quantities.markup import symbol
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, computed_as
 from ..quantities.values import parse_quantity
@@ -304,6 +306,8 @@ def _opening(quantity: str, layers: Sequence[Layer]) -> Iterator[str]:
         clauses.append(f"Eq ({equation})" if equation.isdigit() else equation)
     if len(laws) == 1:
         clauses.append(f"under {laws.pop()}")
+    elif not laws and any(has_other_formulas(layer.frame, quantity, BETWEEN) for layer in layers):
+        clauses.append(f"by {layers[0].frame.law.short}")
     yield ", ".join(clauses) + "."
     yield from fixed_inputs([text for text in layers[0].inputs if all(text in layer.inputs for layer in layers)])
     for layer in layers:

@@ -22,6 +22,7 @@ from ..model.limits import (
 )
 from ..model.other_law import factor_of_law, has_other_formulas
 from ..model.reasons import (
+    BEYOND_JKR,
     BEYOND_PULL_OFF,
     HELD_BY_MAUGIS,
     OF_IDENTICAL_SPHERES,
@@ -120,11 +121,13 @@ def model_error(name: str, frame: Frame) -> float | None:
 
 
 def with_force_by_maugis(error: Failure, frame: Frame) -> Failure:
-    """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
+    """Return the error of a load beyond pull-off by JKR, with the pull-off force of Maugis' law if that has one."""
     if not frame.law.is_default:
         return error
-    force = frame.replace(model=BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
-    return Failure(HELD_BY_MAUGIS, numbers=(*error.numbers, -force)) if force >= -error.numbers[0] else error
+    for force in frame.replace(model=BETWEEN).numbers("pull_off_force").values():
+        cause = HELD_BY_MAUGIS if force >= -error.numbers[0] else BEYOND_JKR
+        return Failure(cause, numbers=(*error.numbers, -force))
+    return error
 
 
 # --- Answers ----------------------------------------------------------------------------------------------------------

@@ -91,15 +91,16 @@ def made_of(name: str, answer: Answer) -> str:
 
 # --- Rules in words, for many rows ------------------------------------------------------------------------------------
 
-_SMOOTH_AND_DRY = "roughness and water make a factor of 2 to 10"
+_SMOOTH_AND_DRY = "for smooth, dry spheres: rough grains had 1/100–1/2 of it, in humid air up to twice"
 _WORDS: Mapping[int, str] = {
-    MEASURED: "speeds at which spheres of this solid and size stuck to a plane",
+    MEASURED: "solids were seen to stick at 1–10 times JKR's speed, SiO2 to a plane as in jkroll guide validation",
     SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
-    XI_UNKNOWN: "from ξ = 2 Å, one atom, to all of w lost in opening and closing; measure it or give --xi",
-    ADHESION_ONLY: "so small and stiff they touch and part without a jump; solids stick at 1–10 times JKR's v_stick",
+    XI_UNKNOWN: "nothing was measured: low is ξ = 2 Å (one atom), high all of the work of adhesion lost; give --xi",
+    ADHESION_ONLY: "so small and stiff they touch and part without a jump; any other loss adds to it",
     LAW_ONLY: "no other law here has it; where JKR does not hold, Maugis' contact is smaller",
-    AT_LEAST: f"Lennard-Jones' law binds more than JKR's where contacts form without a jump (μ below {JUMP})",
-    BETTER_LAW: f"the law from JKR to DMT, atomic spacing 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
+    AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
+    BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
+    LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
 }
 
 
@@ -110,12 +111,17 @@ def _better_law(answer: Answer) -> str:
     frame = answer.frame
     is_pulled = not {"pull_off_force", "bond_number"}.isdisjoint(answer.estimates)
     if frame.missing(["tabor_parameter"]):
-        limits = "from JKR's law (soft) to DMT's (hard); which holds needs Young's modulus and Poisson's ratio"
-        return f"{limits}; {_SMOOTH_AND_DRY}"
+        limits = "from JKR (soft spheres) to DMT (hard); which holds needs Young's modulus and Poisson's ratio"
+        return f"{limits}{_with_bars(answer)}. It is {_SMOOTH_AND_DRY}"
     parameter, spacing = frame["tabor_parameter"], frame["atomic_spacing"]
-    tabor = f"Tabor parameter {from_to(parameter, 2 * parameter)}, JKR needs 5"
-    text = f"the law for this size and stiffness ({tabor}), atomic spacing {_angstroms(spacing / 2, spacing)} (--z0)"
-    return f"{text}; {_SMOOTH_AND_DRY}" if is_pulled else text
+    tabor = f"Tabor parameter {from_to(parameter, 2 * parameter)}"
+    law = f"{frame.law.short} is more than 5 % off at this size and stiffness ({tabor})"
+    text = f"{law}; z0 = {_angstroms(spacing / 2, spacing)} (--z0){_with_bars(answer)}"
+    return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and not answer.shows_surfaces else text
+
+
+def _with_bars(answer: Answer) -> str:
+    return "; your error bars are in the range" if answer.described.uncertainties else ""
 
 
 def _angstroms(low: float, high: float) -> str:
@@ -124,7 +130,9 @@ def _angstroms(low: float, high: float) -> str:
 
 def _measured(answer: Answer) -> str:
     solid = solid_of_pair(answer.frame)
-    stuck = STUCK[solid]
+    stuck = STUCK.get(solid)
+    if stuck is None or not stuck.is_near(answer.frame):
+        return "solids were seen to stick at 1–10 times JKR's speed; adhesion alone loses less than JKR's here"
     pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
     bar = f"±{stuck.error:.0%}".replace("%", " %")
     return f"{solid} stuck to a plane up to {' and '.join(pairs)}, between them as R^{stuck.exponent}, {bar}"
@@ -172,10 +180,11 @@ def _ceiling(answer: Answer) -> str:
 
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
-        return "from ξ = 2 Å, one atom; how large it can be needs γ, Young's modulus and Poisson's ratio"
-    by_law = "" if answer.frame.law.name == BETWEEN else " by Maugis' law"
-    limits = f"limits, no error bar: from ξ = 2 Å, one atom,{by_law} to all of w lost in opening and closing"
-    return f"{limits}; measure it or give --xi{_of_measured_solid(answer)}"
+        return "this end is at ξ = 2 Å, one atom; how large ξ can be needs γ, Young's modulus and Poisson's ratio"
+    by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
+    ends = f"one end is at ξ = 2 Å (one atom{by_law}), the other where all of the work of adhesion is lost"
+    text = f"how far the contact lags before it rolls was not measured for this pair: {ends}"
+    return f"{text}. Limits, no error bar; give --xi{_of_measured_solid(answer)}"
 
 
 def _of_measured_solid(answer: Answer) -> str:
@@ -186,16 +195,15 @@ def _of_measured_solid(answer: Answer) -> str:
         return ""
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
-    return f". {solid} of γ = {energies} rolled at {forces} (scaled)"
+    return f". {solid} of another γ ({energies}) rolled at {forces} (scaled)"
 
 
 def _adhesion_only(answer: Answer) -> str:
-    speed = 0.0 if answer.is_of_impact else answer.frame.numbers("sticking_speed").get("sticking_speed", 0.0)
-    seen = f", here {span('sticking_speed', speed, 10 * speed)}" if speed else ""
-    return (
-        "so small and stiff they touch and part without a jump, which loses almost nothing. Other losses lower e; "
-        f"solids were seen to stick at 1–10 times JKR's v_stick{seen}"
-    )
+    text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
+    if "restitution" not in answer.values:
+        return text
+    least = significant(answer.values["restitution"], 2)
+    return f"{text}: e is {least}–1, and any other loss lowers it"
 
 
 def _law_only(answer: Answer) -> str:
@@ -205,7 +213,7 @@ def _law_only(answer: Answer) -> str:
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
     area = f"; the area of Maugis' contact is {significant(ratio, 2)} of JKR's" if ratio * LAW_MATTERS < 1 else ""
-    return f"no other law here has it{area}"
+    return f"no other law here has it: take JKR's{area}"
 
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {
@@ -235,7 +243,7 @@ def _first_to_give_way(answer: Answer) -> str:
     frame, rolling = answer.frame, answer.estimates["yield_force"]
     force = frame["sliding_or_peeling_force"]
     first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
-    gives = f"it {first} at {span('yield_force', force, force)}, before it {last}"
+    gives = f"it {first} at {span('yield_force', force, force)}, as the push shrinks the contact, before it {last}"
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < force:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
@@ -245,12 +253,10 @@ def _first_to_give_way(answer: Answer) -> str:
 
 
 def _stick_or_bounce(answer: Answer) -> str:
-    speed, v_stick = answer.frame["speed"], answer.values["sticking_speed"]
+    speed = answer.frame["speed"]
     low, high, by = answer.estimates["sticking_speed"]
-    if by == ADHESION_ONLY:
-        low, high = v_stick, 10 * v_stick
     sides = span("sticking_speed", low, high)
-    seen = "solids were seen to stick up to" if by == ADHESION_ONLY else "the largest speed to stick is"
+    seen = "solids were seen to stick up to" if by == MEASURED else "the largest speed to stick is"
     verdict = "they stick" if speed < low else "they bounce" if speed > high else "they may stick or bounce"
     return f"at {amount('speed', speed)} {verdict}: {seen} {sides}"
 
@@ -258,5 +264,5 @@ def _stick_or_bounce(answer: Answer) -> str:
 def _law_that_holds(answer: Answer) -> str:
     force = Ranges(Results(answer.frame, answer.frame.columns(["pull_off_force"]))).estimate("pull_off_force")
     if force.by == BETTER_LAW:
-        return "Maugis' law holds here: JKR needs a Tabor parameter of 5"
-    return "JKR holds here: Maugis' law is within 5 % of it"
+        return "Maugis' law holds here: the pull-off force of JKR is more than 5 % off"
+    return "JKR holds here: Maugis' law is within 5 % of its pull-off force"

@@ -5,12 +5,22 @@ from itertools import chain
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
-from ..model.estimate import BETTER_LAW, DEFINITION, LAW_IN_USE, NONE, SCALED, WORDS, XI_UNKNOWN, Estimate
+from ..model.estimate import (
+    BETTER_LAW,
+    DEFINITION,
+    LAW_IN_USE,
+    LAW_ONLY,
+    NONE,
+    SCALED,
+    WORDS,
+    XI_UNKNOWN,
+    Estimate,
+)  # fmt: skip
 from ..model.limits import codes
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
-from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, of_sphere
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, XI, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
 from ..report.inferred import laws_of, library_values, solids_of
@@ -25,7 +35,7 @@ if TYPE_CHECKING:
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
-_LEAST = 0.25  # number that stands in the unit of the rows above it
+_LEAST, _MOST = 0.25, 2000  # numbers that stand in the unit of the rows above them
 _NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
@@ -125,21 +135,24 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
     law = answer.frame.law.short
     physics, conventions = _rows(answer, form)
     if physics:
-        yield _of_results([*physics.values(), *_on_surfaces(answer, form)], law)
+        yield _of_results([*physics.values()], law)
         yield from lines_on_ranges(answer, physics)
+    if answer.shows_surfaces:
+        yield "measured on other surfaces, of hard solids"
+        yield _on_surfaces(answer.values["pull_off_force"], form)
     if conventions:
-        yield "conventions of other codes, exact by definition"
+        yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
 
 
 def _in_column(answer: "Report") -> dict[str, str]:
     """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
-    if BETTER_LAW in rules:
-        texts.pop("atomic_spacing", None)
+    if not rules <= {DEFINITION, LAW_ONLY, LAW_IN_USE}:
+        texts.pop("atomic_spacing", None)  # ranges have their own
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
-        texts[XI] = f"{text} in the column {answer.frame.law.short} {option}"
+        texts[XI] = f"{text} in the column plain {answer.frame.law.short} {option}"
     return texts
 
 
@@ -160,7 +173,7 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
         shown.add((result.value, quantity.unit))
         estimate = answer.estimates.get(name)
         sizes, unit = _sizes(result.measure, estimate), units.get(quantity.unit)
-        if not unit or not all(_LEAST <= convert(size, unit[1]) < 1 for size in sizes):
+        if not unit or not all(_LEAST <= convert(size, unit[1]) < _MOST for size in sizes):
             unit = form.common_unit(name, sizes[-1:])
         units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
@@ -175,23 +188,25 @@ def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> 
     return sorted(map(abs, ends or [middle(measure or 0.0)]))
 
 
-_SURFACES = {"on smooth glass": ("1/4–1/2 of JKR", 4, 2), "on rough grains in air": ("1/100–1/10", 100, 10)}
+_SURFACES = {"smooth glass": ("1/4–1/2", 4, 2), "rough grains in air": ("1/100–1/10", 100, 10)}
 
 
-def _on_surfaces(answer: "Report", form: Format) -> Iterator[list[str]]:
-    """Iterate over rows of what was measured on other surfaces, where the pull-off force is what is asked for."""
-    for surface, (of_jkr, most, least) in _SURFACES.items() if answer.shows_surfaces else ():
-        ends = answer.values["pull_off_force"] / most, answer.values["pull_off_force"] / least
-        unit = form.common_unit("pull_off_force", ends[1:])
-        low, high = (convert(end, unit[1]) for end in ends)
-        yield [surface, "", from_to(low, high, form.digits or 2), of_jkr, "", unit[0]]
+def _on_surfaces(force: float, form: Format) -> list[TextColumn]:
+    """Return the columns of what was measured on other surfaces, of a pull-off force by JKR."""
+    rows = []
+    for surface, (of_jkr, most, least) in _SURFACES.items():
+        unit = form.common_unit("pull_off_force", [force / least])
+        low, high = (convert(force / factor, unit[1]) for factor in (most, least))
+        rows.append([surface, "P_c", from_to(low, high, form.digits or 2), of_jkr, unit[0]])
+    columns = text_columns([["surface", "symbol", "measured", "of JKR's", "unit"], *rows], words=2)
+    return [column._replace(is_right=column.head == "measured") for column in columns]
 
 
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     """Return the columns of rows of results; without ranges where all of them are those of the law in use."""
-    heads = ["quantity", "symbol", "best range", "by", law, "unit"]
+    heads = ["quantity", "symbol", "best range", "by", f"plain {law}", "unit"]
     if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–"}:
-        heads, rows = [*heads[:2], *heads[4:]], [[*row[:2], *row[4:]] for row in rows]
+        heads, rows = [*heads[:2], law, "unit"], [[*row[:2], *row[4:]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
     return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
 
@@ -200,10 +215,14 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     """Return the best range of a result and its word; an end that is open is not there."""
     if estimate is None or not estimate.by > NONE:  # nan of a row that shows no such quantity
         return ["–", "–"]
+    if estimate.by == LAW_ONLY:  # there is no better number
+        return ["–", WORDS[LAW_ONLY]]
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
     is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
-    if isnan(low) and isnan(high):
+    if low == high:
+        text = significant(low, form.digits or RESULT_DIGITS)
+    elif isnan(low) and isnan(high):
         text = "–"
     elif isnan(high):
         text = f"≥ {significant(low, digits + 1)}"
@@ -228,7 +247,8 @@ def _of_inferred(answer: "Report", form: Format) -> list[TextColumn]:
             unit = form.common_unit(name, [result.measure if known is None else known])
             better = Estimate(*answer.ranges.by_better_law(name), BETTER_LAW)
             inferred = _cell(result.measure, unit, form) if law == own else _range(better, unit, form)[0]
-            row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), LAWS[law].short, inferred]
+            short = f"{LAWS[law].short} (best)" if law != own else LAWS[law].short
+            row = [NOMENCLATURE[name].sentence, symbol_among(name, answer.inputs), short, inferred]
             rows.append([*row, "–" if known is None else exact.in_unit(known, unit), unit[0]])
     solids = [*dict.fromkeys(chain.from_iterable(solids_of(answer.described, name) for name in library))]
     heads = ["quantity", "symbol", "law", "inferred", f"{listed(solids or ['library'])} has", "unit"]
@@ -254,22 +274,26 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     several = [name for name in inputs if name not in common]
     number = len(columns) // max(len(distinct.get("model", ())), 1)
     count = f"{number} {'states' if 'state' in inputs else 'pairs'}" if number > 1 else ""
+    if "state" in inputs and "model" not in inputs:
+        count += f" by {LAWS[DEFAULT_LAW].short}"
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
     for line in _about_inputs(count, common, assumed, form, several):
         say_wrapped(line, out)
     if BETWEEN in distinct.get("model", ()):
-        say_wrapped("maugis holds in every row, another law where no law-off doubt stands", out)
+        say_wrapped("take the rows of maugis; law-off-5%, -25%: another law is off by more than that", out)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
+    following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
-        if name in form.typed or name not in _FOLLOWING:
+        if name in form.typed or name not in following:
             leading += columns_of(name, {symbol_among(name, inputs): inputs[name]}, exact)
     rules: list[float] = []
     for name in columns.wanted.names:
         if name not in inputs:
-            results += columns_of(name, {symbol_among(name, columns.inputs): _measures(columns, name)}, form)
             best, of_rows = _best(columns, name, form)
-            results += best
+            head = symbol_among(name, columns.inputs)
+            own = f"{head} by {LAWS[DEFAULT_LAW].short}" if best and "model" not in inputs else head
+            results += [*best, *columns_of(name, {own: _measures(columns, name)}, form)]
             rules += of_rows
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
     doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
@@ -296,7 +320,8 @@ def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn]
         return [], []
     unit = form.common_unit(name, _measures(columns, name))
     ranges = [_range(Estimate(*row), unit, form)[0] for row in zip(lows, highs, rules, strict=True)]
-    return [TextColumn("best", ranges), TextColumn("by", words, is_right=False)], rules
+    head = f"best {symbol_among(name, columns.inputs)}" + (f" [{unit[0]}]" if unit[0] else "")
+    return [TextColumn(head, ranges), TextColumn("by", words, is_right=False)], rules
 
 
 def _measures(columns: "Columns", key: str) -> list[Any]:
