@@ -122,7 +122,7 @@ def test_two_inputs_of_one_value_exclude_each_other(first: str, second: str) -> 
 def test_a_shear_modulus_without_poissons_ratio_says_that_it_is_needed() -> None:
     known: list[dict[str, Any]] = [{"material": "gold"}, {"surface_energy": GAMMA}]
     for given in known:
-        with pytest.raises(MissingInput, match=r"contact radius without load needs Poisson's ratio; .*--poisson 0.3"):
+        with pytest.raises(MissingInput, match=r"unloaded contact radius needs Poisson's ratio; .*--poisson 0.3"):
             solve("contact_radius", radius=1e-7, shear_modulus="30 GPa", **given)
     with pytest.raises(MissingInput, match=r"needs Poisson's ratio of sphere 2; gold has none .*--poisson2 0.3"):
         solve("contact_radius", radius=1e-7, material="quartz", material2="gold", shear_modulus2="30 GPa")

@@ -96,10 +96,9 @@ def test_without_a_contact_one_end_is_open() -> None:
 
 
 def test_adhesion_alone_sets_one_end_or_none() -> None:
-    found = best("restitution lost_energy sticking_speed sticking_energy", **QUARTZ, speed=1.0)
+    found = best("restitution lost_energy sticking_energy", **QUARTZ, speed=1.0)
     assert {estimate.by for estimate in found.values()} == {"adhesion only"}
     assert all(isnan(estimate.low) for estimate in found.values())
-    assert isnan(found["sticking_speed"].high)
     assert isnan(found["restitution"].high)
     assert found["sticking_energy"].high == approx(solve("sticking_energy", **QUARTZ))
     assert found["lost_energy"].high == approx(solve("lost_energy", **QUARTZ, speed=1.0))
@@ -141,8 +140,13 @@ def test_silica_sticks_to_a_plane_as_it_was_measured(solid: str, radius: float, 
     ],
 )
 def test_what_stuck_otherwise_was_not_measured(other: Mapping[str, Any]) -> None:
+    """Solids were seen to stick at 1 to 10 times the speed of JKR; polystyrene has a jump, by Maugis' law."""
     given = {"material": "quartz", "radius": 0.5e-6, "radius2": inf, **other}
-    assert best("sticking_speed", **given)["sticking_speed"].by != "measured"
+    speed, found = solve("sticking_speed", **given), best("sticking_speed", **given)["sticking_speed"]
+    if found.by == "measured":
+        assert found[:2] == (approx(speed), approx(10 * speed))
+    else:
+        assert other == {"material": "polystyrene"}
 
 
 @pytest.mark.parametrize(("model", "word"), [("jkr", "JKR"), ("maugis", "Maugis"), ("dmt", "DMT")])

@@ -174,5 +174,5 @@ def test_no_values_are_no_values() -> None:
 
 
 def test_an_input_that_arrays_lack_is_named() -> None:
-    with pytest.raises(MissingInput, match="contact radius without load needs Young's modulus"):
+    with pytest.raises(MissingInput, match="unloaded contact radius needs Young's modulus"):
         infer("gamma", measured={"contact_radius": [1e-8, 2e-8]}, radius=2e-6)

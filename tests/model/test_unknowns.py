@@ -131,7 +131,7 @@ PULLED = {"surface_energy": 0.05, "radius2": math.inf, "poisson_ratio": 0.2, "lo
          {"radius": 1e12, "youngs_modulus": 1e9, "poisson_ratio": 0.3}, NoSolution, "no pair of values gives"),
         (("surface_energy", "load"), {"contact_radius_at_load": 1e-8, "stiffness": 1e3},
          {**PLANE, "youngs_modulus": math.inf}, Failure, "both bodies are rigid"),
-        (NAMES, MEASURED, {"radius": 2e-6}, MissingInput, "normal stiffness at the load needs Poisson's ratio"),
+        (NAMES, MEASURED, {"radius": 2e-6}, MissingInput, "normal stiffness needs Poisson's ratio"),
         (NAMES, MEASURED, {**PLANE, "surface_energy": 1.0}, BadRequest, "surface_energy is given and asked for"),
         (NAMES, MEASURED, {**PLANE, "work_of_adhesion": 1.0}, BadRequest, "one follows from the other"),
         (NAMES, MEASURED, {**PLANE, "stiffness": 1.0}, BadRequest, "stiffness is given and asked for"),

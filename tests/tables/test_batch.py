@@ -157,7 +157,7 @@ STATUS = {
     "x,quartz,100,-": ("bad load", "load: '-' is no number; leave the cell empty if there is none"),
     "x,quartz,100,-20": (
         "beyond pull-off",
-        "load: -20 nN breaks this contact: the hardest pull that it holds is -11.78097 nN",
+        "load: -20 nN breaks this contact: the hardest pull that it holds is -11.78 nN",
     ),
     "x,quartz,100": (
         "row is short: 3 cells for 4",

@@ -50,7 +50,7 @@ def test_the_law_that_holds_stands_first_over_both_spacings(run: Run) -> None:
     assert 1e3 * BY_DMT < energies[0] < energies[1] < 1e3 * BY_JKR
     range_of_both = "–".join(f"{energy:.0f}" for energy in energies)
     assert rows(run, f"{ON_PLANE} P_c=300nN") == [
-        ["γ", "Maugis", range_of_both, "25", "mJ/m²"],
+        ["γ", "Maugis (best)", range_of_both, "25", "mJ/m²"],
         ["γ", "JKR", f"{1e3 * BY_JKR:.2f}", "25", "mJ/m²"],
     ]
 
@@ -60,7 +60,7 @@ def test_error_bars_widen_the_range_of_the_law_that_holds(run: Run) -> None:
     (result,) = json.loads(run(f"{ON_PLANE} P_c=300±20nN --json").out)["results"]
     best = result["best"]
     assert best["by"] == "Maugis"
-    assert "atomic spacing 2–4 Å (--z0)" in best["why"]
+    assert "z0 = 2–4 Å (--z0)" in best["why"]
     # nearly in proportion to the force
     assert best["low"] == approx(min(ends) * 280 / 300, rel=0.01)
     assert best["high"] == approx(max(ends) * 320 / 300, rel=0.01)
@@ -81,14 +81,14 @@ def test_a_law_that_is_stated_stands_alone(run: Run, model: str, head: str, ener
 
 def test_two_unknowns_have_a_block_of_rows_for_each_law(run: Run) -> None:
     found = rows(run, f"{ON_PLANE.replace('gamma', 'gamma,young')} P_c=300nN --measured stiffness=1kN/m")
-    assert [row[:2] for row in found] == [["γ", "Maugis"], ["E", "Maugis"], ["γ", "JKR"], ["E", "JKR"]]
+    assert [row[:2] for row in found] == [["γ", "Maugis (best)"], ["E", "Maugis (best)"], ["γ", "JKR"], ["E", "JKR"]]
     assert [row[3] for row in found] == ["25", "54", "25", "54"]
     assert found[2][2] == f"{1e3 * BY_JKR:.2f}"  # which rests on no modulus
 
 
 def test_a_law_without_a_solution_says_why(run: Run) -> None:
     words = "infer young quartz 1um --measured yield_force=100pN --hysteresis-fraction 40%"
-    assert [row[:-2] for row in rows(run, words)] == [["E", "Maugis", "–"], ["E", "JKR", "2746"]]
+    assert [row[:-2] for row in rows(run, words)] == [["E", "Maugis (best)", "–"], ["E", "JKR", "2746"]]
     said = " ".join(run(words, terminal=True).out.split())
     assert "JKR only: by Maugis' law no value gives yield_force = 100 pN; it lies between" in said
 

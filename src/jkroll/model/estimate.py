@@ -187,7 +187,7 @@ class Ranges:
             self._made[make] = {}
             with suppress(MissingInput, NoResult):
                 forces = () if {*self.names}.isdisjoint(_AS_PULL_OFF) else _PULL_OFF
-                names = dict.fromkeys((*self.names, "hysteresis_ratio", *forces))
+                names = dict.fromkeys((*self.names, XI, "hysteresis_ratio", *forces))
                 self._made[make] = _ends_by(make, self.results.described, names)
         return self._made[make]
 

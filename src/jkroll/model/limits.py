@@ -206,7 +206,7 @@ ENDING = (
     *(
         Limit(
             "energy_over_yield", frozenset({turns}), "<=", {least: code},
-            f"{NOMENCLATURE[turns].symbol}: rolling does not begin, as {energy} of W0 is below W_yield",
+            f"{energy} of the energy cannot begin rolling",
             ends_meaning=True,
         )
         for turns, least, code, energy in (

@@ -251,7 +251,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "pull_off_force_rough": Quantity("P_rough", "N", "with one asperity between",
         note="P_DMT with one hard hemisphere on the line of centres, by Rumpf's pairwise sum; s is an asperity's own "
             "radius, no rms height", shown_with=["asperity_radius"]),
-    "contact_radius": Quantity("a0", "m", "contact radius, no load", "2", range=POSITIVE),
+    "contact_radius": Quantity("a0", "m", "unloaded contact radius", "2", range=POSITIVE),
     "approach": Quantity("δ0", "m", "approach without load", "3", range=POSITIVE),
     "pull_off_force_lennard_jones": Quantity("P_LJ", "N", "by Lennard-Jones' 3-9 law", "",
         note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR"),

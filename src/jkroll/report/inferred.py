@@ -9,7 +9,7 @@ from ..model.reasons import explanation_of
 from ..model.unsolved import SIZES, equal, sizes_in_words
 from ..quantities.formatting import Format, amount, significant, symbol_among, symbol_of
 from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES
 from ..quantities.values import Uncertain, middle
 from ..text import listed
 from .answer import Answer
@@ -18,8 +18,11 @@ from .notes import Note
 # Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
 _LOSING = frozenset({"restitution", "sticking_speed"})
 _RAISING = frozenset({"surface_energy", "work_of_adhesion", "hamaker", "viscous_time"})
-_OF_SURFACES = ("surface_energy", "work_of_adhesion")
-_FAR = 5.0  # factor between an inferred value and the library's from which on a note says so
+# The factors between an inferred value and the library's from which on a note says so, and what it asks.
+_FAR = {
+    **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "rough or wet surfaces?")),
+    "youngs_modulus": (2.0, "is it the contact of one smooth sphere?"),
+}
 
 
 # --- By each law ------------------------------------------------------------------------------------------------------
@@ -54,19 +57,19 @@ def solids_of(frame: Frame, name: str) -> list[str]:
 def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
     """Return the values of unknown properties that the materials have, with their error bars."""
     alone = Frame({}, frame.material, frame.material2)
-    numbers = alone.numbers(*(name for name in frame.unknowns if name in (*PROPERTIES, *_OF_SURFACES)))
+    numbers = alone.numbers(*(name for name in frame.unknowns if name in (*PROPERTIES, *_FAR)))
     return {name: alone.uncertainties.get(name, number) for name, number in numbers.items()}
 
 
 def _about_library(answer: Answer) -> Iterator[Note]:
-    """Iterate over a note where an inferred energy of surfaces is far from that of the materials."""
+    """Iterate over notes where an inferred property of solids is far from that of the materials."""
     for name, usual in library_values(answer.described).items():
-        factor = answer.values[name] / middle(usual)
-        if name in _OF_SURFACES and not 1 / _FAR <= factor <= _FAR:
+        factor, (far, question) = answer.values[name] / middle(usual), _FAR.get(name, (INFINITY, ""))
+        if not 1 / far <= factor <= far:
             times = f"{significant(factor, 2)} times" if factor > 1 else f"1/{significant(1 / factor, 2)} of"
             whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
             symbol = symbol_among(name, answer.inputs)
-            yield Note("caveat", f"{symbol} is {times} {whose}: rough or wet surfaces? jkroll guide measurements")
+            yield Note("caveat", f"{symbol} is {times} {whose}: {question} jkroll guide measurements")
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------

@@ -91,7 +91,9 @@ def made_of(name: str, answer: Answer) -> str:
 
 # --- Rules in words, for many rows ------------------------------------------------------------------------------------
 
-_SMOOTH_AND_DRY = "for smooth, dry spheres: rough grains had 1/100–1/2 of it, in humid air up to twice"
+_SMOOTH_AND_DRY = (
+    "for smooth, dry spheres: smooth glass had 1/4–1/2 of it, rough grains 1/100–1/10, humid air up to twice"
+)
 _WORDS: Mapping[int, str] = {
     MEASURED: "solids were seen to stick at 1–10 times JKR's speed, SiO2 to a plane as in jkroll guide validation",
     SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
@@ -175,14 +177,16 @@ def _ceiling(answer: Answer) -> str:
     found = answer.estimates.get("yield_force")
     if found is None or not found.high > ceiling[1]:
         return ""
-    return f". Adhesion supplies {span('yield_force', *ceiling)} at most; above it another loss supplies the rest"
+    return f". Adhesion alone explains up to {span('yield_force', ceiling[1], ceiling[1])}"
 
 
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
         return "this end is at ξ = 2 Å, one atom; how large ξ can be needs γ, Young's modulus and Poisson's ratio"
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
-    ends = f"one end is at ξ = 2 Å (one atom{by_law}), the other where all of the work of adhesion is lost"
+    most = answer.ranges.at_full_hysteresis(XI)[1]
+    at_most = "" if isnan(most) else f" at ξ = {span(XI, most, most)},"
+    ends = f"one end is at ξ = 2 Å (one atom{by_law}), the other{at_most} where all of the work of adhesion is lost"
     text = f"how far the contact lags before it rolls was not measured for this pair: {ends}"
     return f"{text}. Limits, no error bar; give --xi{_of_measured_solid(answer)}"
 
@@ -212,8 +216,8 @@ def _law_only(answer: Answer) -> str:
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
-    area = f"; the area of Maugis' contact is {significant(ratio, 2)} of JKR's" if ratio * LAW_MATTERS < 1 else ""
-    return f"no other law here has it: take JKR's{area}"
+    less = f", and expect less: the area of Maugis' contact is {significant(ratio, 2)} of it"
+    return f"no other law here has it: take plain JKR's{less if ratio * LAW_MATTERS < 1 else ''}"
 
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {

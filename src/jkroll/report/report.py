@@ -8,7 +8,7 @@ from ..model.estimate import ADHESION_ONLY
 from ..model.frame import Frame
 from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, Doubt
 from ..model.uncertainty import error_bars
-from ..quantities.formatting import span
+from ..quantities.formatting import span, symbol_among
 from .answer import Answer
 from .inferred import about_limit, proofs
 from .notes import (
@@ -59,12 +59,19 @@ class Report(Answer):
             if doubt.limit is LAW:
                 continue  # the best ranges say so
             severity: Severity = "caveat" if doubt.limit.is_told and not self._is_in_ranges(doubt) else "more"
-            notes.append(Note("warning" if doubt.limit.ends_meaning else severity, self.about(doubt)))
+            text = self._whose(doubt) + self.about(doubt)
+            notes.append(Note("warning" if doubt.limit.ends_meaning else severity, text))
         return notes
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
         """Return whether the best range of results says what a limit means for them."""
         return doubt.code == STICKING_UNSURE and ADHESION_ONLY in {each.by for each in self.estimates.values()}
+
+    def _whose(self, doubt: Doubt) -> str:
+        """Return the symbol of the one result whose meaning a limit ends, unless the sentence has it."""
+        names = [name for name in doubt.limit.touches if name in self.ended]
+        alone = len(doubt.limit.touches) == 1 and names and doubt.limit.name not in names
+        return f"{symbol_among(names[0], self.inputs)}: " if alone else ""
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 
 _LEAST, _MOST = 0.25, 2000  # numbers that stand in the unit of the rows above them
+_SAME = 1e-12  # relative width of a range that is a number
 _NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
@@ -138,7 +139,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         yield _of_results([*physics.values()], law)
         yield from lines_on_ranges(answer, physics)
     if answer.shows_surfaces:
-        yield "measured on other surfaces, of hard solids"
+        yield "measured on other surfaces of hard solids; take the row that is yours"
         yield _on_surfaces(answer.values["pull_off_force"], form)
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
@@ -220,8 +221,8 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
     is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
-    if low == high:
-        text = significant(low, form.digits or RESULT_DIGITS)
+    if abs(high - low) <= _SAME * abs(high):
+        text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
     elif isnan(low) and isnan(high):
         text = "–"
     elif isnan(high):
@@ -278,10 +279,12 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
         count += f" by {LAWS[DEFAULT_LAW].short}"
     if "radius2" in several and "radius2" not in form.typed:
         count += " of equal spheres (R2 = R1)"
+    if any(map(columns.wanted.best_of, columns.wanted.names)):
+        assumed = {name: text for name, text in assumed.items() if name != "atomic_spacing"}  # ranges have their own
     for line in _about_inputs(count, common, assumed, form, several):
         say_wrapped(line, out)
     if BETWEEN in distinct.get("model", ()):
-        say_wrapped("take the rows of maugis; law-off-5%, -25%: another law is off by more than that", out)
+        say_wrapped("take the rows of maugis; law-off-5%, -25%: the law of that row is off by more", out)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
