@@ -245,7 +245,7 @@ def test_tension_beyond_pull_off_takes_what_depends_on_the_load(run: Run) -> Non
     data = json.loads(ran.out)
     assert ran.code == 1
     assert ran.err.startswith(
-        "jkroll: --load: -5 nN breaks this contact: the hardest pull that it holds is -1.1780972 nN by JKR, -1.5456666 nN "
+        "jkroll: --load: -5 nN breaks this contact: the hardest pull that it holds is -1.1780972 nN by JKR, -1.54566"
     )
     values = {result["name"]: result["value"] for result in data["results"]}
     assert values["pull_off_force"] > 0
