@@ -50,11 +50,12 @@ def notes_on_ranges(answer: Answer) -> Iterator[Note]:
     """Iterate over a note for each rule by which results of the headline have a range, where no table shows it."""
     texts: dict[int, list[str]] = {}
     for name, estimate in answer.estimates.items():
-        if name in answer.question.headline and why(estimate.by, answer):
+        if name in answer.question.headline:
             text = f"{symbol_among(name, answer.inputs)}: {range_in_words(name, estimate)}"
             texts.setdefault(estimate.by, []).append(text)
     for by, of_rule in texts.items():
-        yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {why(by, answer)}")
+        if text := why(by, answer):
+            yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {text}")
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:

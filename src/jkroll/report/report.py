@@ -1,6 +1,6 @@
 """The report of one frame: its answer, with all that is to be said of it, in the order in which a reader needs it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from math import erfc, hypot, sqrt
 
@@ -24,13 +24,18 @@ from .notes import (
     about_values,
     by_severity,
 )
-from .ranges import leads
+from .ranges import leads, why
 
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
 
 
 class Report(Answer):
     """The answer to the question of a command, with its warnings and notes."""
+
+    @cached_property
+    def whys(self) -> Mapping[int, str]:
+        """Why results have a best range, by rule."""
+        return {by: why(by, self) for by in dict.fromkeys(estimate.by for estimate in self.estimates.values())}
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:

@@ -14,7 +14,6 @@ from ..quantities.nomenclature import NOMENCLATURE, named
 from ..quantities.values import Uncertain, is_uncertain, middle
 from ..report.answer import Result
 from ..report.questions import QUESTIONS, Question, question_about
-from ..report.ranges import why
 from ..report.report import Report
 from ..text import json_text, listed, quoted, say, spelled
 
@@ -98,7 +97,7 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
         entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
     if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
         low, high = (None if isnan(end) else form.number(result.name, end) for end in best[:2])
-        entry["best"] = {"low": low, "high": high, "by": WORDS[best.by], "why": why(best.by, answer)}
+        entry["best"] = {"low": low, "high": high, "by": WORDS[best.by], "why": answer.whys[best.by]}
     bar = result.uncertain
     further = {
         **{key: getattr(quantity, key) for key in (("note",) if result.law else ("note", "definition", "reference"))},

@@ -23,7 +23,7 @@ from ..quantities.laws import BETWEEN
 from ..quantities.markup import as_latex, symbol
 from ..quantities.nomenclature import CONVERTED, INFINITY, NOMENCLATURE
 from ..report.answer import Result
-from ..report.ranges import made_of, range_in_words, why
+from ..report.ranges import made_of, range_in_words
 from ..report.report import Report, every_line
 from ..text import listed, say, say_wrapped
 
@@ -118,7 +118,7 @@ def _facts(result: Result, answer: Report, form: Format) -> Iterator[tuple[str, 
     yield "by law", ", ".join(f"{shown(value)} ({law})" for law, value in result.by_law.items())
     if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
         yield "best", f"{range_in_words(result.name, best)} ({WORDS[best.by]})"
-        yield "why", why(best.by, answer)
+        yield "why", answer.whys[best.by]
         yield "made of", made_of(result.name, answer)
 
 
