@@ -106,12 +106,12 @@ class Ranges:
         if is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
             return
-        if name == "sticking_speed" and (stuck := STUCK.get(solid_of_pair(self.frame))) is not None:
-            yield stuck.is_near(self.frame), *stuck.ends(self.frame), MEASURED
         if name == "sticking_speed":
+            if (stuck := STUCK.get(solid_of_pair(self.frame))) is not None:
+                yield stuck.is_near(self.frame), *stuck.ends(self.frame), MEASURED
             yield self._is_smooth, own[0], _MOST_SEEN * own[1], MEASURED
         if name in _IMPACT:
-            yield self._is_smooth, nan, own[1] if name in _AT_MOST else nan, ADHESION_ONLY
+            yield self._adhesion_is_little, nan, own[1] if name in _AT_MOST else nan, ADHESION_ONLY
         if name not in self._ends(_between):
             if name in _AS_PULL_OFF:  # without a contact modulus: from JKR's law to DMT's
                 yield True, own[0], own[1] * self._dmt_over_jkr, BETTER_LAW
@@ -194,6 +194,12 @@ class Ranges:
     @property
     def _tabor_parameter(self) -> Any:
         return self.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY)
+
+    @property
+    def _adhesion_is_little(self) -> Any:
+        """The rows in which adhesion alone loses little, or other losses were measured."""
+        stuck = STUCK.get(solid_of_pair(self.frame))
+        return self._is_smooth if stuck is None else self._is_smooth | stuck.is_near(self.frame)
 
     @property
     def _is_smooth(self) -> Any:

@@ -148,7 +148,7 @@ RUBBERY = 0.49  # Poisson's ratio from which on a solid is stretched, and does n
 
 
 @once_a_frame
-def _may_be_rough(frame: Frame) -> Any:
+def may_be_rough(frame: Frame) -> Any:
     """Return whether roughness can part two solids: not soft ones, nor mica from mica."""
     if is_smooth(frame.material) and (frame.material2 is None or is_smooth(frame.material2)):
         return False
@@ -272,7 +272,7 @@ INEXACT = (
         "rough spheres of hard solids had 1/2 to 1/100 of this",
         lambda _, names: not _PULLED.isdisjoint(names),
         factor=lambda frame, _: at_most(frame["radius"], frame["radius2"]),
-        where=_may_be_rough,
+        where=may_be_rough,
     ),
     Limit(
         "filling_factor", frozenset({"tensile_strength"}), ">", {1.0: "filling-out-of-range"},

@@ -16,7 +16,7 @@ from ..model.estimate import (
     Estimate,
     Ranges,
 )
-from ..model.limits import JUMP, LAW_MATTERS
+from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
 from ..model.measured import ROLLED, STUCK, solid_of_pair, solid_that_rolled
 from ..model.other_law import farthest
 from ..model.results import Results
@@ -99,7 +99,7 @@ _WORDS: Mapping[int, str] = {
     MEASURED: "solids were seen to stick at 1–10 times JKR's speed, SiO2 to a plane as in jkroll guide validation",
     SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
     XI_UNKNOWN: "nothing was measured: low is ξ = 2 Å (one atom), high all of the work of adhesion lost; give --xi",
-    ADHESION_ONLY: "so small and stiff they touch and part without a jump; any other loss adds to it",
+    ADHESION_ONLY: "so small and stiff they touch and part without a jump; other losses come on top",
     LAW_ONLY: "no other law here has it; where JKR does not hold, Maugis' contact is smaller",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
     BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
@@ -120,7 +120,8 @@ def _better_law(answer: Answer) -> str:
     tabor = f"Tabor parameter {from_to(parameter, 2 * parameter)}"
     law = f"{frame.law.short} is more than 5 % off at this size and stiffness ({tabor})"
     text = f"{law}; z0 = {_angstroms(spacing / 2, spacing)} (--z0){_with_bars(answer)}"
-    return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and not answer.shows_surfaces else text
+    is_told = answer.is_in_doubt(ROUGH_MATTERS)  # with numbers
+    return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and may_be_rough(frame) and not is_told else text
 
 
 def _with_bars(answer: Answer) -> str:
@@ -261,9 +262,8 @@ def _stick_or_bounce(answer: Answer) -> str:
     speed = answer.frame["speed"]
     low, high, by = answer.estimates["sticking_speed"]
     sides = span("sticking_speed", low, high)
-    seen = "solids were seen to stick up to" if by == MEASURED else "the largest speed to stick is"
     verdict = "they stick" if speed < low else "they bounce" if speed > high else "they may stick or bounce"
-    return f"at {amount('speed', speed)} {verdict}: {seen} {sides}"
+    return f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[by]})"
 
 
 def _law_that_holds(answer: Answer) -> str:
