@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from ..model.estimate import BETTER_LAW, LAW_ONLY
 from ..model.frame import Frame
-from ..model.limits import Doubt
+from ..model.limits import ROUGH_MATTERS, Doubt
 from ..model.reasons import explanation_of
 from ..model.unsolved import SIZES, equal, sizes_in_words
 from ..quantities.formatting import Format, amount, significant, symbol_among, symbol_of
@@ -77,7 +77,7 @@ def _about_library(answer: Answer) -> Iterator[Note]:
 
 def about_limit(doubt: Doubt, answer: Answer) -> str:
     """Return what follows from a limit for the unknowns."""
-    if doubt.code == "rough-matters":
+    if doubt.code == ROUGH_MATTERS:
         unknowns = listed(symbol_among(name, {*answer.inputs, *answer.assumed}) for name in answer.described.unknowns)
         return f"{unknowns}: for smooth spheres; rough ones give an effective value, of this size alone"
     return doubt.text

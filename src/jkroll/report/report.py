@@ -79,7 +79,7 @@ class Report(Answer):
         return f"{symbol_among(names[0], self.inputs)}: " if alone else ""
 
     def about(self, doubt: Doubt) -> str:
-        """Return what follows from a limit: of an exceeded one, the values that may stand in place of the results."""
+        """Return what follows from a limit for the results, or for the unknowns."""
         if self.described.unknowns:
             return about_limit(doubt, self)
         return _about_roughness(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
