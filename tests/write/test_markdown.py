@@ -244,6 +244,8 @@ def test_tables_of_many_blocks_are_one_table(run: Run) -> None:
         ("pull-off quartz 1um --md -o x.csv", "-o 'x.csv' and --md exclude each other"),
         *((f"pull-off quartz 1um --md --{other}", "exclude each other") for other in ("csv", "json", "bare", "cite")),
         ("pull-off quartz 1um --explain --md", "exclude each other"),
+        (f"report quartz 1um --angle {'9' * 90}deg -o x.md", "is longer than 80 characters; expected an angle"),
+        ("contact quartz 1um --curve --density 1mµm -o x.md", "has a µ that is not the first letter of a unit"),
     ],
 )  # fmt: skip
 def test_what_does_not_go_with_markdown_is_refused(run: Run, words: str, problem: str) -> None:

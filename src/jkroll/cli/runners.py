@@ -42,13 +42,14 @@ def run_question(call: Call) -> int:
     """Answer the question of a command for every frame that was described; return the exit code."""
     check_format(call)
     question = question_of(call, QUESTIONS[call.command])
-    form = call.form(question.quantities)
+    sweep = call.sweep
+    form = call.form(question.quantities)  # has the values as they were typed, once they are read
     for name in question.named:
-        frame = call.sweep.groups[0]
+        frame = sweep.groups[0]
         if name in frame.stated or (name in frame.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here; leave it out: results stand beside it")
 
-    return answer_rows(call, call.sweep, question, form)
+    return answer_rows(call, sweep, question, form)
 
 
 def answer_rows(call: Call, sweep: Sweep, question: Question, form: Format) -> int:
@@ -248,8 +249,8 @@ def _write_curve(call: Call) -> int:
 
     check_format(call)
     question = question_of(call, FORCE_CURVE)
-    form = call.form(question.quantities)
     loads, sweep = call.loads, call.sweep
+    form = call.form(question.quantities)
     samples = [frame for frame in sweep.groups for frame in frames_of_curve(frame, loads)]
     failures = (answer_at_state(question, frame).failure for frame in samples)
     if (first := next(failures)) is not None and None not in failures:
