@@ -161,15 +161,18 @@ _Rows = dict[str, list[str]]  # the cells of results, by name
 
 
 def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
-    """Return the rows of results, and those of conventions. A result that repeats another has none."""
+    """Return the rows of results, and those of conventions.
+
+    A result that repeats another has none, nor has one that lacks an input, of which a note tells.
+    """
     physics: _Rows = {}
     conventions: _Rows = {}
     shown: set[tuple[Any, str]] = set()
     units: dict[str, tuple[str, Unit]] = {}  # by SI unit: the last one, in which a value below 1 is read as easily
     for result in answer.results:
         name, quantity = result.name, NOMENCLATURE[result.name]
-        is_repeated = result.value is not None and (result.value, quantity.unit) in shown
-        if name not in answer.question.with_row or (is_repeated and name not in answer.question.named):
+        is_said = (result.value, quantity.unit) in shown if result.value is not None else name in answer.lacking
+        if name not in answer.question.with_row or (is_said and name not in answer.question.named):
             continue
         shown.add((result.value, quantity.unit))
         estimate = answer.estimates.get(name)
@@ -178,7 +181,7 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
             unit = form.common_unit(name, sizes[-1:])
         units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
-        row += [_cell(result.measure, unit, form), unit[0]]
+        row += [_cell(result.value, unit, form), _cell(result.measure, unit, form), unit[0]]
         (conventions if estimate and estimate.by == DEFINITION else physics)[name] = row
     return physics, conventions
 
@@ -204,10 +207,16 @@ def _on_surfaces(force: float, form: Format) -> list[TextColumn]:
 
 
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
-    """Return the columns of rows of results; without ranges where all of them are those of the law in use."""
-    heads = ["quantity", "symbol", "best range", "by", f"plain {law}", "unit"]
+    """Return the columns of rows of results.
+
+    Ranges are left out where all of them are those of the law in use; elsewhere they have the error bars, and the law's
+    column has none.
+    """
     if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–"}:
-        heads, rows = [*heads[:2], law, "unit"], [[*row[:2], *row[4:]] for row in rows]
+        heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
+    else:
+        heads = ["quantity", "symbol", "best range", "by", f"plain {law}", "unit"]
+        rows = [[*row[:5], row[6]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
     return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
 
