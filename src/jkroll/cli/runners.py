@@ -150,9 +150,7 @@ def _told(single: "Report", *, is_shown: bool) -> "list[Note]":
     """Return the sentences about a single answer; where its table `is_shown`, without those that stand in it."""
     if is_shown:
         return single.sentences_below
-    from ..report.ranges import notes_on_ranges
-
-    return [*notes_on_ranges(single), *single.sentences]
+    return [*single.notes_on_ranges(), *single.sentences]
 
 
 def _exit_code(call: Call, failed: int, count: int, first: JkrollError | None = None) -> int:
@@ -287,7 +285,6 @@ def _write_curve(call: Call) -> int:
 def run_export(call: Call) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
     from ..report.notes import about_middles
-    from ..report.ranges import notes_on_ranges
     from ..report.report import Report, every_line
     from ..write.exports import PROGRAMS
 
@@ -309,7 +306,7 @@ def run_export(call: Call) -> int:
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
     notes = [*(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
-    notes += [note.line for note in notes_on_ranges(answer)]
+    notes += [note.line for note in answer.notes_on_ranges()]
     if program.about:
         for line in (*(f"note: {text}" for text in program.about(frame)), *notes):
             say_wrapped(line, sys.stderr)

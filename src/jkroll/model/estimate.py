@@ -6,7 +6,7 @@ that nothing was measured, make a range of it: by the first rule that applies, r
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from functools import cache
+from functools import cache, reduce
 from math import inf, nan
 from typing import Any, NamedTuple
 
@@ -16,38 +16,44 @@ from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import ends_of
 from .frame import Frame
-from .limits import JUMP, LAW_MATTERS
+from .limits import CONTACT_EXCEEDS_SPHERE, ENDS, JUMP, LAW_MATTERS, SOFT
 from .measured import (
-    ROLLED,
-    STUCK,
+    MOST_SEEN,
+    VISCOUS_TIME,
     Make,
     assumes_displacement,
     at_full_hysteresis,
     rolling,
-    solid_of_pair,
-    solid_that_rolled,
+    what_rolled,
+    what_stuck,
 )
 from .other_law import at_half_spacing, farthest
-from .reasons import MissingInput
+from .reasons import MissingInput, reason
 from .results import Results
 from .uncertainty import ErrorBar, error_bars
 
 # --- Rules ------------------------------------------------------------------------------------------------------------
 
-NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, ADHESION_ONLY, LAW_ONLY, AT_LEAST, BETTER_LAW, LAW_IN_USE = range(10)
+(
+    NONE, DEFINITION, MEASURED, SCALED, XI_UNKNOWN, ADHESION_ONLY, BOUNDS, LAW_ONLY, AT_LEAST, BETTER_LAW, LAW_IN_USE,
+) = range(11)  # fmt: skip
 _GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
 WORDS = (
-    "–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR only", "at least", "Maugis", "JKR",
+    "–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR to DMT", "JKR only", "at least", "Maugis",
+    "JKR",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
 
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
-_IMPACT = ("restitution", "lost_energy", "sticking_speed", "sticking_energy")  # of which adhesion alone sets an end
-_AT_MOST = ("lost_energy", "sticking_energy")
-_MOST_SEEN = 10  # times the speed of JKR: the largest at which solids were seen to stick
+_STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
+_LOSING = ("restitution", "lost_energy")
 _SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
 _PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
+
+
+_SAME = 1e-9  # relative difference of numbers that laws give alike
+_TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 
 
 class Estimate(NamedTuple):
@@ -75,7 +81,7 @@ def _first(rules: Iterable[Rule]) -> Estimate:
 
 
 def estimates(results: Results, names: Iterable[str]) -> dict[str, Estimate]:
-    """Return the estimates of those of some results that have a value in some row."""
+    """Return the estimates of those of some results that have a number in some row, with a meaning or not."""
     ranges = Ranges(results)
     return {name: ranges.estimate(name) for name in names if name in ranges.names}
 
@@ -85,59 +91,89 @@ class Ranges:
 
     def __init__(self, results: Results) -> None:
         self.results, self.frame = results, results.frame
-        self.names = [name for name, column in results.columns.items() if not column.is_empty]
+        self.names = [name for name, column in results.computed.items() if not column.is_empty]
         self._made: dict[Make, Mapping[str, tuple[Any, Any, Any]]] = {}
 
     def estimate(self, name: str) -> Estimate:
-        """Return the estimate of a result that has a value in some row."""
-        return _first(self._rules(name))
+        """Return the estimate of a result that has a number in some row.
+
+        There is none where neither end has a meaning, nor where the contact is wider than the smaller sphere.
+        """
+        low, high, by = _first(self._rules(name))
+        is_ended = self.results.ended.get(name, False) & (low != low) & (high != high)
+        is_wide = self.results.meant[name].reasons == _TOO_WIDE
+        has_none = (self.results.computed[name].reasons != 0) | is_ended | is_wide
+        return Estimate(where(has_none, nan, low), where(has_none, nan, high), where(has_none, NONE, by))
 
     def _rules(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules that may apply to a result, each with its range; the last one applies to all rows."""
         own, is_rolling = self.hull(name, _itself), bool(rolling([name]))
-        yield self.results.columns[name].reasons != 0, nan, nan, NONE
         if name in _LAWS_THEMSELVES:
             yield True, nan, nan, NONE
-        if NOMENCLATURE[name].reference and not is_rolling and name not in _IMPACT:
+        elif NOMENCLATURE[name].reference and not is_rolling and name not in (*_STICKING, *_LOSING):
             yield True, *own, DEFINITION
-        if self.frame.stated_model is not None:
+        elif self.frame.stated_model is not None:
             yield True, *own, _GIVEN[self.frame.stated_model]
-            return
-        if is_rolling and assumes_displacement(self.frame):
+        elif is_rolling and assumes_displacement(self.frame):
             yield from self._of_rolling(name)
-            return
-        if name == "sticking_speed":
-            if (stuck := STUCK.get(solid_of_pair(self.frame))) is not None:
-                yield stuck.is_near(self.frame), *stuck.ends(self.frame), MEASURED
-            yield self._is_smooth, own[0], _MOST_SEEN * own[1], MEASURED
-        if name in _IMPACT:
-            yield self._adhesion_is_little, nan, own[1] if name in _AT_MOST else nan, ADHESION_ONLY
+        else:
+            if name in _STICKING:
+                yield from self._of_sticking(name, own)
+            if name in _LOSING:
+                yield from self._of_losing(name, own)
+            yield from self._of_laws(name, own)
+
+    def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
+        """Iterate over the rules of what a law decides."""
         if name not in self._ends(_between):
-            if name in _AS_PULL_OFF:  # without a contact modulus: from JKR's law to DMT's
-                yield True, own[0], own[1] * self._dmt_over_jkr, BETTER_LAW
+            if name in _AS_PULL_OFF:  # without a contact modulus
+                yield True, own[0], own[1] * self._dmt_over_jkr, BOUNDS
             yield True, *own, LAW_ONLY
             return
         if name in _SEPARATION:
             yield self._tabor_parameter < JUMP, own[0], nan, AT_LEAST
-        low, high = self.by_better_law(name)
+        better, of_both = self.by_better_law(name), self.hull(name, _itself, *_BETTER)
         theirs = [law(self.results.described).column(name).or_else(0.0) for law in _BETTER]
         if name in _AS_PULL_OFF:
             force, most = self._by_lennard_jones(name)
-            theirs, high = [*theirs, force], at_least(high, most)
-        ours = self.results.columns[name].or_else(0.0)
-        yield farthest((value, ours) for value in theirs) > LAW_MATTERS, low, high, BETTER_LAW
-        yield True, at_most(low, own[0]), at_least(high, own[1]), LAW_IN_USE
+            theirs.append(force)
+            better, of_both = ((low, at_least(high, most)) for low, high in (better, of_both))
+        ours = self.results.computed[name].or_else(0.0)
+        yield farthest((value, ours) for value in theirs) > LAW_MATTERS, *better, BETTER_LAW
+        yield True, *of_both, LAW_IN_USE
+
+    def _of_sticking(self, name: str, own: Ends) -> Iterator[Rule]:
+        """Iterate over the rules of a speed or an energy up to which hard spheres stick: by what was measured."""
+        if VISCOUS_TIME in self.frame.stated:
+            return
+        power, stuck = _STICKING[name], what_stuck(self.frame)
+        speed = self.frame.numbers("sticking_speed").get("sticking_speed")
+        if stuck is not None and speed is not None:
+            value = self.results.computed[name].values
+            ends = (value * (end / speed) ** power for end in stuck.ends(self.frame))
+            yield stuck.is_near(self.frame), *ends, MEASURED
+        yield self._is_hard, own[0], MOST_SEEN**power * own[1], MEASURED
+
+    def _of_losing(self, name: str, own: Ends) -> Iterator[Rule]:
+        """Iterate over the rules of what a collision loses: other losses than that to adhesion are not known."""
+        is_energy = name == "lost_energy"
+        if not is_energy and "sticking_speed" in self.names:
+            speeds = self.estimate("sticking_speed")
+            yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED
+        yield self._is_smooth, nan, own[1] if is_energy else nan, ADHESION_ONLY
+        if not is_energy and VISCOUS_TIME not in self.frame.stated:
+            yield self._is_hard, nan, self.hull(name, _itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules of a rolling quantity with an assumed ξ: by what was measured, or between its ends."""
-        if (rolled := ROLLED.get(solid_that_rolled(self.frame))) is not None:
+        if (rolled := what_rolled(self.frame)) is not None:
             ends = (then(law, end) for law in (_itself, *_BETTER) for end in rolled.ends)
             yield rolled.is_near(self.frame), *self.hull(name, *ends), SCALED
         laws = _BETTER if name in self._ends(_between) else (_itself,)
-        at_an_atom, further = self.hull(name, *laws), self.hull(name, *(then(law, _at_twice) for law in laws))
+        at_an_atom = self.hull(name, *laws)
         low, high = self.hull(name, *(then(law, at_full_hysteresis) for law in laws))
         is_past = self.hull("hysteresis_ratio", *laws)[1] >= 1  # more is lost at 2 Å than there is
-        rises = further[1] > at_an_atom[1]
+        rises = self._most(name, *(then(law, _at_twice) for law in laws)) > self._most(name, *laws)
         low = where(rises, where(is_past, nan, at_an_atom[0]), low)
         high = where(rises, high, where(is_past, nan, at_an_atom[1]))
         yield True, low, high, XI_UNKNOWN
@@ -149,8 +185,8 @@ class Ranges:
     def of_laws(self, name: str, by: int) -> list[Ends]:
         """Return the ends of a result, found by a rule, by the law in use and by Maugis' at both spacings."""
         ends: tuple[Make, ...] = (_itself,)
-        if by == SCALED:
-            ends = ROLLED[solid_that_rolled(self.frame)].ends
+        if by == SCALED and (rolled := what_rolled(self.frame)) is not None:
+            ends = rolled.ends
         elif by == XI_UNKNOWN:
             ends = (_itself, at_full_hysteresis)
         return [self.hull(name, *(then(law, end) for end in ends)) for law in (_itself, *_BETTER)]
@@ -175,8 +211,14 @@ class Ranges:
             if is_anywhere(is_ended):
                 without_meaning.append((where(is_ended, least, inf), where(is_ended, most, -inf)))
         for least, most in without_meaning:
-            low, high = where(least < low, inf, low), where(most > high, -inf, high)
+            is_lower = least + _SAME * abs(low) < low
+            is_higher = most - _SAME * abs(high) > high
+            low, high = where(is_lower, inf, low), where(is_higher, -inf, high)
         return where(low < inf, low, nan), where(high > -inf, high, nan)
+
+    def _most(self, name: str, *makers: Make) -> Any:
+        """Return the largest value of a result among what is made of the frame, with a meaning or not."""
+        return reduce(at_least, (self._ends(make)[name][1] for make in makers), -inf)
 
     def _ends(self, make: Make) -> Mapping[str, tuple[Any, Any, Any]]:
         """Return the ends of the error bars of results of what is made of the frame, once, or their values.
@@ -196,10 +238,9 @@ class Ranges:
         return self.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY)
 
     @property
-    def _adhesion_is_little(self) -> Any:
-        """The rows in which adhesion alone loses little, or other losses were measured."""
-        stuck = STUCK.get(solid_of_pair(self.frame))
-        return self._is_smooth if stuck is None else self._is_smooth | stuck.is_near(self.frame)
+    def _is_hard(self) -> Any:
+        """The rows in which solids are not as soft as those that close over their roughness."""
+        return self.frame.numbers("contact_modulus").get("contact_modulus", 0.0) >= SOFT
 
     @property
     def _is_smooth(self) -> Any:

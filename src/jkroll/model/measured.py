@@ -1,4 +1,4 @@
-"""What was measured on solids: the forces and displacements that start rolling, and whose surfaces are smooth."""
+"""Measurements on solids: forces and displacements that started rolling, speeds that stuck, pull-off on surfaces."""
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
@@ -45,6 +45,7 @@ class Rolled(NamedTuple):
     """What was measured on identical pairs of a radius, and the pairs to which it is scaled: as R^(2/3) or as R."""
 
     name: str  # of the quantity, the force or the displacement that starts rolling
+    source: str
     low: float
     high: float
     radius: float
@@ -97,12 +98,12 @@ def _rolled_at(rolled: Rolled, end: Callable[[Rolled, Any], Any], frame: Frame) 
 
 
 ROLLED: Mapping[str, Rolled] = {
-    # Heim et al. 1999 and Blum & Wurm 2000: 0.85 ± 0.16 and 1.21 ± 0.36 nN
-    SIO2: Rolled("yield_force", 0.69e-9, 1.57e-9, 0.95e-6, (1e-7, 3e-6), (0.02, 0.025)),
-    # Sümer & Sitti 2008: 42 nm, spheres of 5 µm on a plane
-    POLYSTYRENE: Rolled(XI, 42e-9, 42e-9, 1e-5, (3e-6, 1e-4)),
-    # Gundlach et al. 2011: 11.48 ± 2.38 nN
-    "ice-warm": Rolled("yield_force", 9.10e-9, 13.86e-9, 1.45e-6, (0.5e-6, 5e-6)),
+    # 0.85 ± 0.16 and 1.21 ± 0.36 nN
+    SIO2: Rolled("yield_force", "Heim 1999, Blum & Wurm 2000", 0.69e-9, 1.57e-9, 0.95e-6, (1e-7, 3e-6), (0.02, 0.025)),
+    # 42 nm, spheres of 5 µm on a plane
+    POLYSTYRENE: Rolled(XI, "Sümer & Sitti 2008", 42e-9, 42e-9, 1e-5, (3e-6, 1e-4)),
+    # 11.48 ± 2.38 nN
+    "ice-warm": Rolled("yield_force", "Gundlach 2011", 9.10e-9, 13.86e-9, 1.45e-6, (0.5e-6, 5e-6)),
 }
 
 
@@ -112,6 +113,11 @@ def solid_that_rolled(frame: Frame) -> str:
     if solid is None or frame.material2 not in (None, solid):
         return ""
     return solid.name if solid.name in ROLLED else measured_solid(solid)
+
+
+def what_rolled(frame: Frame) -> Rolled | None:
+    """Return the measurement of rolling on the solid of both spheres, of whatever size; None without one."""
+    return ROLLED.get(solid_that_rolled(frame))
 
 
 # --- What was measured of spheres that stuck --------------------------------------------------------------------------
@@ -146,6 +152,17 @@ STUCK: Mapping[str, Stuck] = {
     # Poppe, Blum & Henning 2000, second hand: 1.9 m/s at 0.25 µm and 1.2 m/s at 0.6 µm, on a plane of silica
     SIO2: Stuck(1.2, 0.6e-6, -0.53, 0.3, (0.25e-6, 0.6e-6)),
 }
+
+
+def what_stuck(frame: Frame) -> Stuck | None:
+    """Return the measurement of sticking on the solid of both bodies, of whatever size; None without one."""
+    return STUCK.get(solid_of_pair(frame))
+
+
+MOST_SEEN = 10  # times the speed of JKR: the largest at which hard spheres were seen to stick
+
+# Part of JKR's pull-off force that was measured of hard solids: 1 over the first number to 1 over the second.
+SURFACES = {"on smooth glass": (4, 2), "for rough grains in air": (100, 10)}
 
 
 # --- Rolling ---

@@ -26,7 +26,6 @@ from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE
 from ..report.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, WHOLE_CURVE, Loads, states
 from ..report.questions import Question
-from ..report.ranges import notes_on_ranges
 from ..report.report import Report
 from .picture import Axis, Curve, Mark, Panel, Picture, axis_around, clipped
 from .request import DRAWN_LIMITS, PlotRequest, fixed_inputs, inputs_as_texts, mark_at, notes_on, picture_of
@@ -187,7 +186,7 @@ def curves_of_contact(
     if is_one:
         about = Question(("yield_moment",), ("yield_moment",)) if panel == "moment" else WHOLE_CURVE
         answer = Report(about, frames[0])
-        notes |= dict.fromkeys(note.text for note in (*notes_on_ranges(answer), *answer.doubts()))
+        notes |= dict.fromkeys(note.text for note in (*answer.notes_on_ranges(), *answer.doubts()))
     for frame in frames:
         held = [name for name in names if not _lacking(frame, name)]
         unloaded = frame.replace(load=0.0)

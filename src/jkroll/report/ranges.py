@@ -7,6 +7,7 @@ from ..model.estimate import (
     ADHESION_ONLY,
     AT_LEAST,
     BETTER_LAW,
+    BOUNDS,
     LAW_IN_USE,
     LAW_ONLY,
     MEASURED,
@@ -17,12 +18,12 @@ from ..model.estimate import (
     Ranges,
 )
 from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
-from ..model.measured import ROLLED, STUCK, solid_of_pair, solid_that_rolled
+from ..model.measured import MOST_SEEN, SURFACES, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
 from ..model.other_law import farthest
 from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import XI
+from ..quantities.nomenclature import INFINITY, XI
 from ..text import first_of
 from .answer import Answer
 from .inferred import lack_by_better_law
@@ -32,30 +33,11 @@ _MOST = 3  # results in a note
 _ALIKE = 0.01  # relative difference of radii that needs no scaling
 
 
-def lines_on_ranges(answer: Answer, names: Iterable[str]) -> Iterator[str]:
-    """Iterate over a line for each rule by which some results have a range, in the order of the results."""
-    for by in dict.fromkeys(answer.estimates[name].by for name in names if name in answer.estimates):
-        if text := why(by, answer):
-            yield f"{WORDS[by]}: {text}"
-
-
 def lines_on_rules(rules: Iterable[int]) -> Iterator[str]:
     """Iterate over a line for each rule, for many rows."""
     for by in dict.fromkeys(rules):
         if by in _WORDS:
             yield f"{WORDS[by]}: {_WORDS[by]}"
-
-
-def notes_on_ranges(answer: Answer) -> Iterator[Note]:
-    """Iterate over a note for each rule by which results of the headline have a range, where no table shows it."""
-    texts: dict[int, list[str]] = {}
-    for name, estimate in answer.estimates.items():
-        if name in answer.question.headline:
-            text = f"{symbol_among(name, answer.inputs)}: {range_in_words(name, estimate)}"
-            texts.setdefault(estimate.by, []).append(text)
-    for by, of_rule in texts.items():
-        if text := why(by, answer):
-            yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {text}")
 
 
 def range_in_words(name: str, estimate: Estimate) -> str:
@@ -92,15 +74,21 @@ def made_of(name: str, answer: Answer) -> str:
 
 # --- Rules in words, for many rows ------------------------------------------------------------------------------------
 
-_SMOOTH_AND_DRY = (
-    "for smooth, dry spheres: smooth glass had 1/4–1/2 of it, rough grains 1/100–1/10, humid air up to twice"
-)
+def part_of_jkr(surface: str) -> str:
+    """Return which part of JKR's pull-off force was measured on a surface: "1/4–1/2"."""
+    return "–".join(f"1/{part}" for part in SURFACES[surface])
+
+
+_ON_SURFACES = ", ".join(f"{part_of_jkr(surface)} of it {surface}" for surface in SURFACES)
+_SMOOTH_AND_DRY = f"for smooth, dry spheres; measured was {_ON_SURFACES}, up to twice in humid air"
+_SEEN = f"hard spheres were seen to stick at 1–{MOST_SEEN} times JKR's speed"
 _WORDS: Mapping[int, str] = {
-    MEASURED: "solids were seen to stick at 1–10 times JKR's speed, SiO2 to a plane as in jkroll guide validation",
+    MEASURED: f"{_SEEN}, SiO2 to a plane as in jkroll guide validation",
     SCALED: "forces that rolled spheres of this solid, taken as R^(2/3) to R",
     XI_UNKNOWN: "nothing was measured: low is ξ = 2 Å (one atom), high all of the work of adhesion lost; give --xi",
-    ADHESION_ONLY: "so small and stiff they touch and part without a jump; other losses come on top",
-    LAW_ONLY: "no other law here has it; where JKR does not hold, Maugis' contact is smaller",
+    ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
+    BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
+    LAW_ONLY: "no other law here has it; it is the most where Maugis' contact is smaller",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
     BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
     LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
@@ -113,9 +101,6 @@ _WORDS: Mapping[int, str] = {
 def _better_law(answer: Answer) -> str:
     frame = answer.frame
     is_pulled = not {"pull_off_force", "bond_number"}.isdisjoint(answer.estimates)
-    if frame.missing(["tabor_parameter"]):
-        limits = "from JKR (soft spheres) to DMT (hard); which holds needs Young's modulus and Poisson's ratio"
-        return f"{limits}{_with_bars(answer)}. It is {_SMOOTH_AND_DRY}"
     parameter, spacing = frame["tabor_parameter"], frame["atomic_spacing"]
     tabor = f"Tabor parameter {from_to(parameter, 2 * parameter)}"
     law = f"{frame.law.short} is more than 5 % off at this size and stiffness ({tabor})"
@@ -132,28 +117,35 @@ def _angstroms(low: float, high: float) -> str:
     return f"{from_to(low / 1e-10, high / 1e-10)} Å"
 
 
+def _bounds(answer: Answer) -> str:
+    limits = "JKR's holds for soft spheres, DMT's for hard ones; Young's modulus and Poisson's ratio tell which"
+    return f"{limits}{_with_bars(answer)}. It is {_SMOOTH_AND_DRY}"
+
+
 def _measured(answer: Answer) -> str:
-    solid = solid_of_pair(answer.frame)
-    stuck = STUCK.get(solid)
+    stuck = what_stuck(answer.frame)
     if stuck is None or not stuck.is_near(answer.frame):
-        return "solids were seen to stick at 1–10 times JKR's speed; adhesion alone loses less than JKR's here"
+        return f"{_SEEN} (silica, ices, silver), as adhesion is not their only loss"
     pairs = (f"{significant(stuck.at(radius), 2)} m/s ({amount('radius', radius)})" for radius in stuck.radii)
     bar = f"±{stuck.error:.0%}".replace("%", " %")
+    solid = solid_of_pair(answer.frame)
     return f"{solid} stuck to a plane up to {' and '.join(pairs)}, between them as R^{stuck.exponent}, {bar}"
 
 
 def _scaled(answer: Answer) -> str:
-    frame = answer.frame
-    solid = solid_that_rolled(frame)
-    rolled, radius = ROLLED[solid], 2 * frame["reduced_radius"]
-    at = f"R = {amount('radius', rolled.radius)}"
+    frame, rolled = answer.frame, what_rolled(answer.frame)
+    if rolled is None:
+        return ""
+    radius, solid = 2 * frame["reduced_radius"], solid_that_rolled(frame)
+    at = f"R = {amount('radius', rolled.radius)} ({rolled.source})"
     what = f"ξ of {solid} was {span(rolled.name, rolled.low, rolled.high)}"
     if rolled.name != XI:
         what = f"{span(rolled.name, rolled.low, rolled.high)} rolled {solid}"
+    whatever = ", whatever γ is" if answer.described.uncertainties else ""
     if abs(radius / rolled.radius - 1) < _ALIKE:
-        return f"{what} of {at}"
+        return f"{what} of {at}{whatever}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
-    text = f"{what} of {at}, taken as {low} (low) or {high} (high) to {amount('radius', radius)}"
+    text = f"{what} of {at}, taken as {low} (low) or {high} (high) to {amount('radius', radius)}{whatever}"
     return text + _of_both_laws(answer) + _ceiling(answer)
 
 
@@ -194,19 +186,22 @@ def _xi_unknown(answer: Answer) -> str:
 
 
 def _of_measured_solid(answer: Answer) -> str:
-    """Return the forces that were measured on spheres of the same solid and size with another surface energy."""
-    solid, radius = solid_that_rolled(answer.frame), 2 * answer.frame["reduced_radius"]
-    rolled = ROLLED.get(solid)
-    if rolled is None or not rolled.has_size(radius) or "yield_force" not in answer.estimates:
+    """Return the forces that were measured on spheres of the same solid, but of another size or surface energy."""
+    rolled, solid, radius = what_rolled(answer.frame), solid_that_rolled(answer.frame), 2 * answer.frame["reduced_radius"]
+    if rolled is None or "yield_force" not in answer.estimates:
         return ""
+    if not rolled.has_size(radius):
+        return f". {solid} rolled at {amount('radius', rolled.radius)}, which is too far from {amount('radius', radius)}"
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
     return f". {solid} of another γ ({energies}) rolled at {forces} (scaled)"
 
 
 def _adhesion_only(answer: Answer) -> str:
+    if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * 2 >= JUMP:
+        return "adhesion alone leaves at most this; any other loss lowers it"
     text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
-    if "restitution" not in answer.values:
+    if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
         return text
     least = significant(answer.values["restitution"], 2)
     return f"{text}: e is {least}–1, and any other loss lowers it"
@@ -218,12 +213,13 @@ def _law_only(answer: Answer) -> str:
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
-    less = f", and expect less: the area of Maugis' contact is {significant(ratio, 2)} of it"
-    return f"no other law here has it: take plain JKR's{less if ratio * LAW_MATTERS < 1 else ''}"
+    less = f"; it is the most where it grows with the contact: Maugis' has {significant(ratio, 2)} of the area"
+    return f"no other law here has it{less if ratio * LAW_MATTERS < 1 else ''}"
 
 
 _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {
     BETTER_LAW: _better_law,
+    BOUNDS: _bounds,
     MEASURED: _measured,
     SCALED: _scaled,
     XI_UNKNOWN: _xi_unknown,

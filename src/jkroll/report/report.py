@@ -1,14 +1,16 @@
 """The report of one frame: its answer, with all that is to be said of it, in the order in which a reader needs it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from math import erfc, hypot, sqrt
 
-from ..model.estimate import ADHESION_ONLY
+from ..model.estimate import ADHESION_ONLY, MEASURED, NONE, WORDS
 from ..model.frame import Frame
 from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, Doubt
+from ..model.measured import SURFACES
 from ..model.uncertainty import error_bars
 from ..quantities.formatting import span, symbol_among
+from ..text import first_of
 from .answer import Answer
 from .inferred import about_limit, proofs
 from .notes import (
@@ -24,8 +26,9 @@ from .notes import (
     about_values,
     by_severity,
 )
-from .ranges import leads, why
+from .ranges import leads, part_of_jkr, range_in_words, why
 
+_MOST = 3  # results in a note
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
 
 
@@ -36,6 +39,23 @@ class Report(Answer):
     def whys(self) -> Mapping[int, str]:
         """Why results have a best range, by rule."""
         return {by: why(by, self) for by in dict.fromkeys(estimate.by for estimate in self.estimates.values())}
+
+    def lines_on_ranges(self, names: Iterable[str]) -> Iterator[str]:
+        """Iterate over a line for each rule by which some results have a range, in the order of the results."""
+        for by in dict.fromkeys(self.estimates[name].by for name in names if name in self.estimates):
+            if text := self.whys[by]:
+                yield f"{WORDS[by]}: {text}"
+
+    def notes_on_ranges(self) -> Iterator[Note]:
+        """Iterate over a note for each rule by which results of the headline have a range, where no table shows it."""
+        texts: dict[int, list[str]] = {}
+        for name, estimate in self.estimates.items():
+            if name in self.question.headline:
+                text = f"{symbol_among(name, self.inputs)}: {range_in_words(name, estimate)}"
+                texts.setdefault(estimate.by, []).append(text)
+        for by, of_rule in texts.items():
+            if text := self.whys[by]:
+                yield Note("lead", f"best range of {first_of(of_rule, _MOST)} ({WORDS[by]}); {text}")
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
@@ -65,12 +85,21 @@ class Report(Answer):
                 continue  # the best ranges say so
             severity: Severity = "caveat" if doubt.limit.is_told and not self._is_in_ranges(doubt) else "more"
             text = self._whose(doubt) + self.about(doubt)
-            notes.append(Note("warning" if doubt.limit.ends_meaning else severity, text))
+            if doubt.limit.ends_meaning:
+                severity, text = "warning", text + self._by_law_alone
+            notes.append(Note(severity, text))
         return notes
+
+    @cached_property
+    def _by_law_alone(self) -> str:
+        """By what results have no meaning whose best ranges have one."""
+        has_ranges = all(self.estimates[name].by != NONE for name in self.ended)
+        return f", by plain {self.frame.law.short}" if has_ranges else ""
 
     def _is_in_ranges(self, doubt: Doubt) -> bool:
         """Return whether the best range of results says what a limit means for them."""
-        return doubt.code == STICKING_UNSURE and ADHESION_ONLY in {each.by for each in self.estimates.values()}
+        rules = {estimate.by for estimate in self.estimates.values()}
+        return doubt.code == STICKING_UNSURE and not rules.isdisjoint((ADHESION_ONLY, MEASURED))
 
     def _whose(self, doubt: Doubt) -> str:
         """Return the symbol of the one result whose meaning a limit ends, unless the sentence has it."""
@@ -108,11 +137,11 @@ class Report(Answer):
 def _about_roughness(frame: Frame) -> str:
     """Return what was measured where the pull-off force is that of smooth spheres."""
     force = frame.numbers("pull_off_force").get("pull_off_force", 0.0)
-    smooth, rough = (span("pull_off_force", force / most, force / least) for most, least in ((4, 2), (100, 10)))
-    return (
-        f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 "
-        f"({rough})"
+    texts = (
+        f"{surface} {part_of_jkr(surface)} of P_c ({span('pull_off_force', force / most, force / least)})"
+        for surface, (most, least) in SURFACES.items()
     )
+    return f"measured: {', '.join(texts)}"
 
 
 def _about_lost_contacts(answer: Answer) -> Iterator[Note]:

@@ -10,6 +10,7 @@ from ..model.estimate import (
     DEFINITION,
     LAW_IN_USE,
     LAW_ONLY,
+    MEASURED,
     NONE,
     SCALED,
     WORDS,
@@ -17,6 +18,7 @@ from ..model.estimate import (
     Estimate,
 )  # fmt: skip
 from ..model.limits import codes
+from ..model.measured import SURFACES
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
@@ -25,7 +27,7 @@ from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
 from ..report.inferred import laws_of, library_values, solids_of
 from ..report.notes import lines_above
-from ..report.ranges import lines_on_ranges, lines_on_rules
+from ..report.ranges import lines_on_rules, part_of_jkr
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
@@ -38,6 +40,7 @@ if TYPE_CHECKING:
 _LEAST, _MOST = 0.25, 2000  # numbers that stand in the unit of the rows above them
 _SAME = 1e-12  # relative width of a range that is a number
 _NARROW = 0.05  # relative width of a range below which its ends have a digit more
+_BEST_RANGE = "best range"
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
@@ -131,16 +134,19 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
     yield from lines_above(answer.sentences)
     if answer.described.unknowns:
         yield _of_inferred(answer, form)
-        yield from lines_on_ranges(answer, answer.estimates)
+        yield from answer.lines_on_ranges(answer.estimates)
         return
     law = answer.frame.law.short
     physics, conventions = _rows(answer, form)
+    surfaces = _on_surfaces(answer.values["pull_off_force"], form) if answer.shows_surfaces else []
     if physics:
-        yield _of_results([*physics.values()], law)
-        yield from lines_on_ranges(answer, physics)
-    if answer.shows_surfaces:
-        yield "measured on other surfaces of hard solids; take the row that is yours"
-        yield _on_surfaces(answer.values["pull_off_force"], form)
+        columns = _of_results([*physics.values(), *surfaces], law)
+        yield columns
+        if any(column.head == _BEST_RANGE for column in columns):
+            yield from answer.lines_on_ranges(physics)
+    if surfaces:
+        parts = ", ".join(f"{part_of_jkr(surface)} {surface}" for surface in SURFACES)
+        yield f"measured: parts of JKR's force ({parts}); take the row that is yours"
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
@@ -192,18 +198,15 @@ def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> 
     return sorted(map(abs, ends or [middle(measure or 0.0)]))
 
 
-_SURFACES = {"smooth glass": ("1/4–1/2", 4, 2), "rough grains in air": ("1/100–1/10", 100, 10)}
-
-
-def _on_surfaces(force: float, form: Format) -> list[TextColumn]:
-    """Return the columns of what was measured on other surfaces, of a pull-off force by JKR."""
+def _on_surfaces(force: float, form: Format) -> list[list[str]]:
+    """Return the rows of what was measured on surfaces, of a pull-off force by JKR."""
     rows = []
-    for surface, (of_jkr, most, least) in _SURFACES.items():
-        unit = form.common_unit("pull_off_force", [force / least])
-        low, high = (convert(force / factor, unit[1]) for factor in (most, least))
-        rows.append([surface, "P_c", from_to(low, high, form.digits or 2), of_jkr, unit[0]])
-    columns = text_columns([["surface", "symbol", "measured", "of JKR's", "unit"], *rows], words=2)
-    return [column._replace(is_right=column.head == "measured") for column in columns]
+    for surface, (most, least) in SURFACES.items():
+        ends = force / most, force / least
+        unit = form.common_unit("pull_off_force", ends[1:])
+        row = [surface, "P_c", *_range(Estimate(*ends, MEASURED), unit, form)]
+        rows.append([*row, "–", "–", unit[0]])
+    return rows
 
 
 def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
@@ -215,7 +218,7 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
     if {row[3] for row in rows} <= {law, WORDS[DEFINITION], "–"}:
         heads, rows = ["quantity", "symbol", law, "unit"], [[*row[:2], *row[5:]] for row in rows]
     else:
-        heads = ["quantity", "symbol", "best range", "by", f"plain {law}", "unit"]
+        heads = ["quantity", "symbol", _BEST_RANGE, "by", f"plain {law}", "unit"]
         rows = [[*row[:5], row[6]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
     return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
@@ -225,8 +228,6 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
     """Return the best range of a result and its word; an end that is open is not there."""
     if estimate is None or not estimate.by > NONE:  # nan of a row that shows no such quantity
         return ["–", "–"]
-    if estimate.by == LAW_ONLY:  # there is no better number
-        return ["–", WORDS[LAW_ONLY]]
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
     is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
