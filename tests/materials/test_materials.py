@@ -597,7 +597,7 @@ def test_the_list_is_a_screen_of_sets_with_the_methods(run: Run) -> None:
     out = run("materials", terminal=True).out
     lines = out.splitlines()
     assert max(map(len, lines)) <= 80
-    assert len(lines) <= 48
+    assert len(lines) <= 56
     places = [out.index(f"\n{title}") for title in ("Table 1", "minerals and glasses", "polymers", "metals", "ices")]
     assert places == sorted(places)
     assert re.search(r"ice-warm +190 ± 69 +critical rolling force of µm ice grains\s", out)

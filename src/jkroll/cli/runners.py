@@ -140,7 +140,7 @@ def _write_columns(
     if single is None or (tally.with_doubts(ENDING_MEANING) and not single.ended):  # of states of a curve
         notes = notes_on_rows(groups, tally, wanted.reported_doubts)
     else:
-        notes = _told(single, is_shown=is_table)
+        notes = _told(single, is_shown=False)
     for line in lines_of(notes, has_head=is_table, quiet=call.quiet):
         say_wrapped(line, sys.stderr)
     return _exit_code(call, tally.failed, tally.rows)

@@ -218,7 +218,8 @@ class Ranges:
 
     def _most(self, name: str, *makers: Make) -> Any:
         """Return the largest value of a result among what is made of the frame, with a meaning or not."""
-        return reduce(at_least, (self._ends(make)[name][1] for make in makers), -inf)
+        every = (self._ends(make) for make in makers)
+        return reduce(at_least, (ends[name][1] for ends in every if name in ends), -inf)
 
     def _ends(self, make: Make) -> Mapping[str, tuple[Any, Any, Any]]:
         """Return the ends of the error bars of results of what is made of the frame, once, or their values.

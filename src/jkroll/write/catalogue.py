@@ -70,7 +70,7 @@ def _write_values(chosen: Sequence[Material], out: TextIO) -> None:
 
 
 def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write a table of materials by sets: the surface energy of each, and how it was found."""
+    """Write a table of materials by sets: the surface energy of each, and in which state it has it."""
     from .table import columns_of
 
     measures = [material.measures.get("surface_energy") for material in chosen]
@@ -80,13 +80,12 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     for material, energy in zip(chosen, energies, strict=True):
         rows_of_set = rows.setdefault(material.title, [(material.title, "", "")])
         if "surface_energy" in material.properties:
-            method = material.origins.get("surface_energy", {}).get("method", "")
-            rows_of_set.append((f"  {material.name}", energy, re.split("[:;,]", method)[0] or _keys(material)))
+            rows_of_set.append((f"  {material.name}", energy, material.state or _keys(material)))
         else:
             without.setdefault(material.title, []).append(material.name)
     for title, names in without.items():
         rows[title].append(("  with --gamma", "–", ", ".join(names)))
-    heads = ("material", head, "method or reference")
+    heads = ("material", head, "state, or reference")
     write_texts(heads, [row for rows_of_set in rows.values() for row in rows_of_set], out)
     say(f"\n{_IN_FULL}; find some: jkroll materials WORD", out)
 
