@@ -593,14 +593,14 @@ def test_a_table_says_once_which_a_name_may_be(run: Run) -> None:
     assert "one of several" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err
 
 
-def test_the_list_is_a_screen_of_sets_with_the_methods(run: Run) -> None:
+def test_the_list_is_a_screen_of_sets_with_the_states(run: Run) -> None:
     out = run("materials", terminal=True).out
     lines = out.splitlines()
     assert max(map(len, lines)) <= 80
     assert len(lines) <= 56
     places = [out.index(f"\n{title}") for title in ("Table 1", "minerals and glasses", "polymers", "metals", "ices")]
     assert places == sorted(places)
-    assert re.search(r"ice-warm +190 ± 69 +critical rolling force of µm ice grains\s", out)
+    assert re.search(r"ice-warm +190 ± 69 +water ice above about 200 K\s", out)
     assert re.search(r"with --gamma +– +glass-borosilicate, alumina, calcite,\s", out)
     listed = {material.name for material in Materials().materials.values() if "surface_energy" in material.properties}
     assert {*re.findall(r"^  (\S+) ", out, re.MULTILINE)} == {*listed, "with"}

@@ -174,7 +174,7 @@ def test_python_has_the_reason_and_solve_the_number() -> None:
     assert str(found["n_roll"]) == f"no value: {SLOW}"
     assert f"{found['n_imp'].value:.4g}" == "0.001314"
     least_force = 0.69e-9 * 0.1 / 0.95  # that rolled, scaled as R; a turn costs 2π times half its moment
-    most = 2 / 7 * 0.5 * found.inputs["density"] * 4 / 3 * math.pi * 1e-21 * 0.01 / (math.pi * least_force * 1e-7)
+    most = 2 / 7 * 0.5 * 2600.0 * 4 / 3 * math.pi * 1e-21 * 0.01 / (math.pi * least_force * 1e-7)
     assert found.best["n_roll"] == (approx(math.nan, nan_ok=True), approx(most, rel=1e-6), "scaled")
     assert f"{jkroll.solve('n_roll', **given):.5g}" == "0.00052546"
 

@@ -6,7 +6,7 @@ that nothing was measured, make a range of it: by the first rule that applies, r
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from functools import cache, reduce
+from functools import cache
 from math import inf, nan
 from typing import Any, NamedTuple
 
@@ -39,14 +39,16 @@ from .uncertainty import ErrorBar, error_bars
 ) = range(11)  # fmt: skip
 _GIVEN = {law: number for number, law in enumerate(LAWS, LAW_IN_USE + 1)}  # of laws that are given, which decide
 WORDS = (
-    "–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR to DMT", "JKR only", "at least", "Maugis",
-    "JKR",
+    "–", "definition", "measured", "scaled", "ξ unknown", "adhesion only", "JKR to DMT", "JKR only", "at least",
+    "Maugis", "JKR",
     *(law.short for law in LAWS.values()),
 )  # fmt: skip
 
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
+_LOSSES = frozenset({"restitution", "sticking_speed"})  # measured quantities that every loss of a collision moves one way
+_LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")  # inputs that move them so as they grow
 _SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
 _PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
@@ -100,7 +102,8 @@ class Ranges:
         There is none where neither end has a meaning, nor where the contact is wider than the smaller sphere.
         """
         low, high, by = _first(self._rules(name))
-        is_ended = self.results.ended.get(name, False) & (low != low) & (high != high)
+        has_end = (low <= inf) | (high <= inf)  # which nan is not
+        is_ended = where(has_end, False, self.results.ended.get(name, False))
         is_wide = self.results.meant[name].reasons == _TOO_WIDE
         has_none = (self.results.computed[name].reasons != 0) | is_ended | is_wide
         return Estimate(where(has_none, nan, low), where(has_none, nan, high), where(has_none, NONE, by))
@@ -112,6 +115,8 @@ class Ranges:
             yield True, nan, nan, NONE
         elif NOMENCLATURE[name].reference and not is_rolling and name not in (*_STICKING, *_LOSING):
             yield True, *own, DEFINITION
+        elif self._is_from_losses(name):
+            yield True, nan, own[1], ADHESION_ONLY
         elif self.frame.stated_model is not None:
             yield True, *own, _GIVEN[self.frame.stated_model]
         elif is_rolling and assumes_displacement(self.frame):
@@ -122,6 +127,11 @@ class Ranges:
             if name in _LOSING:
                 yield from self._of_losing(name, own)
             yield from self._of_laws(name, own)
+
+    def _is_from_losses(self, name: str) -> bool:
+        """Return whether all that a collision loses is taken for what an inferred value makes it lose."""
+        is_unknown = name in _LOSE and name in self.results.described.unknowns
+        return is_unknown and not _LOSSES.isdisjoint(self.results.judged)
 
     def _of_laws(self, name: str, own: Ends) -> Iterator[Rule]:
         """Iterate over the rules of what a law decides."""
@@ -218,8 +228,11 @@ class Ranges:
 
     def _most(self, name: str, *makers: Make) -> Any:
         """Return the largest value of a result among what is made of the frame, with a meaning or not."""
-        every = (self._ends(make) for make in makers)
-        return reduce(at_least, (ends[name][1] for ends in every if name in ends), -inf)
+        most: Any = -inf
+        for ends in map(self._ends, makers):
+            if name in ends:
+                most = at_least(most, ends[name][1])
+        return most
 
     def _ends(self, make: Make) -> Mapping[str, tuple[Any, Any, Any]]:
         """Return the ends of the error bars of results of what is made of the frame, once, or their values.

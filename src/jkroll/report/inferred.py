@@ -15,9 +15,6 @@ from ..text import listed
 from .answer import Answer
 from .notes import Note
 
-# Measured quantities that every loss moves one way, and the inputs that move them the same way as they grow.
-_LOSING = frozenset({"restitution", "sticking_speed"})
-_RAISING = frozenset({"surface_energy", "work_of_adhesion", "hamaker", "viscous_time"})
 # The factors between an inferred value and the library's from which on a note says so, and what it asks.
 _FAR = {
     **dict.fromkeys(("surface_energy", "work_of_adhesion"), (5.0, "rough or wet surfaces?")),
@@ -93,9 +90,6 @@ def proofs(answer: Answer) -> Iterator[Note]:
     for name, value in values.items():
         if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]:  # a unit may be wrong
             yield Note("warning", f"{equal({name: value}, symbol_of)} is beyond usual values, {sizes_in_words([name])}")
-        if name in _RAISING and not _LOSING.isdisjoint(forward):
-            symbol = symbol_among(name, frame.given)
-            yield Note("caveat", f"{symbol} is an upper limit: other losses of the collision are taken for it")
         replaced = "surface_energy" if name == "work_of_adhesion" else name
         for material, _ in frame.materials:
             if replaced in material.properties and (material, replaced) not in used:

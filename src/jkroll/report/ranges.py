@@ -24,6 +24,7 @@ from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, XI
+from ..quantities.values import middle
 from ..text import first_of
 from .answer import Answer
 from .inferred import lack_by_better_law
@@ -73,6 +74,7 @@ def made_of(name: str, answer: Answer) -> str:
 
 
 # --- Rules in words, for many rows ------------------------------------------------------------------------------------
+
 
 def part_of_jkr(surface: str) -> str:
     """Return which part of JKR's pull-off force was measured on a surface: "1/4–1/2"."""
@@ -187,17 +189,21 @@ def _xi_unknown(answer: Answer) -> str:
 
 def _of_measured_solid(answer: Answer) -> str:
     """Return the forces that were measured on spheres of the same solid, but of another size or surface energy."""
-    rolled, solid, radius = what_rolled(answer.frame), solid_that_rolled(answer.frame), 2 * answer.frame["reduced_radius"]
+    rolled, solid = what_rolled(answer.frame), solid_that_rolled(answer.frame)
     if rolled is None or "yield_force" not in answer.estimates:
         return ""
+    radius = 2 * answer.frame["reduced_radius"]
     if not rolled.has_size(radius):
-        return f". {solid} rolled at {amount('radius', rolled.radius)}, which is too far from {amount('radius', radius)}"
+        at, here = (amount("radius", each) for each in (rolled.radius, radius))
+        return f". {solid} rolled at {at}, which is too far from {here}"
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
     return f". {solid} of another γ ({energies}) rolled at {forces} (scaled)"
 
 
 def _adhesion_only(answer: Answer) -> str:
+    if answer.described.unknowns:
+        return "it is an upper limit: other losses of the collision are taken for it"
     if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * 2 >= JUMP:
         return "adhesion alone leaves at most this; any other loss lowers it"
     text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
@@ -207,9 +213,18 @@ def _adhesion_only(answer: Answer) -> str:
     return f"{text}: e is {least}–1, and any other loss lowers it"
 
 
+def _by_dmt(answer: Answer) -> str:
+    """Return what DMT's law, which needs no modulus, gives for inferred values."""
+    found = answer.by_law.get("dmt", {})
+    texts = [
+        f"{symbol_among(name, answer.inputs)} = {span(name, *2 * (middle(value),))}" for name, value in found.items()
+    ]
+    return f"; by DMT's, for hard spheres, {', '.join(texts)}" if texts else ""
+
+
 def _law_only(answer: Answer) -> str:
     if answer.frame.missing(["tabor_parameter"]):
-        return "which law holds needs Young's modulus and Poisson's ratio"
+        return f"which law holds needs Young's modulus and Poisson's ratio{_by_dmt(answer)}"
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
