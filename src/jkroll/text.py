@@ -222,14 +222,14 @@ def _is_blank(letter: str) -> bool:
     return category(letter) == "Zs"
 
 
-def listed(texts: Iterable[str]) -> str:
-    """Return texts as an enumeration.
+def listed(texts: Iterable[str], word: str = "and") -> str:
+    """Return texts as an enumeration, with a word before the last one.
 
-    >>> listed(["a"]), listed(["a", "b"]), listed(["a", "b", "c"])
-    ('a', 'a and b', 'a, b and c')
+    >>> listed(["a"]), listed(["a", "b"]), listed(["a", "b", "c"], "or")
+    ('a', 'a and b', 'a, b or c')
     """
     *others, last = texts
-    return f"{', '.join(others)} and {last}" if others else last
+    return f"{', '.join(others)} {word} {last}" if others else last
 
 
 def first_of(texts: Sequence[str], most: int = 3) -> str:

@@ -299,21 +299,30 @@ def run_export(call: Call) -> int:
     frame = next(call.sweep.frames())
     if (model := frame.law.name) not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
-    sys.stdout.write(program.text(frame))
     if call.quiet:
+        sys.stdout.write(program.text(frame))
         return 0
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Report(Question(names, names), frame)
+    ranges = [f"the numbers are those of {frame.law.short}; compare them with their best ranges before you run it:"]
+    ranges += [note.text for note in answer.notes_on_ranges()]
     notes = [*(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
-    notes += [note.line for note in answer.notes_on_ranges()]
     if program.about:
-        for line in (*(f"note: {text}" for text in program.about(frame)), *notes):
+        sys.stdout.write(program.text(frame))
+        for line in (*ranges, *(f"note: {text}" for text in program.about(frame)), *notes):
             say_wrapped(line, sys.stderr)
-    else:
-        for line in notes:
-            say("\n".join(f"# {text}" for text in wrapped(ascii_text(line), WIDTH_OF_EXPORT, 2)), sys.stdout)
+        return 0
+    _write_comments(ranges)
+    sys.stdout.write(program.text(frame))
+    _write_comments(notes)
     return 0
+
+
+def _write_comments(lines: Iterable[str]) -> None:
+    """Write lines as comments of the input of a program."""
+    for line in lines:
+        say("\n".join(f"# {text}" for text in wrapped(ascii_text(line), WIDTH_OF_EXPORT, 2)), sys.stdout)
 
 
 def run_infer(call: Call) -> int:

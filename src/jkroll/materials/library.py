@@ -13,7 +13,7 @@ from ..errors import BadRequest
 from ..physics.elementary import cbrt, smaller_and_larger, sqrt
 from ..quantities.nomenclature import PROPERTIES, XI, named, read_only
 from ..quantities.values import Interval, QuantityError, Uncertain, ends_of, is_uncertain, middle, value_of
-from ..text import closest, quoted, shown
+from ..text import closest, listed, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
 MAX_NAME = 60
@@ -336,6 +336,7 @@ class Materials:
         if len(several := meanings or states) > 1:
             raise _unclear(word, several)
         if guess := states[0].name if states else closest(key, [*self.materials, *self.aliases]):
+            guess = listed([material.name for material in self._meanings[guess.casefold()]], "or")
             remedy = f"; did you mean {guess}? jkroll materials lists all"
         else:
             remedy = (
@@ -385,8 +386,7 @@ def _unclear(word: str, materials: Sequence[Material]) -> UnclearMaterial:
         known = [amount("surface_energy", energy)] if energy is not None else []
         about = ", ".join(filter(None, [*known, material.state or (material.title if has_sets else "")]))
         choices.append(f"{material.name} ({about})" if about else material.name)
-    choice = f"{', '.join(choices[:-1])} or {choices[-1]}"
-    return UnclearMaterial(f"material {name} is one of several; write {choice}", "unclear material")
+    return UnclearMaterial(f"material {name} is one of several; write {listed(choices, 'or')}", "unclear material")
 
 
 @cache

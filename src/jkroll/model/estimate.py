@@ -47,7 +47,9 @@ WORDS = (
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
-_LOSSES = frozenset({"restitution", "sticking_speed"})  # measured quantities that every loss of a collision moves one way
+_LOSSES = frozenset(
+    {"restitution", "sticking_speed"}
+)  # measured quantities that every loss of a collision moves one way
 _LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")  # inputs that move them so as they grow
 _SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
 _PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
@@ -170,9 +172,9 @@ class Ranges:
         if not is_energy and "sticking_speed" in self.names:
             speeds = self.estimate("sticking_speed")
             yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED
-        yield self._is_smooth, nan, own[1] if is_energy else nan, ADHESION_ONLY
+        yield self._is_smooth, *((nan, own[1]) if is_energy else (0.0, 1.0)), ADHESION_ONLY
         if not is_energy and VISCOUS_TIME not in self.frame.stated:
-            yield self._is_hard, nan, self.hull(name, _itself, *_BETTER)[1], ADHESION_ONLY
+            yield self._is_hard, 0.0, self.hull(name, _itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules of a rolling quantity with an assumed ξ: by what was measured, or between its ends."""

@@ -59,6 +59,11 @@ class Limit:
         return size if self.sign.startswith(">") else -size
 
     @property
+    def needs_threshold(self) -> bool:
+        """True if the first threshold is another number than its symbol says, as 1 of a ratio is."""
+        return self.factor is None and self.threshold not in (0.0, 1.0)
+
+    @property
     def bits(self) -> int:
         """All codes as bits."""
         return sum(BITS[code] for code in self.codes.values())
@@ -104,7 +109,8 @@ class Doubt:
         if self.limit.ends_meaning and self.limit.name in self.limit.touches:  # the number has no meaning
             return self.limit.consequence
         number = amount(self.limit.name, self.value, Format(digits=3))
-        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number})"
+        least = f", limit {self.limit.threshold:g}" if self.limit.needs_threshold else ""
+        return f"{self.limit.consequence} ({NOMENCLATURE[self.limit.name].symbol} = {number}{least})"
 
     @cached_property
     def is_beyond(self) -> Any:

@@ -15,9 +15,9 @@ from ..model.limits import (
     CONTACT_EXCEEDS_SPHERE,
     LAW,
     LAW_MATTERS,
-    ROUGH_MATTERS,
     Doubt,
     Limit,
+    may_be_rough,
     touched,
 )
 from ..model.other_law import factor_of_law, has_other_formulas
@@ -296,7 +296,8 @@ class Answer(Results):
     @property
     def shows_surfaces(self) -> bool:
         """True if a table has rows of what was measured on other surfaces: the pull-off force is the question."""
-        return self.question.headline == ("pull_off_force",) and self.is_in_doubt(ROUGH_MATTERS)
+        is_asked = self.question.headline == ("pull_off_force",) and "pull_off_force" in self.values
+        return is_asked and not self.frame.stated_model and bool(may_be_rough(self.frame))
 
     @cached_property
     def failure(self) -> JkrollError | None:

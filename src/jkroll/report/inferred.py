@@ -1,6 +1,7 @@
 """Inferred values: by each law, beside those of the library, and the sentences on them."""
 
 from collections.abc import Iterator, Mapping
+from math import log
 
 from ..model.estimate import BETTER_LAW, LAW_ONLY
 from ..model.frame import Frame
@@ -61,7 +62,9 @@ def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
 def _about_library(answer: Answer) -> Iterator[Note]:
     """Iterate over notes where an inferred property of solids is far from that of the materials."""
     for name, usual in library_values(answer.described).items():
-        factor, (far, question) = answer.values[name] / middle(usual), _FAR.get(name, (INFINITY, ""))
+        ends = answer.ranges.by_better_law(name) if BETWEEN in laws_of(answer) else (answer.values[name],)
+        factor = min((end / middle(usual) for end in ends), key=lambda factor: abs(log(factor)))
+        far, question = _FAR.get(name, (INFINITY, ""))
         if not 1 / far <= factor <= far:
             times = f"{significant(factor, 2)} times" if factor > 1 else f"1/{significant(1 / factor, 2)} of"
             whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"

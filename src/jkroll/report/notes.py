@@ -110,7 +110,7 @@ def about_data(frame: Frame, inputs: Collection[str]) -> Iterator[Note]:
         radii = material.note_radii.get(of_solid)
         is_used = name in inputs and of_solid in material.notes
         if is_used and (radii is None or _has_radius_in(radii, frame, NOMENCLATURE[name].sphere)):
-            severity: Severity = "caveat" if of_solid in material.origins else "more"  # what speaks against a value
+            severity: Severity = "caveat" if of_solid in material.origins else "remark"  # what speaks against a value
             sizes = f" (R = {amount('radius', radii)})" if radii is not None else ""
             yield Note(severity, f"{symbol_among(of_solid, ())} of {material.name}{sizes}: {material.notes[of_solid]}")
 

@@ -13,9 +13,11 @@ class Question:
         headline: tuple[str, ...],  # those that the command is named after; --bare writes them alone
         quantities: tuple[str, ...],  # all that are shown, in this order
         named: tuple[str, ...] = (),  # asked for by name: shown for any frame
-        without_row: tuple[str, ...] = (),  # left to programs by the table of an answer, which has P_DMT as a column
+        without_row: tuple[str, ...] = (),  # left to programs by the table of an answer
+        lead: str = "",  # the sentence that answers, with names of quantities in braces for their best ranges
     ) -> None:
         self.headline, self.quantities, self.named, self.without_row = headline, quantities, named, without_row
+        self.lead = lead
 
     @property
     def with_row(self) -> list[str]:
@@ -23,41 +25,56 @@ class Question:
         return [name for name in self.quantities if name in self.named or name not in self.without_row]
 
 
-def _question(headline: str, quantities: str = "", without_row: tuple[str, ...] = ()) -> Question:
+def _question(headline: str, quantities: str = "", without_row: str = "", lead: str = "") -> Question:
     """Return the question of a command from the names of quantities, with blanks between them."""
-    return Question((*headline.split(),), (*(quantities or headline).split(),), without_row=without_row)
+    every = (*(quantities or headline).split(),)
+    return Question((*headline.split(),), every, without_row=(*without_row.split(),), lead=lead)
 
 
 _QUESTIONS = {
     "pull-off": _question(
         "pull_off_force",
         "pull_off_force pull_off_force_dmt pull_off_force_lennard_jones pull_off_force_rough",
-        without_row=("pull_off_force_dmt",),
+        without_row="pull_off_force_dmt",
     ),
     "yield-force": _question(
         "yield_force",
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
+        lead="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min"),
-    "n-grav": _question("n_grav", "n_grav gravity_moment bond_number"),
+    "r-min": _question("r_min", lead="a chain bends without rolling down to a radius of {r_min}"),
+    "n-grav": _question(
+        "n_grav",
+        "n_grav gravity_moment bond_number",
+        lead="held at one end, {n_grav} spheres stay level; of more, the first contact rolls",
+    ),
     "frequencies": _question(
         "vertical_frequency rolling_frequency",
         "vertical_frequency rolling_frequency rolling_frequency_as_printed rolling_frequency_no_slip "
         "sliding_frequency twisting_frequency rayleigh_time",
-        without_row=("rolling_frequency_as_printed",),
+        without_row="rolling_frequency_as_printed",
+        lead="free to move, they vibrate with {vertical_frequency} along their centres, {rolling_frequency} in rolling",
     ),
-    "n-roll": _question("n_roll", "n_roll_after_impact n_roll n_roll_energy_balance"),
+    "n-roll": _question(
+        "n_roll",
+        "n_roll_after_impact n_roll n_roll_energy_balance",
+        lead="it rolls {n_roll_energy_balance} of a turn if it begins without sliding, {n_roll} if it slides first",
+    ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
         "contact_radius approach load contact_radius_at_load approach_at_load load_ratio contact_radius_ratio "
         "approach_ratio stiffness hertz_pressure boussinesq_pressure well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
-        without_row=("load_ratio", "contact_radius_ratio", "approach_ratio"),
+        # energies, which are of contacts without load, are the question of `energies`
+        without_row="load_ratio contact_radius_ratio approach_ratio well_energy pull_off_work "
+        "pull_off_work_at_dead_load sticking_energy",
     ),
     "moment": _question(
         "yield_moment",
         "yield_moment yield_displacement unloaded_moment half_circles_moment fixed_approach_moment rolling_stiffness "
         "mean_rolling_moment mean_rolling_force",
+        without_row="half_circles_moment fixed_approach_moment",  # approximations of the first
+        lead="the moment rises to {yield_moment}, where rolling starts; while it rolls its mean is half of that",
     ),
 }
 # What contradicts a headline, in the report, too; Eq (41) as printed does so in `frequencies` alone.
@@ -76,6 +93,8 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
+        lead="colliding, they stick up to {sticking_speed}; parting takes {pull_off_work_at_dead_load} at a given "
+        "force, {pull_off_work} at a given distance; a quarter turn takes {roll_energy_quarter_turn}",
     ),
     "impact": _question("restitution", "restitution sticking_speed viscosity_number lost_energy"),
     "resistances": _question(
@@ -89,6 +108,8 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
+        lead="two equal aggregates restructure from {restructuring_speed} on (5E_roll, D&T 97), from "
+        "{restructuring_speed_ormel} by E_roll (Ormel 07); they break up at about {disruption_speed}",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

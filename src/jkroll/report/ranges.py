@@ -11,6 +11,7 @@ from ..model.estimate import (
     LAW_IN_USE,
     LAW_ONLY,
     MEASURED,
+    NONE,
     SCALED,
     WORDS,
     XI_UNKNOWN,
@@ -90,7 +91,7 @@ _WORDS: Mapping[int, str] = {
     XI_UNKNOWN: "nothing was measured: low is ξ = 2 Å (one atom), high all of the work of adhesion lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
-    LAW_ONLY: "no other law here has it; it is the most where Maugis' contact is smaller",
+    LAW_ONLY: "no other law here has it; an upper bound where it grows with the contact, smaller by Maugis' law",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
     BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
     LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
@@ -107,7 +108,7 @@ def _better_law(answer: Answer) -> str:
     tabor = f"Tabor parameter {from_to(parameter, 2 * parameter)}"
     law = f"{frame.law.short} is more than 5 % off at this size and stiffness ({tabor})"
     text = f"{law}; z0 = {_angstroms(spacing / 2, spacing)} (--z0){_with_bars(answer)}"
-    is_told = answer.is_in_doubt(ROUGH_MATTERS)  # with numbers
+    is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.shows_surfaces  # with numbers
     return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and may_be_rough(frame) and not is_told else text
 
 
@@ -120,8 +121,9 @@ def _angstroms(low: float, high: float) -> str:
 
 
 def _bounds(answer: Answer) -> str:
-    limits = "JKR's holds for soft spheres, DMT's for hard ones; Young's modulus and Poisson's ratio tell which"
-    return f"{limits}{_with_bars(answer)}. It is {_SMOOTH_AND_DRY}"
+    limits = "JKR's holds for soft spheres, DMT's for hard ones; give --young and --poisson to narrow it"
+    text = f"{limits}{_with_bars(answer)}"
+    return text if answer.shows_surfaces else f"{text}. It is {_SMOOTH_AND_DRY}"
 
 
 def _measured(answer: Answer) -> str:
@@ -143,7 +145,7 @@ def _scaled(answer: Answer) -> str:
     what = f"ξ of {solid} was {span(rolled.name, rolled.low, rolled.high)}"
     if rolled.name != XI:
         what = f"{span(rolled.name, rolled.low, rolled.high)} rolled {solid}"
-    whatever = ", whatever γ is" if answer.described.uncertainties else ""
+    whatever = "; your error bars do not enter a measured force" if answer.described.uncertainties else ""
     if abs(radius / rolled.radius - 1) < _ALIKE:
         return f"{what} of {at}{whatever}"
     low, high = ("R", "R^(2/3)") if radius < rolled.radius else ("R^(2/3)", "R")
@@ -173,12 +175,16 @@ def _ceiling(answer: Answer) -> str:
     found = answer.estimates.get("yield_force")
     if found is None or not found.high > ceiling[1]:
         return ""
-    return f". Adhesion alone explains up to {span('yield_force', ceiling[1], ceiling[1])}"
+    most = span("yield_force", ceiling[1], ceiling[1])
+    return f". Losing all of the work of adhesion makes {most}; above it another loss supplies the rest"
 
 
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
-        return "this end is at ξ = 2 Å, one atom; how large ξ can be needs γ, Young's modulus and Poisson's ratio"
+        return (
+            "this end is at ξ = 2 Å, one atom; how large ξ can be needs γ, Young's modulus and Poisson's ratio: "
+            "name a material"
+        )
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
     most = answer.ranges.at_full_hysteresis(XI)[1]
     at_most = "" if isnan(most) else f" at ξ = {span(XI, most, most)},"
@@ -198,19 +204,19 @@ def _of_measured_solid(answer: Answer) -> str:
         return f". {solid} rolled at {at}, which is too far from {here}"
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
-    return f". {solid} of another γ ({energies}) rolled at {forces} (scaled)"
+    return f". Measured was {solid} of γ = {energies}: {forces} (scaled); at this γ nothing was"
 
 
 def _adhesion_only(answer: Answer) -> str:
     if answer.described.unknowns:
         return "it is an upper limit: other losses of the collision are taken for it"
     if answer.frame.numbers("tabor_parameter").get("tabor_parameter", INFINITY) * 2 >= JUMP:
-        return "adhesion alone leaves at most this; any other loss lowers it"
+        return "adhesion alone leaves the higher end; any other loss lowers it"
     text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
     if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
         return text
     least = significant(answer.values["restitution"], 2)
-    return f"{text}: e is {least}–1, and any other loss lowers it"
+    return f"{text}: e is {least}–1, and lower by any other loss"
 
 
 def _by_dmt(answer: Answer) -> str:
@@ -228,7 +234,7 @@ def _law_only(answer: Answer) -> str:
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
-    less = f"; it is the most where it grows with the contact: Maugis' has {significant(ratio, 2)} of the area"
+    less = f"; an upper bound where it grows with the contact, of which Maugis' law has {significant(ratio, 2)}"
     return f"no other law here has it{less if ratio * LAW_MATTERS < 1 else ''}"
 
 
@@ -252,8 +258,20 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact:
         yield Note("lead", _stick_or_bounce(answer))
+    if answer.question.lead and (lead := _filled(answer)):
+        yield Note("lead", lead)
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
         yield Note("lead", _law_that_holds(answer))
+
+
+def _filled(answer: Answer) -> str:
+    """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
+    found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
+    try:
+        text = answer.question.lead.format_map({name: range_in_words(name, each) for name, each in found.items()})
+    except KeyError:
+        return ""
+    return text.replace("≤", "at most").replace("≥", "at least")
 
 
 def _first_to_give_way(answer: Answer) -> str:

@@ -37,7 +37,8 @@ if TYPE_CHECKING:
     Value = float | str | Uncertain | None  # of a cell: a word as it is, and None where there is no value
 
 
-_LEAST, _MOST = 0.25, 2000  # numbers that stand in the unit of the rows above them
+# A row has the unit of the rows above it if its least number is between the first two, and its largest below the last.
+_LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # relative width of a range that is a number
 _NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _BEST_RANGE = "best range"
@@ -139,6 +140,8 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
     law = answer.frame.law.short
     physics, conventions = _rows(answer, form)
     surfaces = _on_surfaces(answer.values["pull_off_force"], form) if answer.shows_surfaces else []
+    if surfaces:
+        physics["pull_off_force"][0] += ", ideal smooth"
     if physics:
         columns = _of_results([*physics.values(), *surfaces], law)
         yield columns
@@ -146,7 +149,8 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
             yield from answer.lines_on_ranges(physics)
     if surfaces:
         parts = ", ".join(f"{part_of_jkr(surface)} {surface}" for surface in SURFACES)
-        yield f"measured: parts of JKR's force ({parts}); take the row that is yours"
+        text = f"parts of JKR's force on µm spheres ({parts}; humid air, up to twice)"
+        yield f"measured: {text}; take the row that is yours"
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
@@ -183,7 +187,7 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
         shown.add((result.value, quantity.unit))
         estimate = answer.estimates.get(name)
         sizes, unit = _sizes(result.measure, estimate), units.get(quantity.unit)
-        if not unit or not all(_LEAST <= convert(size, unit[1]) < _MOST for size in sizes):
+        if not unit or not _LEAST <= convert(sizes[0], unit[1]) < _MOST or convert(sizes[-1], unit[1]) > _LARGEST:
             unit = form.common_unit(name, sizes[-1:])
         units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
@@ -230,6 +234,8 @@ def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) ->
         return ["–", "–"]
     low, high = (end if isnan(end) else convert(end, unit[1]) for end in estimate[:2])
     digits = form.digits or 2
+    if estimate.by == LAW_ONLY and form.digits is None:  # not known to all the digits of the law
+        return [f"≈ {from_to(low, high, digits)}", WORDS[LAW_ONLY]]
     is_narrow = form.digits is None and abs(high - low) < _NARROW * abs(high)
     if abs(high - low) <= _SAME * abs(high):
         text = significant(low, form.digits or RESULT_DIGITS, zeros=form.digits is None and low != 0)
