@@ -299,8 +299,9 @@ def run_export(call: Call) -> int:
     frame = next(call.sweep.frames())
     if (model := frame.law.name) not in program.models:
         raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
+    text = program.text(frame)
     if call.quiet:
-        sys.stdout.write(program.text(frame))
+        sys.stdout.write(text)
         return 0
     lacking = frame.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
@@ -309,12 +310,12 @@ def run_export(call: Call) -> int:
     ranges += [note.text for note in answer.notes_on_ranges()]
     notes = [*(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
     if program.about:
-        sys.stdout.write(program.text(frame))
+        sys.stdout.write(text)
         for line in (*ranges, *(f"note: {text}" for text in program.about(frame)), *notes):
             say_wrapped(line, sys.stderr)
         return 0
     _write_comments(ranges)
-    sys.stdout.write(program.text(frame))
+    sys.stdout.write(text)
     _write_comments(notes)
     return 0
 
