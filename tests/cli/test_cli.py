@@ -24,7 +24,7 @@ from relative import approx
 
 # --- Messages, whole ------------------------------------------------------------------------------------------------
 
-GOLD = "gold has none in Table 1; give, for example, --young 10GPa --poisson 0.3"
+GOLD = "gold has none in Table 1 of D&T; give, for example, --young 10GPa --poisson 0.3"
 OR_OF_THE_PAIR = "; --work-of-adhesion 50mJ/m2 may replace --gamma"
 GIVE = f"give --gamma 25mJ/m2 and a radius such as 100nm{OR_OF_THE_PAIR}"
 REFUSED = {
@@ -260,7 +260,7 @@ def test_explain_names_formula_steps_and_value(run: Run) -> None:
     for piece in (
         "n = W0/(7π⟨M⟩) = W0/(14π P_c â^(3/2) ξ)",
         "R1 = 100 nm",
-        "(quartz, Table 1)",
+        "(quartz, Table 1 of D&T)",
         "(assumed)",
         "result    n_roll = 0.0120702",
         "accuracy",
@@ -361,7 +361,7 @@ def test_materials_in_every_format(run: Run) -> None:
     assert [one["name"] for one in data[:5]] == ["polystyrene", "quartz", "graphite", "gold", "iron"]
     assert data[3]["youngs_modulus"] is None
     assert json.loads(run("materials FE --json").out)["density"] == 7700.0
-    assert run("materials gold,iron --csv").out.splitlines()[1] == "gold,0.79,,,19300.0,,crc-handbook,Table 1"
+    assert run("materials gold,iron --csv").out.splitlines()[1] == "gold,0.79,,,19300.0,,crc-handbook,Table 1 of D&T"
     assert run("materials gold").out.splitlines()[1] == "surface_energy 0.79 J/m^2"
     assert run("materials quartz --cite").out.startswith("@article{kendall-1987,")
 

@@ -80,7 +80,7 @@ def test_option_environment_and_configuration_add_up(run: Run, tmp_path: Path, m
 
 def test_the_file_of_a_call_overrides_and_says_so(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     mine = write(tmp_path / "mine.toml", ICE.replace("[materials.ice]", "[materials.Quartz]").replace("H2O", "gold"))
-    text = [f"{mine} overrides {word} of Table 1" for word in ("gold", "Quartz")]
+    text = [f"{mine} overrides {word} of Table 1 of D&T" for word in ("gold", "Quartz")]
     said = "".join(f"note: {one}\n" for one in text)
     Path("grains.csv").write_text("material,radius [um]\nquartz,1\n", encoding="utf-8")
     for line in (
@@ -146,7 +146,7 @@ def test_a_name_that_is_shipped_and_in_the_environment_is_refused_where_it_is_us
     path = write(tmp_path / "own.toml", "[materials.quartz]\naliases = ['mine']\ndensity = '1 g/cm3'\n")
     monkeypatch.setenv("JKROLL_MATERIALS", str(path))
     assert run("materials --csv") == listed
-    problem = f"material 'quartz' is shipped (Table 1) and also in {path}; rename it, or pass --materials {path}"
+    problem = f"material 'quartz' is shipped (Table 1 of D&T) and also in {path}; rename it, or pass --materials {path}"
     assert run("materials quartz") == (2, "", f"jkroll: {problem}\n")
 
 
@@ -359,7 +359,7 @@ def test_a_material_made_by_hand_has_properties_as_solve_takes_them() -> None:
 
 # A material without γ says what has one near it, or what was measured instead.
 NEAR = re.compile(r"[1-9][0-9.]* mJ/m2").search
-SECOND = [material for material in Materials().materials.values() if material.title != "Table 1"]
+SECOND = [material for material in Materials().materials.values() if material.title != "Table 1 of D&T"]
 
 
 # --- A yield displacement of a material's own -------------------------------------------------------------------------
@@ -520,7 +520,7 @@ def test_what_is_wrong_with_a_displacement(run: Run, tmp_path: Path, text: str, 
 
 
 def test_the_sets() -> None:
-    first = [material.name for material in Materials().materials.values() if material.title == "Table 1"]
+    first = [material.name for material in Materials().materials.values() if material.title == "Table 1 of D&T"]
     assert first == ["polystyrene", "quartz", "graphite", "gold", "iron"]
     sets = {material.title for material in SECOND}
     assert sets == {"minerals and glasses", "polymers and organics", "metals", "ices"}
@@ -557,7 +557,7 @@ def test_the_error_of_warm_ice_is_that_of_the_two_forces() -> None:
 
 def test_a_name_of_several_materials_is_refused_with_their_values(run: Run, tmp_path: Path) -> None:
     of_silica = (
-        "quartz (25 mJ/m², Table 1), silica-dry (200 mJ/m², amorphous, dry or in vacuum: water desorbed) or "
+        "quartz (25 mJ/m², Table 1 of D&T), silica-dry (200 mJ/m², amorphous, dry or in vacuum: water desorbed) or "
         "silica-humid (22.5 mJ/m², amorphous, in humid air: water adsorbed)"
     )
     for word in ("SiO2", "silica", "SILICA"):
@@ -598,14 +598,16 @@ def test_the_list_is_a_screen_of_sets_with_the_states(run: Run) -> None:
     lines = out.splitlines()
     assert max(map(len, lines)) <= 80
     assert len(lines) <= 56
-    places = [out.index(f"\n{title}") for title in ("Table 1", "minerals and glasses", "polymers", "metals", "ices")]
+    places = [
+        out.index(f"\n{title}") for title in ("Table 1 of D&T", "minerals and glasses", "polymers", "metals", "ices")
+    ]
     assert places == sorted(places)
     assert re.search(r"ice-warm +190 ± 69 +water ice above about 200 K\s", out)
     assert re.search(r"with --gamma +– +glass-borosilicate, alumina, calcite,\s", out)
     listed = {material.name for material in Materials().materials.values() if "surface_energy" in material.properties}
     assert {*re.findall(r"^  (\S+) ", out, re.MULTILINE)} == {*listed, "with"}
     rows = {row["material"]: row for row in csv.DictReader(io.StringIO(run("materials --csv").out))}
-    assert (rows["quartz"]["source"], rows["quartz"]["state"]) == ("Table 1", "")
+    assert (rows["quartz"]["source"], rows["quartz"]["state"]) == ("Table 1 of D&T", "")
     assert rows["ice-warm"]["source"] == "ices"
 
 

@@ -287,5 +287,5 @@ def test_only_what_is_needed_is_asked_for() -> None:
         ["pull_off_force", "yield_force", "r_min", "n_grav", "rolling_frequency"], material="gold", radius=1e-7
     )
     assert solve("n_roll", material="gold", radius=1e-7, energy=1e-18) > 0
-    with pytest.raises(MissingInput, match="gold has none in Table 1"):
+    with pytest.raises(MissingInput, match="gold has none in Table 1 of D&T"):
         solve("n_roll", material="gold", radius=1e-7)

@@ -113,7 +113,7 @@ def test_materials_are_where_table_1_has_them() -> None:
     assert marks == {
         name: material.properties["surface_energy"]
         for name, material in known_materials().materials.items()
-        if material.title == "Table 1"
+        if material.title == "Table 1 of D&T"
     }
     ratios = {mark.text: mark.x for mark in panel_of("8").marks}
     assert "gold" not in ratios  # it has no Young's modulus

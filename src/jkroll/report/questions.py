@@ -42,7 +42,7 @@ _QUESTIONS = {
         "yield_force yield_force_fixed_load yield_force_ratio yield_moment yield_angle yield_displacement",
         lead="pushed at its centre, a sphere starts to roll at {yield_force}",
     ),
-    "r-min": _question("r_min", lead="a chain bends without rolling down to a radius of {r_min}"),
+    "r-min": _question("r_min", lead="before a contact rolls, a chain bends to a radius of {r_min}"),
     "n-grav": _question(
         "n_grav",
         "n_grav gravity_moment bond_number",
@@ -93,8 +93,7 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
-        lead="colliding, they stick up to {sticking_speed}; parting takes {pull_off_work_at_dead_load} at a given "
-        "force, {pull_off_work} at a given distance; a quarter turn takes {roll_energy_quarter_turn}",
+        lead="colliding, they stick up to {sticking_speed}; a quarter turn takes {roll_energy_quarter_turn}",
     ),
     "impact": _question("restitution", "restitution sticking_speed viscosity_number lost_energy"),
     "resistances": _question(
@@ -109,7 +108,7 @@ QUESTIONS: Mapping[str, Question] = {
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
         lead="two equal aggregates restructure from {restructuring_speed} on (5E_roll, D&T 97), from "
-        "{restructuring_speed_ormel} by E_roll (Ormel 07); they break up at about {disruption_speed}",
+        "{restructuring_speed_ormel} by E_roll (Ormel 07); they break up at {disruption_speed} (Wada 07)",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

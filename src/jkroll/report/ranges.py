@@ -91,7 +91,7 @@ _WORDS: Mapping[int, str] = {
     XI_UNKNOWN: "nothing was measured: low is ξ = 2 Å (one atom), high all of the work of adhesion lost; give --xi",
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
-    LAW_ONLY: "no other law here has it; an upper bound where it grows with the contact, smaller by Maugis' law",
+    LAW_ONLY: "no other law here has it; what grows with the contact is less where Maugis' law has a smaller one",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
     BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
     LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
@@ -176,7 +176,7 @@ def _ceiling(answer: Answer) -> str:
     if found is None or not found.high > ceiling[1]:
         return ""
     most = span("yield_force", ceiling[1], ceiling[1])
-    return f". Losing all of the work of adhesion makes {most}; above it another loss supplies the rest"
+    return f". Adhesion alone explains at most {most}, where all of its work is lost; plastic loss could add to it"
 
 
 def _xi_unknown(answer: Answer) -> str:
@@ -204,7 +204,7 @@ def _of_measured_solid(answer: Answer) -> str:
         return f". {solid} rolled at {at}, which is too far from {here}"
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
-    return f". Measured was {solid} of γ = {energies}: {forces} (scaled); at this γ nothing was"
+    return f". No force was measured at this γ; {solid} of {energies} rolled at {forces} (scaled)"
 
 
 def _adhesion_only(answer: Answer) -> str:
@@ -216,7 +216,7 @@ def _adhesion_only(answer: Answer) -> str:
     if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
         return text
     least = significant(answer.values["restitution"], 2)
-    return f"{text}: e is {least}–1, and lower by any other loss"
+    return f"{text}: it alone leaves e = {least}–1; any other loss lowers it, and e is 0 if they stick"
 
 
 def _by_dmt(answer: Answer) -> str:
@@ -234,7 +234,7 @@ def _law_only(answer: Answer) -> str:
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
-    less = f"; an upper bound where it grows with the contact, of which Maugis' law has {significant(ratio, 2)}"
+    less = f"; what grows with the contact is less: Maugis' law has {significant(ratio, 2)} of its area"
     return f"no other law here has it{less if ratio * LAW_MATTERS < 1 else ''}"
 
 

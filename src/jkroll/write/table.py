@@ -139,7 +139,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         return
     law = answer.frame.law.short
     physics, conventions = _rows(answer, form)
-    surfaces = _on_surfaces(answer.values["pull_off_force"], form) if answer.shows_surfaces else []
+    surfaces = _on_surfaces(answer, form) if answer.shows_surfaces else []
     if surfaces:
         physics["pull_off_force"][0] += ", ideal smooth"
     if physics:
@@ -202,11 +202,12 @@ def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> 
     return sorted(map(abs, ends or [middle(measure or 0.0)]))
 
 
-def _on_surfaces(force: float, form: Format) -> list[list[str]]:
-    """Return the rows of what was measured on surfaces, of a pull-off force by JKR."""
+def _on_surfaces(answer: "Report", form: Format) -> list[list[str]]:
+    """Return the rows of what was measured on surfaces, in parts of the pull-off force of the law in use."""
+    (low, high), *_ = answer.ranges.of_laws("pull_off_force", LAW_IN_USE)
     rows = []
     for surface, (most, least) in SURFACES.items():
-        ends = force / most, force / least
+        ends = low / most, high / least
         unit = form.common_unit("pull_off_force", ends[1:])
         row = [surface, "P_c", *_range(Estimate(*ends, MEASURED), unit, form)]
         rows.append([*row, "–", "–", unit[0]])
