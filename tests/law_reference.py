@@ -223,6 +223,8 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
 # The parameters whose condition a formula states besides its number of ulp.
 CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "contact_radius_dmt": ("load",),
+    "yield_speed": ("first_yield_pressure", "touch_pressure"),
+    "plastic_speed": ("plastic_pressure", "touch_pressure"),
     "sticking_speed_viscous": ("viscosity_number",),
     "edge_ratio_at_load": ("load", "transition_parameter"),
     "edge_ratio_at_approach": ("approach_at_load", "transition_parameter"),

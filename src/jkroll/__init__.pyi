@@ -96,6 +96,15 @@ from .physics.dmt import load_dmt as load_dmt
 from .physics.dmt import stiffness_dmt as stiffness_dmt
 from .physics.dmt import unloaded_approach_dmt as unloaded_approach_dmt
 from .physics.dmt import unloaded_radius_dmt as unloaded_radius_dmt
+from .physics.impact import first_yield_pressure as first_yield_pressure
+from .physics.impact import impact_over_yield as impact_over_yield
+from .physics.impact import impact_pressure as impact_pressure
+from .physics.impact import impact_pressure_over_modulus as impact_pressure_over_modulus
+from .physics.impact import plastic_pressure as plastic_pressure
+from .physics.impact import plastic_speed as plastic_speed
+from .physics.impact import speed_over_sound as speed_over_sound
+from .physics.impact import touch_pressure as touch_pressure
+from .physics.impact import yield_speed as yield_speed
 from .physics.jkr import adhesion_energy as adhesion_energy
 from .physics.jkr import approach_at_fold as approach_at_fold
 from .physics.jkr import approach_at_pull_off as approach_at_pull_off

@@ -18,7 +18,7 @@ import pytest
 import law_reference
 from jkroll import NOMENCLATURE, physics, solve
 from jkroll.model.plan import formula_of, parameters_of
-from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, shifted
+from jkroll.physics import any_law, cylinder, dmt, dugdale, impact, maugis, shifted
 from jkroll.physics.accuracy import accuracy_of
 from jkroll.physics.motion import FITTED_UP_TO
 from jkroll.report.questions import QUESTIONS
@@ -103,6 +103,7 @@ RESULTS = [
 # Of a speed, of an angle and of aggregates and chains, which no hard scene has.
 NEVER_HARD = (
     "speed_over_sticking",
+    *(name for name, formula in physics.FORMULAS.items() if formula.__module__ == impact.__name__),
     "kinetic_energy",
     "restitution",
     "lost_energy",
@@ -178,6 +179,7 @@ def _values(random: Random, scene: Frame) -> Iterator[tuple[str, Any]]:
         ("speed", 1e-9, 1e6),
         ("atomic_spacing", 1e-11, 1e-8),
         ("shear_strength", 1e3, 1e12),
+        ("impact_pressure", 1e3, 1e12),
         ("contacts", 1, 1e12),
     ):
         yield name, log_uniform(random, low, high)
@@ -323,6 +325,8 @@ OUTSIDE: Mapping[str, Callable[[Frame], bool]] = {
     "rolling_resistance_coefficient": lambda values: values["load"] <= 0,
     "peeling_force": lambda values: values["load_margin"] < 0,
     "peeling_radius": lambda values: values["load_margin"] < 0,
+    "yield_speed": lambda values: values["first_yield_pressure"] <= values["touch_pressure"],
+    "plastic_speed": lambda values: values["plastic_pressure"] <= values["touch_pressure"],
     "peeling_over_sliding": lambda values: "peeling_force" not in values,
     "sliding_or_peeling_force": lambda values: "peeling_force" not in values or values["load_margin"] < 0,
     "rolling_over_sliding": lambda values: "sliding_or_peeling_force" not in values,

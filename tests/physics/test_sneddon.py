@@ -134,7 +134,7 @@ def test_small_contact_is_that_of_a_paraboloid() -> None:
 
 
 def test_wide_contact_tends_to_the_radius_of_the_sphere() -> None:
-    """Near a = R: with y = R − a, L = ½ ln(2R/y), δ_H = RL, δ_H′ = R/(2y) and P_H = E*R²(2L − 1) to first order in y."""
+    """Near a = R: with y = R − a, L = ½ ln(2R/y), δ_H = RL, δ_H′ = R/(2y), P_H = E*R²(2L − 1) to first order."""
     for y in (1e-6, 1e-9, 1e-12):
         artanh = sneddon.artanh_of_contact(1 - y, 1.0)
         y = 1 - (1 - y)  # as it is rounded

@@ -139,6 +139,7 @@ ROUGH_MATTERS = "rough-matters"
 _PUSHED = frozenset({"yield_force", "yield_force_fixed_load", "yield_force_ratio"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 _PULLED = frozenset({"pull_off_force", "bond_number"})
+_IMPACT = frozenset({"restitution", "lost_energy", "impact_pressure"})
 
 LAW_MATTERS = 1.05  # factor between the answers of two laws
 
@@ -252,6 +253,22 @@ INEXACT = (
         "head-on and free, they bounce if adhesion is the only loss; others let them stick at higher speeds",
         lambda frame, _: "speed" in frame.stated,
         is_told=False,  # e says it
+    ),
+    Limit(
+        "speed_over_sound", _IMPACT, ">", {0.1: "near-sound-speed"},
+        "too fast for a contact that is taken as static: waves in the spheres carry energy away",
+        lambda frame, _: "speed" in frame.stated,
+    ),
+    Limit(
+        "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-may-yield"},
+        "the impact presses more than even a solid without flaws bears; e is an upper bound",
+        lambda frame, _: "speed" in frame.stated,
+        where=_is_not_rubbery,
+    ),
+    Limit(
+        "impact_over_yield", _IMPACT, ">", {1.0: "impact-yields"},
+        "the impact yields below the surface; e is an upper bound",
+        lambda frame, _: {"speed", "yield_strength"} <= frame.stated.keys(),
     ),
     Limit(
         "hysteresis_ratio", frozenset({"yield_moment", "yield_force"}), ">", {1.0: "moment-unexplained"},

@@ -163,6 +163,12 @@ NO_POISSON_RATIO = Cause(
     "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign",
     code="poisson-ratio-not-positive",
 )
+YIELDS_ON_TOUCH = Cause(
+    "yields on touching",
+    "{0} is below {1}, to which adhesion alone presses a contact as it forms: it yields at every speed",
+    "first_yield_pressure",
+)
+PLASTIC_ON_TOUCH = Cause(YIELDS_ON_TOUCH.phrase, YIELDS_ON_TOUCH.words, "plastic_pressure", code="plastic-on-touching")
 NO_DOUBLE = Cause("no finite value", "no value that a double can hold")
 INFINITE = Cause("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
 NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-fold")
@@ -172,7 +178,8 @@ NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-
 _CAUSES = [
     None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, BEYOND_JKR, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
     RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
-    STICKS_ALWAYS, NO_POISSON_RATIO, NO_DOUBLE, INFINITE, NO_STIFFNESS, OF_ANOTHER_PAIR,
+    STICKS_ALWAYS, NO_POISSON_RATIO, YIELDS_ON_TOUCH, PLASTIC_ON_TOUCH, NO_DOUBLE, INFINITE, NO_STIFFNESS,
+    OF_ANOTHER_PAIR,
 ]  # fmt: skip
 _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
@@ -300,6 +307,8 @@ RULES: Mapping[str, Rule] = {
     "contact_radius_dmt_at_approach": (BEYOND_FOLD, lambda _: 0.0),
     "yield_displacement_at_hysteresis": (TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
     "sticking_speed_viscous": (STICKS_ALWAYS, lambda _: FITTED_UP_TO),
+    "yield_speed": (YIELDS_ON_TOUCH, lambda given: given["touch_pressure"]),
+    "plastic_speed": (PLASTIC_ON_TOUCH, lambda given: given["touch_pressure"]),
     "r_min": (NO_CHAIN, lambda given: given["radius2"] == INFINITY),
     "vertical_frequency": _NOT_HELD,
     "peeling_force": _NOT_HELD,

@@ -19,7 +19,7 @@ _OTHERS = {
     "3.5 ulp": "strip_moment viscosity_number mass yield_force shear_strength twisting_moment",
     "4 ulp": (
         "unloaded_moment_of_radius pull_off_force_rough tensile_strength adhesion_energy adhesive_force_maugis "
-        "unloaded_edge_ratio rayleigh_time twisting_stiffness"
+        "unloaded_edge_ratio rayleigh_time twisting_stiffness first_yield_pressure"
     ),
     "4 ulp of the larger term": "approach_at_load pressure load_dmt approach_maugis",
     "4 ulp, times 1 plus its condition in λ": "edge_ratio_at_fold",
@@ -35,7 +35,8 @@ _OTHERS = {
     "6 ulp, times 1 plus its condition in v, T and σ0": "stiffness_maugis",
     "6 ulp; without contact, times 1 plus its condition in the approach and λ": "zone_span_at_approach",
     "7 ulp of the largest term": "asymmetric_pressure",
-    "8 ulp": "compressive_strength pull_off_force_maugis fold_approach_maugis",
+    "3 ulp, times 1 plus its condition in the two pressures": "yield_speed plastic_speed",
+    "8 ulp": "impact_pressure compressive_strength pull_off_force_maugis fold_approach_maugis",
     "8 ulp of the larger term": "load_maugis approach_at_pull_off_maugis",
     "8 ulp of the largest term": "half_circle_pressure",
     "8 ulp, times 1 plus its condition in the load and λ": "edge_ratio_at_load",

@@ -100,6 +100,9 @@ _OUTSIDE_JKR: Routes = {
     "fixed_approach_moment": None,
     "displacement_limit": None,
     "viscosity_number": None,
+    "impact_pressure": None,
+    "yield_speed": None,
+    "plastic_speed": None,
     "sliding_force": None,  # over the contact or over the zone of attraction: a factor of 6 for quartz of 100 nm
     "sliding_displacement": None,
     "sliding_energy": None,

@@ -77,7 +77,11 @@ QUESTIONS: Mapping[str, Question] = {
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
     ),
-    "impact": _question("restitution", "restitution sticking_speed viscosity_number lost_energy"),
+    "impact": _question(
+        "restitution",
+        "restitution sticking_speed viscosity_number lost_energy impact_pressure first_yield_pressure plastic_pressure "
+        "yield_speed plastic_speed",
+    ),
     "resistances": _question(
         "yield_force sliding_force twisting_moment",
         "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "

@@ -25,6 +25,7 @@ from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import XI
 from ..text import first_of
 from .answer import Answer
+from .impacts import elastic_or_not
 from .inferred import lack_by_better_law
 from .notes import Note
 
@@ -241,6 +242,8 @@ def leads(answer: Answer) -> Iterator[Note]:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact:
         yield Note("lead", _stick_or_bounce(answer))
+    if "impact_pressure" in answer.values:
+        yield Note("lead", elastic_or_not(answer.frame))
     if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
         yield Note("lead", _law_that_holds(answer))
 
