@@ -136,6 +136,7 @@ _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
 STICKING_UNSURE = "sticking-unsure"
 ROUGH_MATTERS = "rough-matters"
+WIDE_CONTACT = "wide-contact"
 _PUSHED = frozenset({"yield_force", "yield_force_fixed_load", "yield_force_ratio"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 _PULLED = frozenset({"pull_off_force", "bond_number"})
@@ -311,7 +312,7 @@ INEXACT = (
         where=_is_rubbery,
     ),
     Limit(
-        "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
+        "profile_error", _ELASTICITY, ">", {0.01: WIDE_CONTACT},
         "contact too wide for the formulas; their shape of a sphere is off by e_h at its edge",
     ),
 )  # fmt: skip

@@ -8,7 +8,7 @@ Lengths are in units of the sphere's radius R and loads in E*R². Two numbers de
     adhesion       u = √(2πκx)           δ = δ_H − u                           P = P_H − 2xu
     slopes         dδ/dx = δ_H′ − u/(2x)                                       dP/dx = 2xδ_H′ − 3u
 
-δ_H and P_H are Sneddon's, as nanite's documentation has them. G = w at the edge gives u; for a ≪ R all is JKR.
+δ_H and P_H are Sneddon's, as in the code AFM-analysis/nanite. G = w at the edge gives u; for a ≪ R all is JKR.
 
 A machine holds a state by gδ + cP: fixed grips by δ (c = 0), a dead load by P (g = 0), a lever of stiffness k by
 δ + P/k, which is g = 1 and c = E*R/k here. It loses the contact where g dδ/dx + c dP/dx = 0. For every κ > 0 there is

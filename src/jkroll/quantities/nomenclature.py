@@ -10,7 +10,7 @@ from typing import Any
 
 from ..errors import BadRequest, JkrollError
 from ..text import ascii_text, closest, listed, quoted
-from .laws import LAWS, routes_anywhere
+from .laws import MODELS, PROFILES, routes_anywhere
 from .synonyms import QUANTITY_SYNONYMS
 
 
@@ -75,8 +75,19 @@ class Quantity:
         return f"Quantity({self.symbol!r}, {self.unit!r}, {self.sentence!r})"
 
 
-# --- Quantities that Maugis' law alone has ----------------------------------------------------------------------------
+# --- Quantities that one law alone has --------------------------------------------------------------------------------
 
+OF_SPHERE: Mapping[str, Quantity] = {  # of a rigid sphere of true shape on a soft plane
+    "indenter_radius": Quantity("R", "m", "radius of the rigid sphere"),
+    "elastoadhesive_ratio": Quantity("κ", "1", "elasto-adhesive length w/E* over R"),
+    "contact_artanh": Quantity("L", "1", "artanh(a/R)"),
+    "artanh_at_load": Quantity("L", "1", "artanh(a/R) at the load", variant_of="contact_artanh"),
+    "artanh_at_approach": Quantity("L", "1", "artanh(a/R) at the approach", variant_of="contact_artanh"),
+    "unloaded_artanh": Quantity("L0", "1", "artanh(a/R) without load"),
+    "artanh_at_pull_off": Quantity("L_pull", "1", "artanh(a/R) at pull-off"),
+    "artanh_at_fold": Quantity("L_fold", "1", "artanh(a/R) where fixed grips let go"),
+    "load_sphere": Quantity("P", "N", "load that holds the contact", may_be_zero=True, variant_of="load"),
+}
 OF_MAUGIS: Mapping[str, Quantity] = {
     "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
     "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
@@ -219,7 +230,9 @@ _TRAILING = (
 _QUANTITIES: Mapping[str, Quantity] = {
     # what the user gives
     "material": Quantity("", "", "material of sphere 1", sphere=1, twin="material2"),
-    "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
+    "model": Quantity("model", "", f"law of attraction: {', '.join(MODELS)}", option="--model", example="maugis"),
+    "profile": Quantity("profile", "", f"of the body that presses: {', '.join(PROFILES)}", option="--profile",
+        example="sphere"),
     "state": Quantity("state", "", "state on the force curve"),
     "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2,
         twin="material"),
@@ -401,6 +414,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
         definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code"),
     **OF_DEM,
     **OF_MAUGIS,
+    **OF_SPHERE,
 }  # fmt: skip
 
 # A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the

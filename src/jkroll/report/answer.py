@@ -33,7 +33,7 @@ from ..model.reasons import (
 from ..model.results import ROW, Results, has_code
 from ..model.uncertainty import ErrorBar, error_bars
 from ..quantities.formatting import amount, in_words
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, MODELS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import Uncertain, is_uncertain, middle
 from .notes import assumed, entering
@@ -235,7 +235,7 @@ class Answer(Results):
         if not unknowns or not self.values or self.ended:
             return found
         formulas = self.described.formulas_to(*unknowns)
-        for law in LAWS:
+        for law in MODELS:
             other = self.described.replace(model=law)
             with suppress(MissingInput):
                 if other.formulas_to(*unknowns) != formulas and (values := other.numbers(*unknowns)):

@@ -6,9 +6,10 @@ from math import erfc, hypot, sqrt
 
 from ..model.estimate import ADHESION_ONLY
 from ..model.frame import Frame
-from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, Doubt
+from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt
 from ..model.uncertainty import error_bars
-from ..quantities.formatting import span, symbol_among
+from ..quantities.formatting import significant, span, symbol_among
+from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
 from .answer import Answer
 from .inferred import about_limit, proofs
 from .notes import (
@@ -80,6 +81,8 @@ class Report(Answer):
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for the results, or for the unknowns."""
+        if doubt.code == WIDE_CONTACT:
+            return _of_a_sphere(self.frame) or doubt.text
         if self.described.unknowns:
             return about_limit(doubt, self)
         return _about_roughness(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
@@ -113,6 +116,17 @@ def _about_roughness(frame: Frame) -> str:
         f"on smooth glass 1/2 to 1/4 of P_c was measured ({smooth} here), of rough grains in air 1/10 to 1/100 "
         f"({rough})"
     )
+
+
+def _of_a_sphere(frame: Frame) -> str:
+    """Return how far a true sphere is from a paraboloid, where that is known."""
+    forces = (each.numbers("pull_off_force") for each in (frame.under(JKR_OF_SPHERE), frame.under(DEFAULT_LAW)))
+    of_sphere, of_paraboloid = (values.get("pull_off_force", 0.0) for values in forces)
+    if not of_sphere:
+        return ""
+    less = f"{significant(100 * (1 - of_sphere / of_paraboloid), 2)} %"
+    far = f"of a sphere P_c is {less} smaller, w from it {less} too low (--profile sphere)"
+    return f"contact too wide for a paraboloid: {far}"
 
 
 def _about_lost_contacts(answer: Answer) -> Iterator[Note]:
