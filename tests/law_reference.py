@@ -119,6 +119,13 @@ def slowed(T_star: Exact) -> Exact:
     return (p / q) ** 3
 
 
+def _rigid_on_soft_plane(R1: Exact, R2: Exact, E1: Exact, E2: Exact, nu2: Exact) -> Exact:
+    """Return the radius of a sphere whose true shape is justified."""
+    if digits.inf != R2 or E1 < 100 * E2 or nu2 < mpf(0.45):
+        raise ValueError
+    return R1
+
+
 def sphere_load(L: Exact, kappa: Exact) -> list[Exact]:
     """Return P_H and what adhesion takes from it, over E*R², of Sneddon's sphere."""
     x = digits.tanh(L)
@@ -167,7 +174,7 @@ def sphere_state(terms: Callable[[Exact, Exact], list[Exact]], held: Exact, kapp
 
 EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     # a rigid sphere of true shape
-    "indenter_radius": lambda R1: R1,
+    "indenter_radius": _rigid_on_soft_plane,
     "elastoadhesive_ratio": lambda w, E, R_i: w / (E * R_i),
     "artanh_at_pull_off": lambda kappa: sphere_last(kappa, 3),
     "artanh_at_fold": lambda kappa: sphere_last(kappa, 1),

@@ -116,6 +116,12 @@ def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict
         step = mpf(10) ** -40
         moved = exact_results({**given, state: mpf(given[state]) * (1 + step)})
         found = {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
+    for name, pressure in (("yield_speed", "first_yield_pressure"), ("plastic_speed", "plastic_pressure")):
+        if results.get(name):  # next to the pressure of a touch, its error is that of both pressures
+            over_touch, energy = results[pressure] / results["touch_pressure"], results["adhesion_energy"]
+            step = mpf(10) ** -40
+            moved = _speed_to(over_touch * (1 + step), results["reduced_mass"], energy)
+            found[name] = 2 * _ratio(moved - results[name], step * results[name])
     if results.get("restitution"):  # next to v_stick, its error is that of v_stick
         found["restitution"] = float(1 / results["restitution"] ** 2 - 1)
     return found

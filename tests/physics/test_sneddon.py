@@ -104,7 +104,7 @@ def test_arrays_have_the_states_of_their_elements() -> None:
     ratios = np.geomspace(1e-9, 1.0, 7)
     last = sneddon.last_state(ratios, 0.0, 1.0)
     states = sneddon.state_at(0.0, ratios, last, 0.0, 1.0)
-    for ratio, at, state in zip(ratios.tolist(), last.tolist(), states.tolist(), strict=True):
+    for ratio, at, state in zip(*(map(float, np.asarray(each)) for each in (ratios, last, states)), strict=True):
         assert at == approx(sneddon.last_state(ratio, 0.0, 1.0), rel=1e-15)
         assert state == approx(sneddon.state_at(0.0, ratio, at, 0.0, 1.0), rel=1e-15)
 

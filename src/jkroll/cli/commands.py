@@ -77,7 +77,7 @@ _ALWAYS = ("radius2", "diameter", "diameter2", "material2", "surface_energy", "w
 # Inputs that stand among the further options of the help, even where they are used.
 _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio",
     "adhesion_hysteresis", "hysteresis_fraction", "hamaker", "hamaker2", "cutoff", "viscous_time",
-    "asperity_radius", "profile")  # fmt: skip
+    "asperity_radius", "profile", "yield_strength")  # fmt: skip
 
 
 @cache

@@ -79,10 +79,10 @@ class NotInLaw(MissingInput):
         return f"{self.wanted}: {self.explanation()}"
 
     def explanation(self, verb: str = "needs") -> str:
-        """Return the quantity that the law does not have, and the law to give."""
+        """Return the quantity that the law does not have, and the law or the profile to give."""
         is_of_profile = any(law.title == self.law and law.profile != PARABOLOID for law in LAWS.values())
-        other = law_of(self.absent[0]) or DEFAULT_LAW
-        remedy = f"give --profile {PARABOLOID}" if is_of_profile else f"give --model {other}"
+        words = {"profile": PARABOLOID} if is_of_profile else LAWS[law_of(self.absent[0]) or DEFAULT_LAW].words
+        remedy = "give " + " ".join(f"--{option} {word}" for option, word in words.items())
         if self.absent == (self.wanted,):
             return f"not in {self.law}; {remedy}"
         return f"{verb} {_in_words(self.absent)}, which {self.law} does not have; {remedy}"
@@ -175,7 +175,7 @@ YIELDS_ON_TOUCH = Cause(
     "{0} is below {1}, to which adhesion alone presses a contact as it forms: it yields at every speed",
     "first_yield_pressure",
 )
-PLASTIC_ON_TOUCH = Cause(YIELDS_ON_TOUCH.phrase, YIELDS_ON_TOUCH.words, "plastic_pressure", code="plastic-on-touching")
+PLASTIC_ON_TOUCH = Cause("plastic on touching", YIELDS_ON_TOUCH.words, "plastic_pressure")
 NO_DOUBLE = Cause("no finite value", "no value that a double can hold")
 INFINITE = Cause("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
 NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-fold")

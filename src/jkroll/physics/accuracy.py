@@ -24,7 +24,7 @@ _OTHERS = {
         "unloaded_moment_of_radius pull_off_force_rough tensile_strength adhesion_energy adhesive_force_maugis "
         "unloaded_edge_ratio rayleigh_time twisting_stiffness first_yield_pressure"
     ),
-    "4 ulp of the larger term": "load_sphere approach_at_load pressure load_dmt approach_maugis",
+    "4 ulp of the larger term": "approach_at_load pressure load_dmt approach_maugis",
     "4 ulp, times 1 plus its condition in λ": "edge_ratio_at_fold",
     "4 ulp of the larger term, for the ratio δ̂ as it is rounded": "load_margin_at_approach",
     "5 ulp": "rolling_mass",
@@ -40,7 +40,7 @@ _OTHERS = {
     "7 ulp of the largest term": "asymmetric_pressure",
     "3 ulp, times 1 plus its condition in the two pressures": "yield_speed plastic_speed",
     "8 ulp": "impact_pressure unloaded_artanh compressive_strength pull_off_force_maugis fold_approach_maugis",
-    "8 ulp of the larger term": "load_maugis approach_at_pull_off_maugis",
+    "8 ulp of the larger term": "load_sphere load_maugis approach_at_pull_off_maugis",
     "8 ulp of the largest term": "half_circle_pressure",
     "8 ulp, times 1 plus its condition in the load and λ": "edge_ratio_at_load",
     "8 ulp, times 1 plus its condition in the approach and λ": "edge_ratio_at_approach",

@@ -82,7 +82,7 @@ def _speed_at(
 def first_yield_pressure(*, yield_strength: Stress, poisson_ratio: Number, poisson_ratio2: Number) -> Stress:
     """Return the peak pressure at which the solid first yields, below the surface.
 
-        p_y = σ_y/max[3/(2(1 + ζ²)) − (1 + ν)(1 − ζ arccot ζ)], which is 1.47 σ_y at ν = 0.17, 0.44a deep
+        p_y = S_y/max[3/(2(1 + ζ²)) − (1 + ν)(1 − ζ arccot ζ)], which is 1.47 S_y at ν = 0.17, 0.44a deep
 
     The smaller ν of the two solids is taken, which yields first.
 
@@ -106,16 +106,16 @@ def _arccot(value: FloatOrArray) -> FloatOrArray:
 def plastic_pressure(*, yield_strength: Stress) -> Stress:
     """Return the pressure at which all of the solid below the contact is plastic, which is about its hardness.
 
-        p_pl = (2 + π)σ_y/√3 = 2.97 σ_y
+        p_pl = (2 + π)S_y/√3 = 2.97 S_y
 
     Source:   Slip lines below a flat punch, plane strain, by the criterion of von Mises.
-    Valid:    A solid that does not harden; by Tresca's criterion 2.57 σ_y.
+    Valid:    A solid that does not harden; by Tresca's criterion 2.57 S_y.
     """
     return (2 + pi) / sqrt(3.0) * yield_strength
 
 
 def yield_speed(
-    *, first_yield_pressure: Stress, touch_pressure: Stress, reduced_mass: Mass, adhesion_energy: Energy
+    *, touch_pressure: Stress, first_yield_pressure: Stress, reduced_mass: Mass, adhesion_energy: Energy
 ) -> Speed:
     """Return the relative speed from which on a head-on impact first yields, below the surface.
 
@@ -129,7 +129,7 @@ def yield_speed(
 
 
 def plastic_speed(
-    *, plastic_pressure: Stress, touch_pressure: Stress, reduced_mass: Mass, adhesion_energy: Energy
+    *, touch_pressure: Stress, plastic_pressure: Stress, reduced_mass: Mass, adhesion_energy: Energy
 ) -> Speed:
     """Return the relative speed at which the peak pressure of an elastic impact is that of a plastic contact.
 

@@ -32,7 +32,7 @@ def indenter_radius(
               1 − 2ν. Where they are large, the shape of the sphere, of order (a/R)², is no improvement.
     Valid:    R2 infinite, E1 ≥ 100 E2 and ν2 ≥ 0.45. Else a float raises ValueError and an array holds NaN.
     """
-    is_on_plane = radius2 > 1e300
+    is_on_plane = radius / radius2 == 0
     is_rigid = youngs_modulus >= STIFFER * youngs_modulus2
     return within(is_on_plane & is_rigid & (poisson_ratio2 >= INCOMPRESSIBLE), radius)
 
@@ -44,7 +44,7 @@ def elastoadhesive_ratio(
 
         κ = w/(E*R)
 
-    Source:   Definition.
+    Source:   JKR of a rigid sphere depends on w, E* and R by it alone.
     """
     return work_of_adhesion / (contact_modulus * indenter_radius)
 
@@ -126,7 +126,7 @@ def pull_off_force_sphere(
         P_c = −P(a_pull), which is (3/2)πwR(1 − (2/5)a_pull²/R² + …)
 
     Source:   Sneddon's sphere with G = w at the edge.
-    Valid:    JKR; a rigid sphere on a nearly incompressible plane.
+    Valid:    A rigid sphere on a nearly incompressible plane, where JKR holds.
     """
     unit = contact_modulus * indenter_radius**2
     return -sneddon.load(elastoadhesive_ratio, artanh_at_pull_off) * unit
@@ -149,7 +149,7 @@ def contact_radius_sphere(*, contact_artanh: Number, indenter_radius: Length) ->
 
         a = R tanh L
 
-    Source:   Definition of L.
+    Source:   L = artanh(a/R).
     """
     return tanh(contact_artanh) * indenter_radius
 
@@ -159,7 +159,7 @@ def unloaded_radius_sphere(*, unloaded_artanh: Number, indenter_radius: Length) 
 
         a0 = R tanh L0
 
-    Source:   Definition of L.
+    Source:   L = artanh(a/R).
     """
     return tanh(unloaded_artanh) * indenter_radius
 
@@ -169,7 +169,7 @@ def contact_radius_at_pull_off_sphere(*, artanh_at_pull_off: Number, indenter_ra
 
         a_pull = R tanh L_pull
 
-    Source:   Definition of L.
+    Source:   L = artanh(a/R).
     """
     return tanh(artanh_at_pull_off) * indenter_radius
 
@@ -179,7 +179,7 @@ def contact_radius_at_fold_sphere(*, artanh_at_fold: Number, indenter_radius: Le
 
         a_fold = R tanh L_fold
 
-    Source:   Definition of L.
+    Source:   L = artanh(a/R).
     """
     return tanh(artanh_at_fold) * indenter_radius
 

@@ -100,6 +100,8 @@ _JKR = Law(
     omits=frozenset({"pull_off_force_lennard_jones"}),
 )
 
+_PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # by its energies
+
 # Of every law but JKR: what follows from its adhesive force, contact radius and pull-off force, and what JKR alone has.
 _OUTSIDE_JKR: Routes = {
     "unloaded_moment": "unloaded_moment_of_radius",
@@ -112,9 +114,7 @@ _OUTSIDE_JKR: Routes = {
     "fixed_approach_moment": None,
     "displacement_limit": None,
     "viscosity_number": None,
-    "impact_pressure": None,
-    "yield_speed": None,
-    "plastic_speed": None,
+    **dict.fromkeys(_PEAK_OF_JKR),
     "sliding_force": None,  # over the contact or over the zone of attraction: a factor of 6 for quartz of 100 nm
     "sliding_displacement": None,
     "sliding_energy": None,
@@ -157,7 +157,7 @@ _MAUGIS = Law(
         "edge_ratio": {"load": "load_maugis"},
         "approach_at_load": {"load": "load_maugis"},
     },
-    omits=frozenset({"rolling_frequency_as_printed"}),
+    omits=frozenset({"rolling_frequency_as_printed", *_PEAK_OF_JKR}),
     by_spacing=frozenset({"sticking_energy_maugis"}),
 )
 
@@ -189,7 +189,9 @@ _DMT = Law(
         },
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
-    omits=frozenset({"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt"}),
+    omits=frozenset(
+        {"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt", *_PEAK_OF_JKR}
+    ),
 )
 
 # JKR's law for a rigid sphere of true shape on a soft plane. It has the contact, and nothing that follows from JKR's

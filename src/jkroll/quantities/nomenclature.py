@@ -78,7 +78,7 @@ class Quantity:
 # --- Quantities that one law alone has --------------------------------------------------------------------------------
 
 OF_SPHERE: Mapping[str, Quantity] = {  # of a rigid sphere of true shape on a soft plane
-    "indenter_radius": Quantity("R", "m", "radius of the rigid sphere"),
+    "indenter_radius": Quantity("R_s", "m", "radius of the rigid sphere"),
     "elastoadhesive_ratio": Quantity("κ", "1", "elasto-adhesive length w/E* over R"),
     "contact_artanh": Quantity("L", "1", "artanh(a/R)"),
     "artanh_at_load": Quantity("L", "1", "artanh(a/R) at the load", variant_of="contact_artanh"),
@@ -246,7 +246,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
         example="1e-18J"),
     "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1"),
     "speed": Quantity("v", "m/s", "impact speed of sphere 1", range=POSITIVE, option="--speed", example="10cm/s"),
-    "yield_strength": Quantity("σ_y", "Pa", "yield strength of the weaker solid", range=POSITIVE,
+    "yield_strength": Quantity("S_y", "Pa", "yield strength of the weaker solid", range=POSITIVE,
         option="--yield-strength", example="1GPa"),
     # the pair
     "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE,

@@ -94,7 +94,7 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
         "description": quantity.sentence,
     }
     if result.law:
-        entry |= {"model": DEFAULT_LAW} | LAWS[result.law].words
+        entry |= {"model": DEFAULT_LAW, **LAWS[result.law].words}
         jkr = answer.of_jkr.get(result.name)
         entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
     if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
