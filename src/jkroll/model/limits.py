@@ -43,10 +43,12 @@ class Limit:
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows for which it is judged
         is_told: bool = True,  # below an answer, and not in explanations alone
+        has_remedy: bool = False,  # its sentence says what to do, and stands before those of limits without one
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
         self.conclusion, self.factor, self.where, self.is_told = conclusion, factor, where, is_told
+        self.has_remedy = has_remedy
         self.threshold = next(iter(codes))  # the first one
 
     def is_beyond(self, number: Any, threshold: float) -> Any:
@@ -314,6 +316,7 @@ INEXACT = (
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: WIDE_CONTACT},
         "contact too wide for the formulas; their shape of a sphere is off by e_h at its edge",
+        has_remedy=True,
     ),
 )  # fmt: skip
 LIMITS = (*ENDING, *INEXACT)

@@ -248,8 +248,8 @@ class Answer(Results):
         """The limits of the model that do not hold.
 
         First those that end a meaning, that of a contact wider than its sphere before all; then those of the headline;
-        then the others. Of each, those about a state, which is beyond a limit or not, are first, and then the one that
-        is exceeded most.
+        then the others. Of each, those about a state, which is beyond a limit or not, are first, then those with a
+        remedy, and then the one that is exceeded most.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -257,10 +257,10 @@ class Answer(Results):
         """Return whether a code is that of a limit that does not hold."""
         return any(doubt.code == code for doubt in self.exceeded)
 
-    def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, float]:
+    def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, bool, float]:
         limit = doubt.limit
         is_late = limit is not CONTACT_EXCEEDS_SPHERE, not limit.ends_meaning, not self._is_of_headline(limit)
-        return *is_late, bool(limit.threshold), -doubt.excess
+        return *is_late, bool(limit.threshold), not limit.has_remedy, -doubt.excess
 
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns a quantity that the command is named after: a law, if it moves one.
