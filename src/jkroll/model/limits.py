@@ -9,6 +9,7 @@ from typing import Any, Literal
 from ..errors import JkrollError
 from ..physics.elementary import at_least, at_most, is_anywhere, ln, where
 from ..quantities.formatting import Format, amount
+from ..quantities.laws import JKR_OF_SPHERE
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD
 from .column import Column
 from .frame import Frame, once_a_frame
@@ -43,7 +44,7 @@ class Limit:
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows for which it is judged
         is_told: bool = True,  # below an answer, and not in explanations alone
-        has_remedy: bool = False,  # its sentence says what to do, and stands before those of limits without one
+        has_remedy: Callable[[Frame], bool] | None = None,  # its sentence says what to do, and stands before others
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
@@ -167,6 +168,12 @@ def _is_rubbery(frame: Frame) -> Any:
         return False
     is_second = known["youngs_modulus2"] < known["youngs_modulus"]
     return where(is_second, known["poisson_ratio2"], known["poisson_ratio"]) >= RUBBERY
+
+
+@once_a_frame
+def may_be_sphere(frame: Frame) -> bool:
+    """Return whether the profile of a true sphere is justified."""
+    return bool(frame.under(JKR_OF_SPHERE).numbers("indenter_radius"))
 
 
 def _is_not_rubbery(frame: Frame) -> Any:
@@ -316,7 +323,7 @@ INEXACT = (
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: WIDE_CONTACT},
         "contact too wide for the formulas; their shape of a sphere is off by e_h at its edge",
-        has_remedy=True,
+        has_remedy=may_be_sphere,
     ),
 )  # fmt: skip
 LIMITS = (*ENDING, *INEXACT)

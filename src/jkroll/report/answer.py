@@ -260,7 +260,8 @@ class Answer(Results):
     def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, bool, float]:
         limit = doubt.limit
         is_late = limit is not CONTACT_EXCEEDS_SPHERE, not limit.ends_meaning, not self._is_of_headline(limit)
-        return *is_late, bool(limit.threshold), not limit.has_remedy, -doubt.excess
+        has_remedy = limit.has_remedy is not None and limit.has_remedy(self.frame)
+        return *is_late, bool(limit.threshold), not has_remedy, -doubt.excess
 
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns a quantity that the command is named after: a law, if it moves one.
