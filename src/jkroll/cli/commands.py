@@ -232,7 +232,7 @@ MIN_WIDTH = 48
 MIN_TEXT = 20
 GUTTER = 10  # of the names of groups
 
-_WITH_THE_PAIR = "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius"
+_WITH_THE_PAIR = "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius yield_strength"
 
 Row = tuple[str, str]  # what is typed, and its meaning
 

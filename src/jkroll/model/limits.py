@@ -276,6 +276,12 @@ INEXACT = (
         where=_is_not_rubbery,
     ),
     Limit(
+        "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-large-strain"},
+        "the impact strains the solid too far for linear elasticity",
+        lambda frame, _: "speed" in frame.stated,
+        where=_is_rubbery,
+    ),
+    Limit(
         "impact_over_yield", _IMPACT, ">", {1.0: "impact-yields"},
         "the impact yields below the surface; e is an upper bound",
         lambda frame, _: {"speed", "yield_strength"} <= frame.stated.keys(),
