@@ -17,6 +17,8 @@ SYMBOLS = {
     "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span", "a_M": "unloaded_radius_maugis",
     "P_DMT": "pull_off_force_dmt", "s_a": "asperity_radius", "T_vis": "viscous_time", "T_star": "viscosity_number",
     "l_M": "length_unit_maugis", "d_M": "approach_unit_maugis", "U_M": "energy_unit_maugis",
+    "R_i": "indenter_radius", "kappa": "elastoadhesive_ratio", "L": "contact_artanh", "L_0": "unloaded_artanh",
+    "L_pull": "artanh_at_pull_off", "L_fold": "artanh_at_fold",
     "fold": "fold_approach_maugis", "edge_c": "edge_ratio_at_pull_off", "edge_fold": "edge_ratio_at_fold",
 }  # fmt: skip
 
@@ -117,7 +119,81 @@ def slowed(T_star: Exact) -> Exact:
     return (p / q) ** 3
 
 
+def _rigid_on_soft_plane(R1: Exact, R2: Exact, E1: Exact, E2: Exact, nu2: Exact) -> Exact:
+    """Return the radius of a sphere whose true shape is justified."""
+    if digits.inf != R2 or E1 < 100 * E2 or nu2 < mpf(0.45):
+        raise ValueError
+    return R1
+
+
+def sphere_load(L: Exact, kappa: Exact) -> list[Exact]:
+    """Return P_H and what adhesion takes from it, over E*R², of Sneddon's sphere."""
+    x = digits.tanh(L)
+    return [(1 + x**2) * L - x, -sqrt(8 * pi * kappa * x**3)]
+
+
+def sphere_approach(L: Exact, kappa: Exact) -> list[Exact]:
+    """Return δ_H and what adhesion takes from it, over R."""
+    x = digits.tanh(L)
+    return [x * L, -sqrt(2 * pi * kappa * x)]
+
+
+def sphere_stiffness(L: Exact, kappa: Exact) -> Exact:
+    """Return dP/dδ over E*R, from the slopes of load and approach along L."""
+    load, approach = (digits.diff(lambda L, of=of: sum(of(L, kappa)), L) for of in (sphere_load, sphere_approach))
+    return load / approach
+
+
+def _root(function: Callable[[Exact], Exact], low: Exact, high: Exact) -> Exact:
+    """Return the root of a rising function of ln L between two bounds, by halving them, then by secants."""
+    low, high = digits.log(low), digits.log(high)
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if function(digits.exp(middle)) < 0 else (low, middle)
+    return digits.exp(
+        digits.findroot(lambda each: function(digits.exp(each)), (low, high), tol=mpf(10) ** -150, verify=False)
+    )
+
+
+def sphere_last(kappa: Exact, times: int) -> Exact:
+    """Return L where δ_H′ = times u/(2a), by its logarithm."""
+
+    def excess(L: Exact) -> Exact:
+        x = digits.tanh(L)
+        return digits.log((L + x / (1 - x**2)) / (times * sqrt(pi * kappa / (2 * x))))
+
+    return _root(excess, cbrt(kappa) / 10, 3 + cbrt(9 * kappa))
+
+
+def sphere_state(terms: Callable[[Exact, Exact], list[Exact]], held: Exact, kappa: Exact, last: Exact) -> Exact:
+    """Return L of the stable state at a load or an approach."""
+    if held < sum(terms(last, kappa)):
+        raise ValueError
+    return _root(lambda L: sum(terms(L, kappa)) - held, last, 10 * last + 10 + 2 * held)
+
+
 EQUATIONS: Mapping[str, Callable[..., Exact]] = {
+    # a rigid sphere of true shape
+    "indenter_radius": _rigid_on_soft_plane,
+    "elastoadhesive_ratio": lambda w, E, R_i: w / (E * R_i),
+    "artanh_at_pull_off": lambda kappa: sphere_last(kappa, 3),
+    "artanh_at_fold": lambda kappa: sphere_last(kappa, 1),
+    "artanh_at_load": lambda P, E, R_i, kappa, L_pull: sphere_state(sphere_load, P / (E * R_i**2), kappa, L_pull),
+    "artanh_at_approach": lambda delta, R_i, kappa, L_fold: sphere_state(sphere_approach, delta / R_i, kappa, L_fold),
+    "unloaded_artanh": lambda kappa, L_pull: sphere_state(sphere_load, mpf(0), kappa, L_pull),
+    "pull_off_force_sphere": lambda L_pull, kappa, R_i, E: -sum(sphere_load(L_pull, kappa)) * E * R_i**2,
+    "load_sphere": lambda L, kappa, R_i, E: sum(sphere_load(L, kappa)) * E * R_i**2,
+    "contact_radius_sphere": lambda L, R_i: digits.tanh(L) * R_i,
+    "unloaded_radius_sphere": lambda L_0, R_i: digits.tanh(L_0) * R_i,
+    "contact_radius_at_pull_off_sphere": lambda L_pull, R_i: digits.tanh(L_pull) * R_i,
+    "contact_radius_at_fold_sphere": lambda L_fold, R_i: digits.tanh(L_fold) * R_i,
+    "approach_sphere": lambda L, kappa, R_i: sum(sphere_approach(L, kappa)) * R_i,
+    "unloaded_approach_sphere": lambda L_0, kappa, R_i: sum(sphere_approach(L_0, kappa)) * R_i,
+    "approach_at_pull_off_sphere": lambda L_pull, kappa, R_i: sum(sphere_approach(L_pull, kappa)) * R_i,
+    "approach_at_fold_sphere": lambda L_fold, kappa, R_i: sum(sphere_approach(L_fold, kappa)) * R_i,
+    "stiffness_sphere": lambda L, kappa, R_i, E: sphere_stiffness(L, kappa) * E * R_i,
+    "contact_over_sphere_of_ratio": lambda kappa: cbrt(9 * pi * kappa / 2),
+    "strain_of_contact": lambda a, R_i: 2 * a / (pi * R_i),
     "work_of_adhesion_of_hamaker": lambda A1, A2, D0: sqrt(A1 * A2) / (12 * pi * D0**2),
     "atomic_spacing_of_cutoff": lambda D0: D0 * sqrt(mpf(3)) / 2,
     # any law
@@ -205,6 +281,11 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
 
 # The larger of two terms that may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
+    "load_sphere": lambda L, kappa, R_i, E: max(map(abs, sphere_load(L, kappa))) * E * R_i**2,
+    "approach_sphere": lambda L, kappa, R_i: max(map(abs, sphere_approach(L, kappa))) * R_i,
+    "unloaded_approach_sphere": lambda L_0, kappa, R_i: max(map(abs, sphere_approach(L_0, kappa))) * R_i,
+    "approach_at_pull_off_sphere": lambda L_pull, kappa, R_i: max(map(abs, sphere_approach(L_pull, kappa))) * R_i,
+    "approach_at_fold_sphere": lambda L_fold, kappa, R_i: max(map(abs, sphere_approach(L_fold, kappa))) * R_i,
     "load_dmt": lambda a, w, R, E: max(4 * E * a**3 / (3 * R), 2 * pi * w * R),
     "approach_maugis": lambda edge, T, R, E, sigma0: max((edge * T) ** 2 / R, 2 * sigma0 * T / E),
     "approach_maugis_at_load": lambda P, edge, T, R, E, sigma0: (
@@ -223,6 +304,11 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
 # The parameters whose condition a formula states besides its number of ulp.
 CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "contact_radius_dmt": ("load",),
+    "artanh_at_load": ("load", "artanh_at_pull_off"),
+    "artanh_at_approach": ("approach_at_load", "artanh_at_fold"),
+    "stiffness_sphere": ("contact_artanh", "elastoadhesive_ratio"),
+    "yield_speed": ("first_yield_pressure", "touch_pressure"),
+    "plastic_speed": ("plastic_pressure", "touch_pressure"),
     "sticking_speed_viscous": ("viscosity_number",),
     "edge_ratio_at_load": ("load", "transition_parameter"),
     "edge_ratio_at_approach": ("approach_at_load", "transition_parameter"),

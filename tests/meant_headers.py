@@ -118,6 +118,7 @@ atomic_spacing,cutoff m: minimum separation | minimum distance | closest distanc
 viscous_time s: viscous time | viscous damping time | viscous dissipation time | viscoelastic time
 asperity_radius m: asperity radius | asperity tip radius | radius of asperities | asperity radius of curvature | \
 roughness asperity radius | surface asperity radius
+yield_strength Pa: yield strength | yield strength of the solid
 shear_strength Pa: shear strength | interfacial shear strength | contact shear strength | interface shear strength
 monomers 1: monomers | number of monomers | monomer number | n monomers | monomer count | num monomers
 contacts 1: number of contacts | n contacts | contacts | contact number | num contacts
@@ -163,6 +164,7 @@ atomic_spacing,cutoff m: D0 | D_0 | d_min | h_min
 cutoff m: D_cut | r_cut_vdw
 viscous_time s: T_vis | tau_vis | t_vis
 asperity_radius m: r_asp | R_asp | Rasp
+yield_strength Pa: S_y | Sy
 shear_strength Pa: tau | τ | tau0 | τ_0 | tau_s | τs
 monomers 1: N_mon | n_monomers | Nmono
 filling_factor 1: phi_fill | VFF
@@ -209,7 +211,7 @@ J/m^2: liquid surface tension | surface tension of water | gamma_LV | γ_LV | γ
 dispersive component | γ_p polar | laser fluence | impact strength | stacking fault energy | grain boundary energy | \
 interfacial tension oil/water | dose | Charpy impact | meniscus surface tension | water surface tension | γ_l | \
 Oberflächenspannung Wasser | tension superficielle du liquide
-Pa: hardness | Härte | dureté | yield stress | yield strength | tensile strength | pressure | P | p | sigma | σ | \
+Pa: hardness | Härte | dureté | yield stress | tensile strength | pressure | P | p | sigma | σ | \
 shear modulus | bulk modulus | G | K | storage modulus | loss modulus | sigma_y | stress | compressive strength | \
 UTS | fracture stress | H | HV | Streckgrenze | contact pressure | max pressure | Druck | pression | sigma_xx | \
 flexural strength | flow stress | G' | G'' | cohesion c | vapor pressure | Laplace pressure | von Mises stress | \

@@ -12,7 +12,7 @@ from jkroll.cli.commands import COMMANDS
 from jkroll.errors import JkrollError
 from jkroll.model.plan import formula_of
 from jkroll.physics.jkr import FOLD_APPROACH
-from jkroll.quantities.laws import LAWS
+from jkroll.quantities.laws import MODELS
 from jkroll.quantities.nomenclature import CONVERTED, NOMENCLATURE, header
 from jkroll.quantities.values import has_uncertainty
 from jkroll.report.questions import QUESTIONS
@@ -114,7 +114,7 @@ def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
     """Return a random question, of a command and under a law if these are given."""
     command = command or random.choice([*QUESTIONS, "contact", "moment", "report"])
     taken = {option.name for option in COMMANDS[command].options()} | {"material", "radius"}
-    model = random.choice([None, None, *LAWS]) if model == "" else model
+    model = random.choice([None, None, *MODELS]) if model == "" else model
     model = model if "model" in taken else None
     found = _Values(random, model).inputs()
     inputs = {name: texts for name, texts in found.items() if name in taken}

@@ -116,6 +116,12 @@ def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict
         step = mpf(10) ** -40
         moved = exact_results({**given, state: mpf(given[state]) * (1 + step)})
         found = {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
+    for name, pressure in (("yield_speed", "first_yield_pressure"), ("plastic_speed", "plastic_pressure")):
+        if results.get(name):  # next to the pressure of a touch, its error is that of both pressures
+            over_touch, energy = results[pressure] / results["touch_pressure"], results["adhesion_energy"]
+            step = mpf(10) ** -40
+            moved = _speed_to(over_touch * (1 + step), results["reduced_mass"], energy)
+            found[name] = 2 * _ratio(moved - results[name], step * results[name])
     if results.get("restitution"):  # next to v_stick, its error is that of v_stick
         found["restitution"] = float(1 / results["restitution"] ** 2 - 1)
     return found
@@ -184,6 +190,8 @@ SYMBOLS = {
     "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment",
     "mean_M": "mean_rolling_moment", "A": "half_circle_radius",
     "W0": "energy", "W": "energy_ratio", "v": "speed", "v_s": "sticking_speed",
+    "sigma_y": "yield_strength", "p_max": "impact_pressure", "p_touch": "touch_pressure",
+    "p_y": "first_yield_pressure", "p_pl": "plastic_pressure",
     "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy",
     "z0": "atomic_spacing", "limit": "displacement_limit",
     "tau": "shear_strength", "F_slide": "sliding_force", "s_slide": "sliding_displacement", "k_t": "twisting_stiffness",
@@ -240,6 +248,54 @@ def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
     return T_peel * digits.sin(
         digits.findroot(excess, (mpf(0), pi / 2), solver="illinois", tol=mpf(10) ** -70, verify=False)
     )
+
+
+def _root_below(start: Exact, function: Callable[[Exact], Exact], slope: Callable[[Exact], Exact]) -> Exact:
+    """The root of a convex function by Newton's steps from a start beyond it."""
+    root, step = start, mpf(1)
+    while abs(step) > abs(root) * mpf(10) ** (-digits.dps // 2):  # the last one squares that
+        step = function(root) / slope(root)
+        root -= step
+    return root
+
+
+def _gained(y: Exact) -> Exact:
+    """The energy from first touch to √â = y, in P_cδ0."""
+    return released(JUMP_IN_ROOT, y) * -1
+
+
+def _pressure_in_units(y: Exact) -> Exact:
+    return 6 * y**2 - 2 / y
+
+
+def _at_peak(energy: Exact) -> Exact:
+    """√â at the peak of an impact with an energy, in P_cδ0."""
+    start = mpf("1.08") + min(energy, (energy / 4) ** mpf("0.1"))
+    return _root_below(start, lambda y: _gained(y) - energy, lambda y: 4 * (y**6 - y**3) * (12 * y**3 - 2))
+
+
+def _speed_to(over_touch: Exact, m: Exact, W_adhesion: Exact) -> Exact:
+    """The speed at which the peak pressure is so many times that of a touch; no real one below 1."""
+    if over_touch <= 1:
+        raise ValueError
+    ratio = over_touch * _pressure_in_units(_at_peak(mpf(0)))
+    y = _root_below(sqrt(ratio) + 1, lambda y: 6 * y**3 - ratio * y - 2, lambda y: 18 * y**2 - ratio)
+    return sqrt(2 * W_adhesion * _gained(y) / m)
+
+
+def _yields_at(sigma_y: Exact, nu: Exact) -> Exact:
+    """The peak pressure by von Mises' stress on the axis of Hertz' contact, largest at a depth z over the radius."""
+
+    def mises(z: Exact) -> Exact:
+        axial = -1 / (1 + z**2)
+        radial = -(1 + nu) * (1 - z * digits.atan(1 / z)) + 1 / (2 * (1 + z**2))
+        return radial - axial
+
+    low, high = mpf(10) ** -40, mpf(1)
+    for _ in range(250):
+        third = (high - low) / 3
+        low, high = (low + third, high) if mises(low + third) < mises(high - third) else (low, high - third)
+    return sigma_y / mises((low + high) / 2)
 
 
 def _shifted_pressure(X_c: Exact, a: Exact, E: Exact, R: Exact, xi: Exact, p_H: Exact, p_B: Exact) -> list[Exact]:
@@ -339,6 +395,18 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "n_roll_after_impact": lambda W0, mean_M: 5 * W0 / 7 / (2 * pi * mean_M),
     "restitution": lambda v, v_s: sqrt(max(1 - (v_s / v) ** 2, mpf(0))),
     "lost_energy": lambda v, v_s, m: m * min(v, v_s) ** 2 / 2,
+    # impacts
+    "impact_pressure": lambda v, m, W_adhesion, P_c, a0: (
+        P_c / (pi * a0**2) * _pressure_in_units(_at_peak(m * v**2 / 2 / W_adhesion))
+    ),
+    "touch_pressure": lambda P_c, a0: P_c / (pi * a0**2) * _pressure_in_units(_at_peak(mpf(0))),
+    "first_yield_pressure": lambda sigma_y, nu1, nu2: _yields_at(sigma_y, min(nu1, nu2)),
+    "plastic_pressure": lambda sigma_y: (2 + pi) * sigma_y / sqrt(mpf(3)),
+    "yield_speed": lambda p_y, p_touch, m, W_adhesion: _speed_to(p_y / p_touch, m, W_adhesion),
+    "plastic_speed": lambda p_pl, p_touch, m, W_adhesion: _speed_to(p_pl / p_touch, m, W_adhesion),
+    "impact_pressure_over_modulus": lambda p_max, E: p_max / E,
+    "impact_over_yield": lambda p_max, p_y: p_max / p_y,
+    "speed_over_sound": lambda v, E1, E2, rho1, rho2: v / min(sqrt(E1 / rho1), sqrt(E2 / rho2)),
     # sliding
     "shear_modulus": lambda E1, nu1: E1 / (2 * (1 + nu1)),
     "contact_shear_modulus": lambda E1, nu1, E2, nu2: (

@@ -50,6 +50,7 @@ def any_scene(random: Random) -> Frame:
     scene["rolling_angle"] = 1.6
     scene["monomers"] = log_uniform(random, 2, 1e12)
     scene["filling_factor"] = log_uniform(random, 1e-4, 0.7)
+    scene["yield_strength"] = scene["youngs_modulus"] * log_uniform(random, 1e-6, 1e3)
     match random.choice(["none", "load", "approach"]):
         case "load":
             scene["load"] = _any_ratio(random) * solve("pull_off_force", **scene)

@@ -12,7 +12,7 @@ from command_lines import WEIGHTS, command_line
 from corpus_lines import among_input_files, commands, faults, lines, run, spread
 from invariants import check_call, isolate
 from jkroll.cli.commands import COMMANDS, flags_of
-from jkroll.quantities.laws import LAWS
+from jkroll.quantities.laws import MODELS
 
 WRITES_TO_THE_HOME = {"install_completion"}
 
@@ -72,7 +72,7 @@ def test_the_corpus_has_every_command_option_and_law() -> None:
         names = {option.name for option in flags.values()} - WRITES_TO_THE_HOME
         assert names == {flags[word].name for word in found & flags.keys()} - WRITES_TO_THE_HOME, name
     models = [words[words.index("--model") + 1] for words in typed if "--model" in words[:-1]]
-    assert {*LAWS} <= {*models}
+    assert {*MODELS} <= {*models}
 
 
 def test_every_command_is_drawn() -> None:

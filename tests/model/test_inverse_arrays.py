@@ -16,7 +16,7 @@ from jkroll.model.frame import Frame
 from jkroll.model.reasons import MissingInput, NotInLaw
 from jkroll.model.search import Solution
 from jkroll.model.unsolved import SIZES, NoSolution, SeveralSolutions
-from jkroll.quantities.laws import LAWS
+from jkroll.quantities.laws import MODELS
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 
@@ -96,7 +96,7 @@ FAST = {("surface_energy", "jkr"), ("surface_energy", "maugis"), ("load", "jkr")
     ("name", "model"),
     [
         each if each in FAST else pytest.param(*each, marks=pytest.mark.slow)
-        for each in product(MEASURED, LAWS)
+        for each in product(MEASURED, MODELS)
         if each not in LACKING
     ],
 )

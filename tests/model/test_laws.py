@@ -24,7 +24,7 @@ from jkroll.model.plan import plan_for
 from jkroll.model.reasons import Failure, NotInLaw
 from jkroll.model.results import Results
 from jkroll.physics import jkr
-from jkroll.quantities.laws import DEFAULT_LAW, LAWS, Law, law_of, tables_of
+from jkroll.quantities.laws import DEFAULT_LAW, LAWS, MODELS, Law, law_of, tables_of
 from jkroll.report.curve import frames_of_curve
 from jkroll.report.questions import QUESTIONS, question_about
 from jkroll.report.report import Report
@@ -371,7 +371,7 @@ def test_loads_far_above_pull_off_have_their_digits() -> None:
 @pytest.mark.parametrize("load", [-5e-9, 0.0, 2e-8])
 @pytest.mark.parametrize("name", ["state_energy_maugis", "edge_ratio", "zone_span", "contact_displacement_maugis"])
 def test_what_maugis_alone_has_is_the_same_under_any_law(name: str, load: float) -> None:
-    assert len({solve(name, **QUARTZ, load=load, model=model) for model in LAWS}) == 1
+    assert len({solve(name, **QUARTZ, load=load, model=model) for model in MODELS}) == 1
 
 
 def test_the_energy_of_a_state_is_the_work_of_its_load() -> None:

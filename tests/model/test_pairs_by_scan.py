@@ -12,7 +12,7 @@ from jkroll.errors import JkrollError
 from jkroll.model.frame import Frame
 from jkroll.model.inverse import Inverse
 from jkroll.model.unsolved import SIZES, NoDependence, NoSolution, SeveralSolutions, Unseparated
-from jkroll.quantities.laws import LAWS
+from jkroll.quantities.laws import MODELS
 from scenes import log_uniform
 
 PER_DECADE = 10  # of the dense scan, whose cells end at other values than those of the program
@@ -95,7 +95,7 @@ def compared(random: Random) -> str:
     """
     given: dict[str, Any] = {name: log_uniform(random, *span) for name, span in SPANS.items()}
     given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}
-    law = random.choice([*LAWS])
+    law = random.choice([*MODELS])
     given["load"] = random.uniform(-0.9, 3) * Frame(given, model=law)["pull_off_force"]
     names = tuple(random.sample([*SPANS, "load"], 2))
     if random.random() < 0.3:

@@ -18,7 +18,7 @@ import pytest
 import law_reference
 from jkroll import NOMENCLATURE, physics, solve
 from jkroll.model.plan import formula_of, parameters_of
-from jkroll.physics import any_law, cylinder, dmt, dugdale, maugis, shifted
+from jkroll.physics import any_law, cylinder, dmt, dugdale, impact, maugis, shifted, sneddon, sphere
 from jkroll.physics.accuracy import accuracy_of
 from jkroll.physics.motion import FITTED_UP_TO
 from jkroll.report.questions import QUESTIONS
@@ -91,7 +91,7 @@ def worst(errors: Iterable[Error]) -> Error:
     return max(errors, key=lambda error: error.ulp)
 
 
-LAWS = {module.__name__ for module in (any_law, dmt, maugis)}
+LAWS = {module.__name__ for module in (any_law, dmt, maugis, sphere)}
 LAW_FORMULAS = {
     *(name for name, formula in physics.FORMULAS.items() if formula.__module__ in LAWS),
     "viscosity_number",
@@ -103,6 +103,7 @@ RESULTS = [
 # Of a speed, of an angle and of aggregates and chains, which no hard scene has.
 NEVER_HARD = (
     "speed_over_sticking",
+    *(name for name, formula in physics.FORMULAS.items() if formula.__module__ == impact.__name__),
     "kinetic_energy",
     "restitution",
     "lost_energy",
@@ -178,6 +179,7 @@ def _values(random: Random, scene: Frame) -> Iterator[tuple[str, Any]]:
         ("speed", 1e-9, 1e6),
         ("atomic_spacing", 1e-11, 1e-8),
         ("shear_strength", 1e3, 1e12),
+        ("impact_pressure", 1e3, 1e12),
         ("contacts", 1, 1e12),
     ):
         yield name, log_uniform(random, low, high)
@@ -212,6 +214,17 @@ def _damped(random: Random) -> Iterator[tuple[str, Any]]:
     )
 
 
+def _of_sphere(random: Random, modulus: float) -> Iterator[tuple[str, Any]]:
+    """Iterate over values of a rigid sphere on a soft plane, of any softness and in any state."""
+    radius, ratio = log_uniform(random, 1e-9, 1e3), log_uniform(random, 1e-15, 10)
+    last, fold = sneddon.last_state(ratio, 0.0, 1.0), sneddon.last_state(ratio, 1.0, 0.0)
+    yield from (("radius2", math.inf), ("youngs_modulus", math.inf), ("youngs_modulus2", modulus))
+    yield from (("poisson_ratio2", random.uniform(0.45, 0.5)), ("indenter_radius", radius))
+    yield from (("elastoadhesive_ratio", ratio), ("artanh_at_pull_off", last), ("artanh_at_fold", fold))
+    yield "unloaded_artanh", sneddon.state_at(0.0, ratio, last, 0.0, 1.0)
+    yield "contact_artanh", random.choice([last, fold * (1 + log_uniform(random, 1e-6, 10))])
+
+
 @cache
 def law_values() -> list[Frame]:
     """Return values of every parameter of the formulas of other laws, each taken as exact."""
@@ -242,6 +255,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     ):  # fmt: skip
         yield name, unit * log_uniform(random, 1e-3, 1e3)
     yield from _damped(random)
+    yield from _of_sphere(random, modulus)
     for name, low, high in (("hamaker", 1e-24, 1e-15), ("hamaker2", 1e-24, 1e-15), ("cutoff", 1e-11, 1e-8)):
         yield name, log_uniform(random, low, high)
     yield "hysteresis_fraction", log_uniform(random, 1e-6, 1)
@@ -323,10 +337,22 @@ OUTSIDE: Mapping[str, Callable[[Frame], bool]] = {
     "rolling_resistance_coefficient": lambda values: values["load"] <= 0,
     "peeling_force": lambda values: values["load_margin"] < 0,
     "peeling_radius": lambda values: values["load_margin"] < 0,
+    "yield_speed": lambda values: values["first_yield_pressure"] <= values["touch_pressure"],
+    "plastic_speed": lambda values: values["plastic_pressure"] <= values["touch_pressure"],
     "peeling_over_sliding": lambda values: "peeling_force" not in values,
     "sliding_or_peeling_force": lambda values: "peeling_force" not in values or values["load_margin"] < 0,
     "rolling_over_sliding": lambda values: "sliding_or_peeling_force" not in values,
     "contact_radius_dmt_at_approach": lambda values: values["approach_at_load"] < 0,
+    "artanh_at_load": lambda values: (
+        values["load"]
+        < values["contact_modulus"]
+        * values["indenter_radius"] ** 2
+        * sneddon.load(values["elastoadhesive_ratio"], values["artanh_at_pull_off"])
+    ),
+    "artanh_at_approach": lambda values: (
+        values["approach_at_load"]
+        < values["indenter_radius"] * sneddon.approach(values["elastoadhesive_ratio"], values["artanh_at_fold"])
+    ),
     "zone_span": lambda values: values["edge_ratio"] == 0,
     "approach_maugis_at_load": lambda values: values["edge_ratio"] == 0,
     "contact_displacement_maugis": lambda values: values["edge_ratio"] == 0,

@@ -150,6 +150,72 @@ def test_what_an_impact_says(run: Run) -> None:
     assert "elastic theory's" not in ran
 
 
+# --- Pressure and yield -----------------------------------------------------------------------------------------------
+
+
+def test_peak_pressure_is_that_of_hertz_without_adhesion() -> None:
+    """p0 = (2E*/π)(15mv²/(16E*R³))^(1/5), where v is well above the sticking speed."""
+    speed, mass, modulus = 100.0, *solve(["reduced_mass", "contact_modulus"], **QUARTZ).values()
+    hertz = 2 * modulus / math.pi * (15 * mass * speed**2 / (16 * modulus * 0.5e-6**3)) ** 0.2
+    assert solve("impact_pressure", **QUARTZ, speed=speed) == approx(hertz, rel=1e-3)
+    assert solve("impact_pressure", **QUARTZ, speed=speed) > hertz
+
+
+def test_peak_pressure_of_a_touch_is_above_that_at_rest() -> None:
+    force, radius = solve(["pull_off_force", "contact_radius"], **QUARTZ).values()
+    unit = force / (math.pi * radius**2)
+    assert solve("touch_pressure", **QUARTZ) == approx(5.082304 * unit, rel=1e-6)
+    assert solve("impact_pressure", **QUARTZ, speed=1e-9) == approx(5.082304 * unit, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "over_hertz"), [(6.0, 0.600), (8.0, 0.846), (10.0, 0.923), (20.0, 0.991), (50.0, 0.9994)]
+)
+def test_yield_speed_over_that_without_adhesion(ratio: float, over_hertz: float) -> None:
+    """v_y = (πp_y/2E*)^(5/2) √(16E*R³/(15m)) without adhesion."""
+    names = ["pull_off_force", "contact_radius", "contact_modulus", "reduced_mass"]
+    force, radius, modulus, mass = solve(names, **QUARTZ).values()
+    pressure = ratio * force / (math.pi * radius**2)
+    strength = pressure / solve("first_yield_pressure", **QUARTZ, yield_strength=1.0)
+    hertz = (math.pi * pressure / (2 * modulus)) ** 2.5 * math.sqrt(16 * modulus * 0.5e-6**3 / (15 * mass))
+    speed = solve("yield_speed", **QUARTZ, yield_strength=strength)
+    assert speed / hertz == approx(over_hertz, abs=6e-4)
+    assert solve("impact_pressure", **QUARTZ, speed=speed) == approx(pressure, rel=1e-12)
+
+
+@pytest.mark.parametrize(("poisson_ratio", "times"), [(0.17, 1.466), (0.3, 1.613), (0.5, 1.877)])
+def test_pressure_of_first_yield(poisson_ratio: float, times: float) -> None:
+    assert solve("first_yield_pressure", yield_strength=1e9, poisson_ratio=poisson_ratio) == approx(
+        times * 1e9, rel=4e-4
+    )
+
+
+def test_contact_that_yields_on_touching_has_no_yield_speed() -> None:
+    """The root of the formula below 5.08 P_c/(πa0²) is a state under tension, and no impact."""
+    with pytest.raises(Failure, match=r"first_yield_pressure: 788.7 MPa is below 15.055 GPa, to which adhesion alone"):
+        solve("yield_speed", material="iron", radius=1e-7, yield_strength=5e8)
+    speeds = solve("yield_speed", material="quartz", radius=1e-6, yield_strength=np.array([1e8, 3e9]))
+    assert np.isnan(speeds).tolist() == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("--speed 1m/s", "elastic if the solids bear a peak pressure of 1.23 GPa (p_H at rest is 656 MPa)"),
+        ("--speed 1m/s --yield-strength 3GPa", "it stays elastic: peak pressure 1.23 GPa; first yield at 4.4 GPa"),
+        ("--speed 30m/s --yield-strength 3GPa", "it yields below the surface, so e is an upper bound: peak pressure"),
+        ("--speed 300m/s --yield-strength 3GPa", "it yields fully, so e is an upper bound: peak pressure 11.8 GPa"),
+        ("--speed 1m/s --yield-strength 0.3GPa", "it yields fully, already where they touch at no speed, so e is an"),
+        ("--speed 5km/s", "too fast for a contact that is taken as static"),
+        ("--speed 100m/s --poisson 0.5 --young 1GPa", "the impact strains the solid too far for linear elasticity"),
+        ("--speed 100m/s", "the impact presses more than even a solid without flaws bears"),
+    ],
+)
+def test_what_an_impact_says_of_yield(words: str, said: str, run: Run) -> None:
+    ran = run(f"impact quartz 1um {words} --explain")
+    assert said in " ".join(ran.out.split())
+
+
 @pytest.mark.parametrize("asperity", [0.2e-9, 1.5e-9, 5e-9])
 def test_rough_pull_off_by_the_pairwise_sum(asperity: float) -> None:
     """A sphere on a plane, with a hemisphere of the solid between: van der Waals' force is the sum over the volumes."""

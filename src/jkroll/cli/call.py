@@ -14,7 +14,7 @@ from ..model.ranges import check_range
 from ..model.reasons import MissingInput
 from ..model.sweep import Pair, Sweep
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import law_named
+from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import QuantityError, Spread, as_typed, spreads_of
@@ -76,10 +76,10 @@ class Call(Options):
     @cached_property
     def models(self) -> Sequence[str | None]:
         """The names of laws; None where none was given."""
-        text = self.inputs.get("model")
+        text, profile = self.inputs.get("model"), self.inputs.get("profile")
         if text is None:
-            return [None]
-        names = [law_named(word).name for word in text.split(",")]
+            return [law_given(None, profile)]
+        names = [law_given(word, profile) for word in text.split(",")]
         if len(set(names)) < len(names):
             raise BadRequest(f"--model: {quoted(text)} names a law more than once")
         return names
@@ -87,7 +87,7 @@ class Call(Options):
     @cached_property
     def values(self) -> dict[str, str]:
         """The texts of inputs that are numbers, by name; the radii among the words are one of them."""
-        texts = {name: text for name, text in self.inputs.items() if name not in ("material2", "model")}
+        texts = {name: text for name, text in self.inputs.items() if name not in ("material2", "model", "profile")}
         if radii := [word for word in self.words if not _is_material(word)]:
             for word in radii:
                 if not word[:1].isdigit():

@@ -77,7 +77,7 @@ _ALWAYS = ("radius2", "diameter", "diameter2", "material2", "surface_energy", "w
 # Inputs that stand among the further options of the help, even where they are used.
 _FURTHER = ("diameter2", "shear_modulus", *_OF_SPHERE_2, "atomic_spacing", *OF_THE_PAIR, "energy_ratio",
     "adhesion_hysteresis", "hysteresis_fraction", "hamaker", "hamaker2", "cutoff", "viscous_time",
-    "asperity_radius")  # fmt: skip
+    "asperity_radius", "profile", "yield_strength")  # fmt: skip
 
 
 @cache
@@ -88,12 +88,14 @@ def input_options(quantities: tuple[str, ...] = ()) -> tuple[Option[Any], ...]:
     the report are shown.
     """
     from ..model.plan import depends_on
-    from ..quantities.laws import LAWS, varies_by_law
+    from ..quantities.laws import LAWS, has_profile, varies_by_law
 
     of_results = quantities or QUESTIONS["report"].quantities
     depends = depends_on(of_results, tuple(LAWS))
     if any(map(varies_by_law, depends_on(of_results))):
         depends |= {"model"}
+    if has_profile(of_results[0]):  # the question is about the contact itself
+        depends |= {"profile"}
     names = dict.fromkeys((*_ALWAYS, *(name for name in NOMENCLATURE if not quantities or name in depends)))
     shown = {*depends, "material2", "radius2"}.difference(_FURTHER)
     shown = shown | {"diameter"} if quantities else shown - {"diameter"}  # a longer help has no line for it
@@ -230,7 +232,7 @@ MIN_WIDTH = 48
 MIN_TEXT = 20
 GUTTER = 10  # of the names of groups
 
-_WITH_THE_PAIR = "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius"
+_WITH_THE_PAIR = "material material2 work_of_adhesion monomers contacts filling_factor asperity_radius yield_strength"
 
 Row = tuple[str, str]  # what is typed, and its meaning
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from typing import Any
 
 from ..errors import FAILED, JkrollError
-from ..quantities.laws import LAWS
+from ..quantities.laws import MODELS, PROFILES
 from ..quantities.nomenclature import ANY, NOMENCLATURE
 from ..text import say
 from .commands import COMMANDS, Command, flags_of
@@ -187,5 +187,6 @@ _RESULTS = [  # the quantities that a formula gives, without variants and withou
 _NAMES: Mapping[str, Callable[[str], Iterable[str]]] = {
     **dict.fromkeys(("MATERIAL", "material", "material2", "mark"), _materials),
     **dict.fromkeys(("QUANTITY", "NAME", "quantities"), lambda _: _RESULTS),
-    "model": lambda _: LAWS,
+    "model": lambda _: MODELS,
+    "profile": lambda _: PROFILES,
 }

@@ -18,7 +18,7 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material
 from ..physics.contact import reduced_radius
 from ..physics.elementary import NUMBER, where
-from ..quantities.laws import ALWAYS, DEFAULT_LAW, Law, law_named, other_law
+from ..quantities.laws import ALWAYS, DEFAULT_LAW, LAWS, Law, other_law
 from ..quantities.nomenclature import (
     CONVERTED,
     INFINITY,
@@ -129,12 +129,12 @@ class Frame:
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
-        `model` is the law of attraction; None stands for the paper's, JKR. The frame computes with the middle of a
-        value that has an uncertainty; `model.uncertainty` computes with the rest. `moved`: values in place of those of
-        the materials, which are not their data; None stands for none. `state`: the name of a state of a force curve.
+        `model` is the name of a law in `LAWS`; None stands for the paper's, JKR. The frame computes with the middle of
+        a value that has an uncertainty; `model.uncertainty` computes with the rest. `moved`: values in place of those
+        of the materials, which are not their data; None stands for none. `state`: the name of a state of a force curve.
         Raises QuantityError, or BadRequest for arrays that do not broadcast.
         """
-        self.law = law_named(DEFAULT_LAW if model is None else model)
+        self.law = LAWS[DEFAULT_LAW if model is None else model]
         self.stated_model = None if model is None else self.law.name
         self.state = state
         check_exclusive(given)
@@ -356,7 +356,7 @@ class Frame:
         used = {*used, *(self.stated.keys() & self.given.keys())}
         echoed: dict[str, Any] = {of_sphere(sphere, "material"): solid.name for solid, sphere in self.materials}
         if self.stated_model is not None:
-            echoed["model"] = self.stated_model
+            echoed |= self.law.words
         for name in NOMENCLATURE:
             if name in used:
                 echoed[name] = self.values[name]

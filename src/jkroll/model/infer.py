@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, overload
 
 from ..materials.library import Material, Materials
+from ..quantities.laws import law_given
 from ..quantities.nomenclature import named
 from ..quantities.values import QuantityError, is_uncertain, middle
 from .containers import Reader
@@ -35,6 +36,7 @@ def infer(
     material2: str | Material | None = None,
     materials: Materials | None = None,
     model: str | None = None,
+    profile: str | None = None,
     **given: Any,
 ) -> Any:
     """Return the value of an input at which a quantity has its measured value, or of two inputs by two quantities.
@@ -46,7 +48,7 @@ def infer(
     measured
         One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`. For
         two inputs, two quantities.
-    material, material2, materials, model, **given
+    material, material2, materials, model, profile, **given
         The rest of the scene, as `solve` takes it. Values that a material has of the inputs are not used.
 
     Returns
@@ -80,7 +82,7 @@ def infer(
     described = reader.in_si(given)
     for name, value in levels.items():
         check_range(name, middle(value))
-    known = Frame(described, *materials_of(material, material2, materials), model=model)
+    known = Frame(described, *materials_of(material, material2, materials), model=law_given(model, profile))
     frame = Inverse(names, levels, known)
     values, inputs = {name: frame[name] for name in names}, {**described, **levels}
     if any(map(is_uncertain, inputs.values())):  # as in `solve`

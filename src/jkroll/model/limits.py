@@ -9,6 +9,7 @@ from typing import Any, Literal
 from ..errors import JkrollError
 from ..physics.elementary import at_least, at_most, is_anywhere, ln, where
 from ..quantities.formatting import Format, amount
+from ..quantities.laws import JKR_OF_SPHERE
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD
 from .column import Column
 from .frame import Frame, once_a_frame
@@ -43,10 +44,12 @@ class Limit:
         factor: Callable[[Frame, Mapping[str, Column]], Any] | None = None,
         where: Callable[[Frame], Any] | None = None,  # the rows for which it is judged
         is_told: bool = True,  # below an answer, and not in explanations alone
+        has_remedy: Callable[[Frame], bool] | None = None,  # its sentence says what to do, and stands before others
     ) -> None:
         self.name, self.touches, self.sign, self.codes = name, touches, sign, codes
         self.consequence, self.applies, self.ends_meaning = consequence, applies, ends_meaning
         self.conclusion, self.factor, self.where, self.is_told = conclusion, factor, where, is_told
+        self.has_remedy = has_remedy
         self.threshold = next(iter(codes))  # the first one
 
     def is_beyond(self, number: Any, threshold: float) -> Any:
@@ -142,9 +145,11 @@ _DISPLACEMENT = frozenset({"yield_displacement"})
 JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
 STICKING_UNSURE = "sticking-unsure"
 ROUGH_MATTERS = "rough-matters"
+WIDE_CONTACT = "wide-contact"
 _PUSHED = frozenset({"yield_force", "yield_force_fixed_load", "yield_force_ratio"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 _PULLED = frozenset({"pull_off_force", "bond_number"})
+_IMPACT = frozenset({"restitution", "lost_energy", "impact_pressure"})
 
 LAW_MATTERS = 1.05  # factor between the answers of two laws
 
@@ -169,6 +174,12 @@ def _is_rubbery(frame: Frame) -> Any:
         return False
     is_second = known["youngs_modulus2"] < known["youngs_modulus"]
     return where(is_second, known["poisson_ratio2"], known["poisson_ratio"]) >= RUBBERY
+
+
+@once_a_frame
+def may_be_sphere(frame: Frame) -> bool:
+    """Return whether the profile of a true sphere is justified."""
+    return bool(frame.under(JKR_OF_SPHERE).numbers("indenter_radius"))
 
 
 def _is_not_rubbery(frame: Frame) -> Any:
@@ -260,6 +271,28 @@ INEXACT = (
         is_told=False,  # e says it
     ),
     Limit(
+        "speed_over_sound", _IMPACT, ">", {0.1: "near-sound-speed"},
+        "too fast for a contact that is taken as static: waves in the spheres carry energy away",
+        lambda frame, _: "speed" in frame.stated,
+    ),
+    Limit(
+        "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-may-yield"},
+        "the impact presses more than even a solid without flaws bears; e is an upper bound",
+        lambda frame, _: "speed" in frame.stated,
+        where=_is_not_rubbery,
+    ),
+    Limit(
+        "impact_pressure_over_modulus", _IMPACT, ">", {0.1: "impact-large-strain"},
+        "the impact strains the solid too far for linear elasticity",
+        lambda frame, _: "speed" in frame.stated,
+        where=_is_rubbery,
+    ),
+    Limit(
+        "impact_over_yield", _IMPACT, ">", {1.0: "impact-yields"},
+        "the impact yields below the surface; e is an upper bound",
+        lambda frame, _: {"speed", "yield_strength"} <= frame.stated.keys(),
+    ),
+    Limit(
         "hysteresis_ratio", frozenset({"yield_moment", "yield_force"}), ">", {1.0: "moment-unexplained"},
         "adhesion hysteresis cannot supply this moment; viscous, plastic or capillary loss could",
     ),
@@ -300,8 +333,9 @@ INEXACT = (
         where=_is_rubbery,
     ),
     Limit(
-        "profile_error", _ELASTICITY, ">", {0.01: "wide-contact"},
+        "profile_error", _ELASTICITY, ">", {0.01: WIDE_CONTACT},
         "contact too wide for the formulas; their shape of a sphere is off by e_h at its edge",
+        has_remedy=may_be_sphere,
     ),
 )  # fmt: skip
 LIMITS = (*ENDING, *INEXACT)

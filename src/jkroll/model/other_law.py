@@ -5,7 +5,7 @@ from functools import reduce
 from typing import Any
 
 from ..physics.elementary import at_least, at_most, quotient, where
-from ..quantities.laws import BETWEEN, DEFAULT_LAW
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, PARABOLOID
 from ..quantities.nomenclature import INFINITY
 from .column import Column
 from .frame import Frame, once_a_frame
@@ -44,6 +44,9 @@ def factor_of_law(frame: Frame, columns: Mapping[str, Column]) -> Any:
     """
     if frame.law.name == BETWEEN:
         return 1.0
+    if frame.law.profile != PARABOLOID:  # the law is judged apart from the profile
+        frame = frame.under(DEFAULT_LAW)
+        columns = frame.columns(columns)
     ours = {name: columns[name].values for name in moved_by_law(frame, columns) if not columns[name].is_empty}
     other = by_law_at_spacing(frame, ours)
     compared = [*other.columns(ours).items()]

@@ -12,13 +12,13 @@ from operator import ge, gt, le
 from typing import Any
 
 from ..errors import JkrollError, NoResult, code_of
-from ..physics import FORMULAS
+from ..physics import FORMULAS, sneddon
 from ..physics.contact import pull_off_force_dmt
 from ..physics.elementary import where
 from ..physics.jkr import approach_at_fold
 from ..physics.motion import FITTED_UP_TO
 from ..quantities.formatting import Format, amount
-from ..quantities.laws import DEFAULT_LAW, law_of
+from ..quantities.laws import DEFAULT_LAW, LAWS, PARABOLOID, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_OR_LOAD
 from ..quantities.values import parse_quantity
 from ..text import listed
@@ -79,8 +79,10 @@ class NotInLaw(MissingInput):
         return f"{self.wanted}: {self.explanation()}"
 
     def explanation(self, verb: str = "needs") -> str:
-        """Return the quantity that the law does not have, and the law to give."""
-        remedy = f"give --model {law_of(self.absent[0]) or DEFAULT_LAW}"
+        """Return the quantity that the law does not have, and the law or the profile to give."""
+        is_of_profile = any(law.title == self.law and law.profile != PARABOLOID for law in LAWS.values())
+        words = {"profile": PARABOLOID} if is_of_profile else LAWS[law_of(self.absent[0]) or DEFAULT_LAW].words
+        remedy = "give " + " ".join(f"--{option} {word}" for option, word in words.items())
         if self.absent == (self.wanted,):
             return f"not in {self.law}; {remedy}"
         return f"{verb} {_in_words(self.absent)}, which {self.law} does not have; {remedy}"
@@ -128,6 +130,11 @@ HIDDEN = Cause("", "a quantity of identical spheres, not asked for by name", cod
 BEYOND_PULL_OFF = Cause("beyond pull-off", "{0} breaks this contact: the hardest pull that it holds is {1}", "load")
 BEYOND_JKR = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_PULL_OFF.words} by JKR, {{2}} by Maugis' law", "load")
 HELD_BY_MAUGIS = Cause(BEYOND_PULL_OFF.phrase, f"{BEYOND_JKR.words}: --model maugis", "load")
+NO_PROFILE = Cause(
+    "no rigid sphere on a soft plane",
+    "the profile of a sphere is for a rigid sphere (E1 ≥ 100 E2) on a plane of ν2 ≥ 0.45, such as a rubber or a gel; "
+    "else terms of order a/R come before its shape, which is of order (a/R)²",
+)
 BEYOND_FOLD = Cause(
     "beyond the fold",
     "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
@@ -163,6 +170,12 @@ NO_POISSON_RATIO = Cause(
     "the damping goes as 1/(ν1ν2), which needs Poisson's ratios other than 0 and of one sign",
     code="poisson-ratio-not-positive",
 )
+YIELDS_ON_TOUCH = Cause(
+    "yields on touching",
+    "{0} is below {1}, to which adhesion alone presses a contact as it forms: it yields at every speed",
+    "first_yield_pressure",
+)
+PLASTIC_ON_TOUCH = Cause("plastic on touching", YIELDS_ON_TOUCH.words, "plastic_pressure")
 NO_DOUBLE = Cause("no finite value", "no value that a double can hold")
 INFINITE = Cause("infinite", "infinite")  # where a number is to be written, such as the mass of a plane
 NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-fold")
@@ -172,7 +185,8 @@ NO_STIFFNESS = Cause("", "infinite where fixed grips let go", code="infinite-at-
 _CAUSES = [
     None, MISSING, NOT_IN_LAW, HIDDEN, BEYOND_PULL_OFF, BEYOND_JKR, HELD_BY_MAUGIS, BEYOND_FOLD, TWO_RIGID_BODIES,
     RESTS_ON_SPACING, OF_IDENTICAL_SPHERES, NOT_HELD, NOT_PRESSED, NO_CHAIN, RIGID, APART, TOO_MUCH_HYSTERESIS,
-    STICKS_ALWAYS, NO_POISSON_RATIO, NO_DOUBLE, INFINITE, NO_STIFFNESS, OF_ANOTHER_PAIR,
+    STICKS_ALWAYS, NO_POISSON_RATIO, YIELDS_ON_TOUCH, PLASTIC_ON_TOUCH, NO_DOUBLE, INFINITE, NO_STIFFNESS,
+    OF_ANOTHER_PAIR, NO_PROFILE,
 ]  # fmt: skip
 _STEPS = ("", *dict.fromkeys((*NOMENCLATURE, *FORMULAS)))
 
@@ -282,6 +296,15 @@ def _pull_off_dmt(given: Given) -> Any:
     return -pull_off_force_dmt(work_of_adhesion=given["work_of_adhesion"], reduced_radius=given["reduced_radius"])
 
 
+def _pull_off_sphere(given: Given) -> Any:
+    unit = given["contact_modulus"] * given["indenter_radius"] ** 2
+    return sneddon.load(given["elastoadhesive_ratio"], given["artanh_at_pull_off"]) * unit
+
+
+def _fold_sphere(given: Given) -> Any:
+    return sneddon.approach(given["elastoadhesive_ratio"], given["artanh_at_fold"]) * given["indenter_radius"]
+
+
 Rule = tuple[Cause, Callable[[Given], Any]]
 
 # Between pull-off and the fold, by the stiffness or by the distance from pull-off.
@@ -300,6 +323,11 @@ RULES: Mapping[str, Rule] = {
     "contact_radius_dmt_at_approach": (BEYOND_FOLD, lambda _: 0.0),
     "yield_displacement_at_hysteresis": (TOO_MUCH_HYSTERESIS, lambda given: given["work_of_adhesion"]),
     "sticking_speed_viscous": (STICKS_ALWAYS, lambda _: FITTED_UP_TO),
+    "yield_speed": (YIELDS_ON_TOUCH, lambda given: given["touch_pressure"]),
+    "plastic_speed": (PLASTIC_ON_TOUCH, lambda given: given["touch_pressure"]),
+    "artanh_at_load": (BEYOND_PULL_OFF, _pull_off_sphere),
+    "artanh_at_approach": (BEYOND_FOLD, _fold_sphere),
+    "indenter_radius": (NO_PROFILE, lambda _: True),
     "r_min": (NO_CHAIN, lambda given: given["radius2"] == INFINITY),
     "vertical_frequency": _NOT_HELD,
     "peeling_force": _NOT_HELD,

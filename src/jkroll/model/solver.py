@@ -8,6 +8,7 @@ from typing import Any, overload
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
+from ..quantities.laws import law_given
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, UnknownQuantity, named
 from ..quantities.values import QuantityError, is_uncertain
 from ..text import listed
@@ -33,6 +34,7 @@ def solve(
     material2: str | Material | None = None,
     materials: Materials | None = None,
     model: str | None = None,
+    profile: str | None = None,
     **given: Any,
 ) -> Any:
     """Compute quantities of the nomenclature from whatever is known of the scene.
@@ -53,6 +55,8 @@ def solve(
         Where materials are looked up: `Materials("mine.toml")` for some of your own besides the shipped ones.
     model
         The law of attraction: "jkr" (the paper's, the default), "maugis" or "dmt".
+    profile
+        The body that presses: "paraboloid" (the default) or, for a rigid sphere on a soft plane by JKR, "sphere".
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity,
         which an array of xarray or dask may hold. Arrays broadcast by position: those of pandas or xarray must have the
@@ -84,7 +88,7 @@ def solve(
     names = [*map(named, words_in(wanted))]
     reader = Reader()
     described = reader.in_si(given)
-    frame = Frame(described, *materials_of(material, material2, materials), model=model)
+    frame = Frame(described, *materials_of(material, material2, materials), model=law_given(model, profile))
     results = values_of(frame, names)
     if frame.uncertain:
         results = with_uncertainties(frame, described, results)

@@ -17,9 +17,9 @@ names in `dimensions`. Its arguments are positive, but for these, where its docs
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from . import any_law, contact, conventions, dmt, jkr, maugis, motion, rolling, tangential
+from . import any_law, contact, conventions, dmt, impact, jkr, maugis, motion, rolling, sphere, tangential
 
-_MODULES = (contact, jkr, rolling, motion, conventions, tangential, any_law, dmt, maugis)
+_MODULES = (contact, jkr, rolling, motion, impact, conventions, tangential, any_law, dmt, maugis, sphere)
 FORMULAS: Mapping[str, Callable[..., Any]] = {  # the public functions of the modules, by name
     name: function
     for module in _MODULES

@@ -13,13 +13,16 @@ _OTHERS = {
     "2 ulp, for the ratio δ̂ as it is rounded": "load_factor_at_approach",
     "2.5 ulp of the larger term": "boussinesq_pressure_at_approach",
     "3 ulp of the fit": "pull_off_force_lennard_jones",
-    "3 ulp of the larger term": "yield_force_fixed_load",
+    "3 ulp of the larger term": (
+        "yield_force_fixed_load approach_sphere unloaded_approach_sphere approach_at_pull_off_sphere "
+        "approach_at_fold_sphere"
+    ),
     "3 ulp, times 1 plus its condition in the load": "contact_radius_dmt",
     "3 ulp for s ≥ 0; beyond, 2 + 3s cancels towards the fold": "stiffness",
     "3.5 ulp": "strip_moment viscosity_number mass yield_force shear_strength twisting_moment",
     "4 ulp": (
         "unloaded_moment_of_radius pull_off_force_rough tensile_strength adhesion_energy adhesive_force_maugis "
-        "unloaded_edge_ratio rayleigh_time twisting_stiffness"
+        "unloaded_edge_ratio rayleigh_time twisting_stiffness first_yield_pressure"
     ),
     "4 ulp of the larger term": "approach_at_load pressure load_dmt approach_maugis",
     "4 ulp, times 1 plus its condition in λ": "edge_ratio_at_fold",
@@ -35,8 +38,9 @@ _OTHERS = {
     "6 ulp, times 1 plus its condition in v, T and σ0": "stiffness_maugis",
     "6 ulp; without contact, times 1 plus its condition in the approach and λ": "zone_span_at_approach",
     "7 ulp of the largest term": "asymmetric_pressure",
-    "8 ulp": "compressive_strength pull_off_force_maugis fold_approach_maugis",
-    "8 ulp of the larger term": "load_maugis approach_at_pull_off_maugis",
+    "3 ulp, times 1 plus its condition in the two pressures": "yield_speed plastic_speed",
+    "8 ulp": "impact_pressure unloaded_artanh compressive_strength pull_off_force_maugis fold_approach_maugis",
+    "8 ulp of the larger term": "load_sphere load_maugis approach_at_pull_off_maugis",
     "8 ulp of the largest term": "half_circle_pressure",
     "8 ulp, times 1 plus its condition in the load and λ": "edge_ratio_at_load",
     "8 ulp, times 1 plus its condition in the approach and λ": "edge_ratio_at_approach",
@@ -44,7 +48,10 @@ _OTHERS = {
     "10 ulp; for λ > 0.655, of the energy of the well": "sticking_energy_maugis",
     "12 ulp": "unloaded_approach_maugis",
     "12 ulp of the fit, which is within 1e-10, times 1 plus its condition in T*": "sticking_speed_viscous",
-    "15 ulp": "pull_off_work_maugis",
+    "8 ulp, times 1 plus its condition in the load and in L at pull-off": "artanh_at_load",
+    "8 ulp, times 1 plus its condition in the approach and in L at the fold": "artanh_at_approach",
+    "3 ulp, times 1 plus its condition in L and κ": "stiffness_sphere",
+    "15 ulp": "pull_off_work_maugis pull_off_force_sphere",
     "18 ulp": "well_energy_maugis",
     "25 ulp": "pull_off_work_at_dead_load_maugis",
 }

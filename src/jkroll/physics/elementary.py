@@ -55,6 +55,42 @@ def ln(value: FloatOrArray) -> FloatOrArray:
         return numpy.log(numpy.maximum(value, 0.0))
 
 
+def log1p(value: FloatOrArray) -> FloatOrArray:
+    """Return ln(1 + x), with all digits for small x."""
+    if isinstance(value, NUMBER):
+        return math.log1p(value)
+    import numpy
+
+    return numpy.log1p(value)
+
+
+def tanh(value: FloatOrArray) -> FloatOrArray:
+    """Return the hyperbolic tangent."""
+    if isinstance(value, NUMBER):
+        return math.tanh(value)
+    import numpy
+
+    return numpy.tanh(value)
+
+
+def sinh(value: FloatOrArray) -> FloatOrArray:
+    """Return the hyperbolic sine."""
+    if isinstance(value, NUMBER):
+        return math.sinh(value)
+    import numpy
+
+    return numpy.sinh(value)
+
+
+def arsinh(value: FloatOrArray) -> FloatOrArray:
+    """Return the inverse of the hyperbolic sine."""
+    if isinstance(value, NUMBER):
+        return math.asinh(value)
+    import numpy
+
+    return numpy.arcsinh(value)
+
+
 def cube(value: FloatOrArray) -> FloatOrArray:
     """Return the third power by products, which round alike for numbers and arrays; numpy's power is 5 times slower."""
     return value * value * value

@@ -6,18 +6,24 @@ such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) 
 for a quantity that the law does not have; a name without a route is found by the formula of the same name. A formula
 that one law alone routes to belongs to that law: under another it would mix the two, and is refused.
 
+The profile of the body that presses is a part of a law, too: JKR's contact of a true sphere is another `Law` than that
+of a paraboloid. Users choose it by the profile.
+
 A new law is one more `Law` here, its formulas in `physics`, its reference in `write/references.toml`, the states of
 its force curve in `answers.curve`, and where the physics gives a formula no result, the reason in `model.reasons`. The
 nomenclature takes the names of its formulas from the routes.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import cache
 
 from ..errors import BadRequest
 from ..text import closest, quoted
 
 Routes = Mapping[str, str | None]
+
+
+PARABOLOID, SPHERE = PROFILES = ("paraboloid", "sphere")  # of the body that presses
 
 
 class Law:
@@ -33,14 +39,20 @@ class Law:
         by_spacing: frozenset[
             str
         ] = frozenset(),  # formulas whose results the atomic spacing decides while λ is below 1
+        profile: str = PARABOLOID,
     ) -> None:
-        self.name, self.title, self.source = name, title, source
+        self.name, self.title, self.source, self.profile = name, title, source, profile
         self.tables, self.omits, self.by_spacing = tables, omits, by_spacing
 
     @property
     def short(self) -> str:
         """The title without a second author: "Maugis" of Maugis–Dugdale."""
         return self.title.partition("–")[0]
+
+    @property
+    def words(self) -> Mapping[str, str]:
+        """The input that chooses the law, as it is given."""
+        return {"model": self.name} if self.profile == PARABOLOID else {"profile": self.profile}
 
     @property
     def is_default(self) -> bool:
@@ -88,6 +100,8 @@ _JKR = Law(
     omits=frozenset({"pull_off_force_lennard_jones"}),
 )
 
+_PEAK_OF_JKR = ("impact_pressure", "touch_pressure", "yield_speed", "plastic_speed")  # by its energies
+
 # Of every law but JKR: what follows from its adhesive force, contact radius and pull-off force, and what JKR alone has.
 _OUTSIDE_JKR: Routes = {
     "unloaded_moment": "unloaded_moment_of_radius",
@@ -100,6 +114,7 @@ _OUTSIDE_JKR: Routes = {
     "fixed_approach_moment": None,
     "displacement_limit": None,
     "viscosity_number": None,
+    **dict.fromkeys(_PEAK_OF_JKR),
     "sliding_force": None,  # over the contact or over the zone of attraction: a factor of 6 for quartz of 100 nm
     "sliding_displacement": None,
     "sliding_energy": None,
@@ -142,7 +157,7 @@ _MAUGIS = Law(
         "edge_ratio": {"load": "load_maugis"},
         "approach_at_load": {"load": "load_maugis"},
     },
-    omits=frozenset({"rolling_frequency_as_printed"}),
+    omits=frozenset({"rolling_frequency_as_printed", *_PEAK_OF_JKR}),
     by_spacing=frozenset({"sticking_energy_maugis"}),
 )
 
@@ -174,10 +189,52 @@ _DMT = Law(
         },
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
-    omits=frozenset({"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt"}),
+    omits=frozenset(
+        {"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt", *_PEAK_OF_JKR}
+    ),
 )
 
-LAWS: Mapping[str, Law] = {law.name: law for law in (_JKR, _MAUGIS, _DMT)}
+# JKR's law for a rigid sphere of true shape on a soft plane. It has the contact, and nothing that follows from JKR's
+# energies or its adhesive force.
+_OF_SPHERE = Law(
+    name="jkr-sphere",
+    title="JKR, sphere",
+    source="Sneddon's sphere, as in code AFM-analysis/nanite",
+    tables={
+        ALWAYS: {
+            **dict.fromkeys(_OUTSIDE_JKR),
+            "pull_off_force": "pull_off_force_sphere",
+            "contact_radius": "unloaded_radius_sphere",
+            "approach": "unloaded_approach_sphere",
+            "contact_artanh": "artanh_at_load",
+            "contact_radius_at_load": "contact_radius_sphere",
+            "approach_at_load": "approach_sphere",
+            "contact_radius_at_pull_off": "contact_radius_at_pull_off_sphere",
+            "approach_at_pull_off": "approach_at_pull_off_sphere",
+            "contact_radius_at_fold": "contact_radius_at_fold_sphere",
+            "approach_at_fold": "approach_at_fold_sphere",
+            "stiffness": "stiffness_sphere",
+            "contact_over_sphere": "contact_over_sphere_of_ratio",
+            "hertz_pressure_over_modulus": "strain_of_contact",
+            "hertz_pressure": None,
+            "profile_error": None,
+            "adhesive_force": None,
+            "well_energy": None,
+            "pull_off_work": None,
+            "pull_off_work_at_dead_load": None,
+            "sticking_energy": None,
+            "fold_energy": None,
+            "zone_radius": None,
+        },
+        "approach_at_load": {"load": "load_sphere", "contact_artanh": "artanh_at_approach"},
+    },
+    omits=frozenset({"pull_off_force_lennard_jones", "pull_off_force_dmt", "pull_off_force_rough"}),
+    profile=SPHERE,
+)
+
+LAWS: Mapping[str, Law] = {law.name: law for law in (_JKR, _MAUGIS, _DMT, _OF_SPHERE)}
+JKR_OF_SPHERE = _OF_SPHERE.name
+MODELS = tuple(name for name, law in LAWS.items() if law.profile == PARABOLOID)  # the words of --model
 DEFAULT_LAW = _JKR.name
 BETWEEN = _MAUGIS.name  # the law that holds between JKR and DMT
 
@@ -187,13 +244,25 @@ def other_law(name: str) -> str:
     return DEFAULT_LAW if name == BETWEEN else BETWEEN
 
 
-def law_named(name: str) -> Law:
-    """Return the law of a name in any case, or raise BadRequest."""
-    if not isinstance(name, str) or name.casefold() not in LAWS:
-        guess = closest(str(name), LAWS)
+def law_given(model: str | None, profile: str | None = None) -> str | None:
+    """Return the name of the law of a model and a profile in any case; None where none is given, or the usual profile.
+
+    Raises BadRequest for another word, and for a sphere under another law than JKR.
+    """
+    name = None if model is None else _one_of(MODELS, "model", model)
+    if profile is None or _one_of(PROFILES, "profile", profile) == PARABOLOID:
+        return name
+    if name not in (None, DEFAULT_LAW):
+        raise BadRequest(f"profile: only JKR has a {SPHERE}; leave out model {name}, or take the profile {PARABOLOID}")
+    return JKR_OF_SPHERE
+
+
+def _one_of(words: Collection[str], what: str, word: str) -> str:
+    if not isinstance(word, str) or word.casefold() not in words:
+        guess = closest(str(word), words)
         meant = f"; did you mean {guess}?" if guess else ""
-        raise BadRequest(f"model: {quoted(str(name), 40)} is not one of {', '.join(LAWS)}{meant}")
-    return LAWS[name.casefold()]
+        raise BadRequest(f"{what}: {quoted(str(word), 40)} is not one of {', '.join(words)}{meant}")
+    return word.casefold()
 
 
 def tables_of(law: Law) -> list[tuple[str, Routes]]:
@@ -228,6 +297,12 @@ def law_of(formula: str) -> str | None:
     """Return the only law that has some quantity by a formula; None if there is none, or several."""
     laws = [model for model in LAWS if any(formula in formulas for formulas in routes_anywhere((model,)).values())]
     return laws[0] if len(laws) == 1 else None
+
+
+@cache
+def has_profile(name: str) -> bool:
+    """Return whether a quantity is one of a sphere of true shape."""
+    return _OF_SPHERE.tables[ALWAYS].get(name) is not None
 
 
 @cache

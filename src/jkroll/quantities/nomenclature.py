@@ -10,7 +10,7 @@ from typing import Any
 
 from ..errors import BadRequest, JkrollError
 from ..text import ascii_text, closest, listed, quoted
-from .laws import LAWS, routes_anywhere
+from .laws import MODELS, PROFILES, routes_anywhere
 from .synonyms import QUANTITY_SYNONYMS
 
 
@@ -75,8 +75,19 @@ class Quantity:
         return f"Quantity({self.symbol!r}, {self.unit!r}, {self.sentence!r})"
 
 
-# --- Quantities that Maugis' law alone has ----------------------------------------------------------------------------
+# --- Quantities that one law alone has --------------------------------------------------------------------------------
 
+OF_SPHERE: Mapping[str, Quantity] = {  # of a rigid sphere of true shape on a soft plane
+    "indenter_radius": Quantity("R_s", "m", "radius of the rigid sphere"),
+    "elastoadhesive_ratio": Quantity("κ", "1", "elasto-adhesive length w/E* over R"),
+    "contact_artanh": Quantity("L", "1", "artanh(a/R)"),
+    "artanh_at_load": Quantity("L", "1", "artanh(a/R) at the load", variant_of="contact_artanh"),
+    "artanh_at_approach": Quantity("L", "1", "artanh(a/R) at the approach", variant_of="contact_artanh"),
+    "unloaded_artanh": Quantity("L0", "1", "artanh(a/R) without load"),
+    "artanh_at_pull_off": Quantity("L_pull", "1", "artanh(a/R) at pull-off"),
+    "artanh_at_fold": Quantity("L_fold", "1", "artanh(a/R) where fixed grips let go"),
+    "load_sphere": Quantity("P", "N", "load that holds the contact", may_be_zero=True, variant_of="load"),
+}
 OF_MAUGIS: Mapping[str, Quantity] = {
     "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
     "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
@@ -219,7 +230,9 @@ _TRAILING = (
 _QUANTITIES: Mapping[str, Quantity] = {
     # what the user gives
     "material": Quantity("", "", "material of sphere 1", sphere=1, twin="material2"),
-    "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
+    "model": Quantity("model", "", f"law of attraction: {', '.join(MODELS)}", option="--model", example="maugis"),
+    "profile": Quantity("profile", "", f"of the body that presses: {', '.join(PROFILES)}", option="--profile",
+        example="sphere"),
     "state": Quantity("state", "", "state on the force curve"),
     "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2,
         twin="material"),
@@ -233,6 +246,8 @@ _QUANTITIES: Mapping[str, Quantity] = {
         example="1e-18J"),
     "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1"),
     "speed": Quantity("v", "m/s", "impact speed of sphere 1", range=POSITIVE, option="--speed", example="10cm/s"),
+    "yield_strength": Quantity("S_y", "Pa", "yield strength of the weaker solid", range=POSITIVE,
+        option="--yield-strength", example="1GPa"),
     # the pair
     "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE,
         option="--work-of-adhesion", example="50mJ/m2"),
@@ -344,6 +359,9 @@ _QUANTITIES: Mapping[str, Quantity] = {
     "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
     "flight_ratio": Quantity("m1v²/(R1+R2)P_c", "1", "force to stay on body 2 over the pull-off force",
         may_be_zero=True),
+    "impact_pressure_over_modulus": Quantity("p_max/E*", "1", "peak pressure of the impact over the contact modulus"),
+    "impact_over_yield": Quantity("p_max/p_y", "1", "peak pressure of the impact over that of first yield"),
+    "speed_over_sound": Quantity("v/√(E/ρ)", "1", "speed over that of sound in the solid", may_be_zero=True),
     "speed_over_sticking": Quantity("v/v_stick", "1", "speed over the largest that sticks"),
     # ratios
     "pull_off_force_ratio": Quantity("P_c/πwR", "1", "pull-off force over πwR"),
@@ -360,6 +378,14 @@ _QUANTITIES: Mapping[str, Quantity] = {
         note="upper bound where the law is right: adhesion, and viscous damping if it is given, are the only losses"),
     "lost_energy": Quantity("W_lost", "J", "energy lost to adhesion"),
     "viscosity_number": Quantity("T*", "1", "viscous time over impact's", shown_with=["viscous_time"]),
+    "impact_pressure": Quantity("p_max", "Pa", "peak pressure of the impact"),
+    "touch_pressure": Quantity("p_touch", "Pa", "peak pressure of a touch at no speed"),
+    "first_yield_pressure": Quantity("p_y", "Pa", "pressure of first yield",
+        note="peak pressure at which a point below the surface yields", shown_with=["yield_strength"]),
+    "plastic_pressure": Quantity("p_pl", "Pa", "pressure of full yield",
+        note="(2 + π)/√3 of the yield strength, about the hardness", shown_with=["yield_strength"]),
+    "yield_speed": Quantity("v_y", "m/s", "speed of first yield", shown_with=["yield_strength"]),
+    "plastic_speed": Quantity("v_pl", "m/s", "speed of full yield", shown_with=["yield_strength"]),
     # energies and speeds by convention
     "fold_energy": Quantity("F_cδ_c", "J", "unit of energy, Wada 2007", definition="0.82548 P_cδ0",
         reference="code Lumajord/DustSimulation, after Wada et al. 2007"),
@@ -388,6 +414,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
         definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code"),
     **OF_DEM,
     **OF_MAUGIS,
+    **OF_SPHERE,
 }  # fmt: skip
 
 # A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the

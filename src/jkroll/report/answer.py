@@ -33,7 +33,7 @@ from ..model.reasons import (
 from ..model.results import ROW, Results, has_code
 from ..model.uncertainty import ErrorBar, error_bars
 from ..quantities.formatting import amount, in_words
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, MODELS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import Uncertain, is_uncertain, middle
 from .notes import assumed, entering
@@ -235,7 +235,7 @@ class Answer(Results):
         if not unknowns or not self.values or self.ended:
             return found
         formulas = self.described.formulas_to(*unknowns)
-        for law in LAWS:
+        for law in MODELS:
             other = self.described.replace(model=law)
             with suppress(MissingInput):
                 if other.formulas_to(*unknowns) != formulas and (values := other.numbers(*unknowns)):
@@ -248,8 +248,8 @@ class Answer(Results):
         """The limits of the model that do not hold.
 
         First those that end a meaning, that of a contact wider than its sphere before all; then those of the headline;
-        then the others. Of each, those about a state, which is beyond a limit or not, are first, and then the one that
-        is exceeded most.
+        then the others. Of each, those about a state, which is beyond a limit or not, are first, then those with a
+        remedy, and then the one that is exceeded most.
         """
         return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=self._rank)
 
@@ -257,10 +257,11 @@ class Answer(Results):
         """Return whether a code is that of a limit that does not hold."""
         return any(doubt.code == code for doubt in self.exceeded)
 
-    def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, float]:
+    def _rank(self, doubt: Doubt) -> tuple[bool, bool, bool, bool, bool, float]:
         limit = doubt.limit
         is_late = limit is not CONTACT_EXCEEDS_SPHERE, not limit.ends_meaning, not self._is_of_headline(limit)
-        return *is_late, bool(limit.threshold), -doubt.excess
+        has_remedy = limit.has_remedy is not None and limit.has_remedy(self.frame)
+        return *is_late, bool(limit.threshold), not has_remedy, -doubt.excess
 
     def _is_of_headline(self, limit: Limit) -> bool:
         """Return whether a limit concerns a quantity that the command is named after: a law, if it moves one.

@@ -95,7 +95,11 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_speed_pencil_code",
         lead="colliding, they stick up to {sticking_speed}; a quarter turn takes {roll_energy_quarter_turn}",
     ),
-    "impact": _question("restitution", "restitution sticking_speed viscosity_number lost_energy"),
+    "impact": _question(
+        "restitution",
+        "restitution sticking_speed viscosity_number lost_energy impact_pressure first_yield_pressure plastic_pressure "
+        "yield_speed plastic_speed",
+    ),
     "resistances": _question(
         "yield_force sliding_force twisting_moment",
         "rolling_stiffness yield_displacement yield_angle yield_force yield_moment yield_energy "

@@ -11,17 +11,14 @@ from ..model.estimate import (
     LAW_IN_USE,
     LAW_ONLY,
     MEASURED,
-    NONE,
     SCALED,
     WORDS,
     XI_UNKNOWN,
     Estimate,
-    Ranges,
 )
 from ..model.limits import JUMP, LAW_MATTERS, ROUGH_MATTERS, may_be_rough
 from ..model.measured import MOST_SEEN, SURFACES, solid_of_pair, solid_that_rolled, what_rolled, what_stuck
 from ..model.other_law import farthest
-from ..model.results import Results
 from ..quantities.formatting import amount, from_to, significant, span, symbol_among
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, XI
@@ -29,7 +26,6 @@ from ..quantities.values import middle
 from ..text import first_of
 from .answer import Answer
 from .inferred import lack_by_better_law
-from .notes import Note
 
 _MOST = 3  # results in a note
 _ALIKE = 0.01  # relative difference of radii that needs no scaling
@@ -215,8 +211,8 @@ def _adhesion_only(answer: Answer) -> str:
     text = "so small and stiff they touch and part without a jump, which loses at most JKR's energy"
     if "restitution" not in answer.values or answer.estimates["restitution"].by != ADHESION_ONLY:
         return text
-    least = significant(answer.values["restitution"], 2)
-    return f"{text}: it alone leaves e = {least}–1; any other loss lowers it, and e is 0 if they stick"
+    left = from_to(answer.values["restitution"], 1.0)
+    return f"{text}: it alone leaves e = {left}; any other loss lowers it, and e is 0 if they stick"
 
 
 def _by_dmt(answer: Answer) -> str:
@@ -247,56 +243,3 @@ _OF_ANSWER: Mapping[int, Callable[[Answer], str]] = {
     ADHESION_ONLY: _adhesion_only,
     LAW_ONLY: _law_only,
 }
-
-
-# --- Sentences that an answer begins with -----------------------------------------------------------------------------
-
-
-def leads(answer: Answer) -> Iterator[Note]:
-    """Iterate over sentences that answer a question: what gives way first, and whether spheres stick or bounce."""
-    if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
-        yield Note("lead", _first_to_give_way(answer))
-    if answer.is_of_impact:
-        yield Note("lead", _stick_or_bounce(answer))
-    if answer.question.lead and (lead := _filled(answer)):
-        yield Note("lead", lead)
-    if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
-        yield Note("lead", _law_that_holds(answer))
-
-
-def _filled(answer: Answer) -> str:
-    """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
-    found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
-    try:
-        text = answer.question.lead.format_map({name: range_in_words(name, each) for name, each in found.items()})
-    except KeyError:
-        return ""
-    return text.replace("≤", "at most").replace("≥", "at least")
-
-
-def _first_to_give_way(answer: Answer) -> str:
-    frame, rolling = answer.frame, answer.estimates["yield_force"]
-    force = frame["sliding_or_peeling_force"]
-    first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
-    gives = f"it {first} at {span('yield_force', force, force)}, as the push shrinks the contact, before it {last}"
-    rolls = range_in_words("yield_force", rolling)
-    if rolling.high < force:
-        return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
-    if rolling.low > force:
-        return f"pushed, {gives}; to roll it takes {rolls}"
-    return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
-
-
-def _stick_or_bounce(answer: Answer) -> str:
-    speed = answer.frame["speed"]
-    low, high, by = answer.estimates["sticking_speed"]
-    sides = span("sticking_speed", low, high)
-    verdict = "they stick" if speed < low else "they bounce" if speed > high else "they may stick or bounce"
-    return f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[by]})"
-
-
-def _law_that_holds(answer: Answer) -> str:
-    force = Ranges(Results(answer.frame, answer.frame.columns(["pull_off_force"]))).estimate("pull_off_force")
-    if force.by == BETTER_LAW:
-        return "Maugis' law holds here: the pull-off force of JKR is more than 5 % off"
-    return "JKR holds here: Maugis' law is within 5 % of its pull-off force"

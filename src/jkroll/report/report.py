@@ -6,13 +6,15 @@ from math import erfc, hypot, sqrt
 
 from ..model.estimate import ADHESION_ONLY, MEASURED, NONE, WORDS
 from ..model.frame import Frame
-from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, Doubt
+from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt
 from ..model.measured import SURFACES
 from ..model.uncertainty import error_bars
-from ..quantities.formatting import span, symbol_among
+from ..quantities.formatting import significant, span, symbol_among
+from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
 from ..text import first_of
 from .answer import Answer
 from .inferred import about_limit, proofs
+from .leads import leads
 from .notes import (
     ABOVE,
     Note,
@@ -26,7 +28,7 @@ from .notes import (
     about_values,
     by_severity,
 )
-from .ranges import leads, part_of_jkr, range_in_words, why
+from .ranges import part_of_jkr, range_in_words, why
 
 _MOST = 3  # results in a note
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
@@ -109,6 +111,8 @@ class Report(Answer):
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for the results, or for the unknowns."""
+        if doubt.code == WIDE_CONTACT:
+            return _of_a_sphere(self.frame) or doubt.text
         if self.described.unknowns:
             return about_limit(doubt, self)
         return _about_roughness(self.frame) if doubt.code == ROUGH_MATTERS else doubt.text
@@ -142,6 +146,17 @@ def _about_roughness(frame: Frame) -> str:
         for surface, (most, least) in SURFACES.items()
     )
     return f"measured: {', '.join(texts)}"
+
+
+def _of_a_sphere(frame: Frame) -> str:
+    """Return how far a true sphere is from a paraboloid, where that is known."""
+    forces = (each.numbers("pull_off_force") for each in (frame.under(JKR_OF_SPHERE), frame.under(DEFAULT_LAW)))
+    of_sphere, of_paraboloid = (values.get("pull_off_force", 0.0) for values in forces)
+    if not of_sphere:
+        return ""
+    less = f"{significant(100 * (1 - of_sphere / of_paraboloid), 2)} %"
+    far = f"of a sphere P_c is {less} smaller, w from it {less} too low (--profile sphere)"
+    return f"contact too wide for a paraboloid: {far}"
 
 
 def _about_lost_contacts(answer: Answer) -> Iterator[Note]:

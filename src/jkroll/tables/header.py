@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from ..errors import BadRequest, BadTable
 from ..model.frame import EXCLUSIVE
-from ..quantities.laws import LAWS
+from ..quantities.laws import MODELS
 from ..quantities.nomenclature import CONVERTED, NOMENCLATURE, of_sphere
 from ..quantities.nomenclature import header as header_of
 from ..quantities.values import NO_UNIT, QuantityError, unit_of, value_of
@@ -236,7 +236,7 @@ def meaning_of(text: str, cells: Sequence[str], stated: Mapping[str, str], measu
     if reading.is_symbol and not reading.part:
         kinds = {_kind(each, reading.name) for each in dict.fromkeys(cells) if not is_number(each)}
         reading = Reading() if kinds.isdisjoint((_VALUE, _UNIT)) else reading
-    elif key(text) in ("model", "law") and cell.casefold() in LAWS and not reading.is_stated:
+    elif key(text) in ("model", "law") and cell.casefold() in MODELS and not reading.is_stated:
         reading = Reading(problem=f"the law is an option: --model {cell.casefold()}")
     elif cell[:1].isalpha() and not reading.is_input and not reading.is_stated:
         reading = Reading()

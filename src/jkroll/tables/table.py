@@ -16,7 +16,7 @@ from ..model.frame import EXCLUSIVE, Frame
 from ..model.reasons import MissingInput, NotInLaw
 from ..model.rows import BAD, SIDES, Numbers, Wanted, groups
 from ..model.uncertainty import Sources, sources_of_results
-from ..quantities.laws import law_named
+from ..quantities.laws import LAWS, law_given
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, computed_as, header
 from ..quantities.values import is_uncertain, value_of
 from ..text import quoted
@@ -58,6 +58,9 @@ class Asked(NamedTuple):
         return is_input(self.stated.get(typed(text), text), self.measured)
 
 
+_OF_LAW = ("model", "profile")  # inputs that are words
+
+
 class Table:
     """The columns of a table that are read, what options give to all rows, and the columns that are added.
 
@@ -71,9 +74,9 @@ class Table:
         self.positions = {**columns.positions, **self.labels}
         inputs, known = asked.inputs, asked.known
         self.spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
-        self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
-        self.model = law_named(inputs["model"]).name if "model" in inputs else None
-        self.said = {"model": self.model} if self.model is not None else {}  # columns of text, the same in all rows
+        self.fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, *_OF_LAW)}
+        self.model = law_given(*map(inputs.get, _OF_LAW))
+        self.said = LAWS[self.model].words if self.model is not None else {}  # columns of text, the same in all rows
         self.lookups = {name: Lookup(known, solid) for name, solid in self.spheres.items()}
         self.given = columns.names | self.fixed.keys()
         cells = {name: [row[position].encode() for row in rows] for name, position in self.positions.items()}

@@ -16,7 +16,7 @@ from ..materials.library import Materials, UnclearMaterial
 from ..model.frame import DEFAULTS, EXCLUSIVE
 from ..model.plan import depends_on, formula_of
 from ..quantities.formatting import amount, symbol_of
-from ..quantities.laws import DEFAULT_LAW, LAWS, routes_anywhere
+from ..quantities.laws import DEFAULT_LAW, law_given, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, PROPERTIES, computed_as, of_sphere
 from ..quantities.synonyms import QUANTITY_SYNONYMS
 from ..quantities.units import is_in_table
@@ -63,8 +63,8 @@ class Supply(NamedTuple):
         `columns`: the inputs that columns give; `options`: the texts that options give, by input.
         """
         columns = {*columns, *map(computed_as, columns)}
-        law = options.get("model", DEFAULT_LAW).casefold()
-        needed = depends_on(tuple(names), (law if law in LAWS else DEFAULT_LAW,))
+        law = law_given(options.get("model"), options.get("profile"))
+        needed = depends_on(tuple(names), (law or DEFAULT_LAW,))
         left = [name for name in INPUTS if name in needed and name not in columns]
         free = [group for group in (*EXCLUSIVE, *_OF_MODULI) if not any(name in columns for name in group)]
         others = decided_by(columns) | {name for pair, name in _OF_MODULI if pair in columns}

@@ -10,6 +10,7 @@ from ..materials.library import Material, Materials
 from ..model.estimate import NONE, WORDS, Estimate
 from ..model.frame import Frame
 from ..quantities.formatting import AS_USUAL, Format, in_words
+from ..quantities.laws import DEFAULT_LAW, LAWS, law_given
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..quantities.values import Uncertain, is_uncertain, middle
 from ..report.answer import Result
@@ -23,8 +24,9 @@ if TYPE_CHECKING:
 
 def write_plain(answer: Report, out: TextIO, form: Format, *, best: bool = False) -> None:
     """Write a line `name value unit` for each result of a frame, each side of its uncertainty, and its best range."""
-    if "model" in answer.inputs:
-        say(f"model {answer.inputs['model']}", out)
+    for word in ("model", "profile"):
+        if word in answer.inputs:
+            say(f"{word} {answer.inputs[word]}", out)
     for result in answer.results:
         write_measure(result.name, {result.name: result.measure}, out, form)
         if best and result.name in answer.estimates:
@@ -92,7 +94,7 @@ def _result_object(result: Result, answer: Report, form: Format) -> dict[str, An
         "description": quantity.sentence,
     }
     if result.law:
-        entry["model"] = result.law
+        entry |= {"model": DEFAULT_LAW, **LAWS[result.law].words}
         jkr = answer.of_jkr.get(result.name)
         entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
     if (best := answer.estimates.get(result.name)) is not None and best.by != NONE:
@@ -228,6 +230,7 @@ def answer(
     material2: str | Material | None = None,
     materials: Materials | None = None,
     model: str | None = None,
+    profile: str | None = None,
     **given: Any,
 ) -> Answered:
     """Answer a question about one scene, with all that is to be said of the numbers.
@@ -236,7 +239,7 @@ def answer(
     ----------
     wanted
         A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
-    material, material2, materials, model, **given
+    material, material2, materials, model, profile, **given
         The scene, as `solve` takes it, but for arrays.
 
     Returns
@@ -265,7 +268,9 @@ def answer(
     is_command = isinstance(wanted, str) and wanted in QUESTIONS
     text = ",".join(words_in(wanted))
     question = QUESTIONS[text] if is_command else question_about(text)
-    answered = Report(question, Frame(described, *materials_of(material, material2, materials), model=model))
+    answered = Report(
+        question, Frame(described, *materials_of(material, material2, materials), model=law_given(model, profile))
+    )
     if answered.failure is not None and answered.has_no_headline:
         raise answered.failure
     return Answered(answered)

@@ -1,0 +1,84 @@
+"""The sentences that an answer begins with: which of them answers its question, with best ranges."""
+
+from collections.abc import Iterator
+
+from ..model.estimate import BETTER_LAW, NONE, WORDS, Ranges
+from ..model.frame import Frame
+from ..model.results import Results
+from ..quantities.formatting import Format, amount, span
+from .answer import Answer
+from .notes import Note
+from .ranges import range_in_words
+
+_THREE = Format(digits=3)
+
+
+def leads(answer: Answer) -> Iterator[Note]:
+    """Iterate over sentences that answer a question: what gives way first, and whether spheres stick or bounce."""
+    if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
+        yield Note("lead", _first_to_give_way(answer))
+    if answer.is_of_impact:
+        yield Note("lead", _stick_or_bounce(answer))
+    if "impact_pressure" in answer.values:
+        yield Note("lead", _elastic_or_not(answer.frame))
+    if answer.question.lead and (lead := _filled(answer)):
+        yield Note("lead", lead)
+    if "tabor_parameter" in answer.question.named and "tabor_parameter" in answer.values:
+        yield Note("lead", _law_that_holds(answer))
+
+
+def _filled(answer: Answer) -> str:
+    """Return the sentence that answers a question, with the best ranges; empty where one is lacking."""
+    found = {name: estimate for name, estimate in answer.estimates.items() if estimate.by != NONE}
+    try:
+        text = answer.question.lead.format_map({name: range_in_words(name, each) for name, each in found.items()})
+    except KeyError:
+        return ""
+    return text.replace("≤", "at most").replace("≥", "at least")
+
+
+def _first_to_give_way(answer: Answer) -> str:
+    frame, rolling = answer.frame, answer.estimates["yield_force"]
+    force = frame["sliding_or_peeling_force"]
+    first, last = ("peels off", "slides") if frame["peeling_over_sliding"] < 1 else ("slides", "peels off")
+    gives = f"it {first} at {span('yield_force', force, force)}, as the push shrinks the contact, before it {last}"
+    rolls = range_in_words("yield_force", rolling)
+    if rolling.high < force:
+        return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
+    if rolling.low > force:
+        return f"pushed, {gives}; to roll it takes {rolls}"
+    return f"pushed, it rolls first if ξ is small ({rolls}); else {gives}"
+
+
+def _stick_or_bounce(answer: Answer) -> str:
+    speed = answer.frame["speed"]
+    low, high, by = answer.estimates["sticking_speed"]
+    sides = span("sticking_speed", low, high)
+    verdict = "they stick" if speed < low else "they bounce" if speed > high else "they may stick or bounce"
+    return f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[by]})"
+
+
+def _law_that_holds(answer: Answer) -> str:
+    force = Ranges(Results(answer.frame, answer.frame.columns(["pull_off_force"]))).estimate("pull_off_force")
+    if force.by == BETTER_LAW:
+        return "Maugis' law holds here: the pull-off force of JKR is more than 5 % off"
+    return "JKR holds here: Maugis' law is within 5 % of its pull-off force"
+
+
+def _elastic_or_not(frame: Frame) -> str:
+    """Return the peak pressure of an impact beside that at rest or, if the yield strength is known, those of yield."""
+    peak = _pressure(frame, "impact_pressure")
+    if frame.missing(["first_yield_pressure"]):
+        rest = _pressure(frame, "hertz_pressure")
+        return f"elastic if the solids bear a peak pressure of {peak} (p_H at rest is {rest}): --yield-strength"
+    first, full = _pressure(frame, "first_yield_pressure"), _pressure(frame, "plastic_pressure")
+    limits = f"peak pressure {peak}; first yield at {first} below the surface, full yield at {full}"
+    if frame["impact_pressure"] < frame["first_yield_pressure"]:
+        return f"it stays elastic: {limits}"
+    how = "fully" if frame["impact_pressure"] >= frame["plastic_pressure"] else "below the surface"
+    at_rest = "already where they touch at no speed" if frame["touch_pressure"] >= frame["first_yield_pressure"] else ""
+    return f"it yields {how}{at_rest and ', ' + at_rest}, so e is an upper bound: {limits}"
+
+
+def _pressure(frame: Frame, name: str) -> str:
+    return amount(name, frame[name], _THREE)
