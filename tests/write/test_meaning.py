@@ -17,6 +17,7 @@ from relative import approx
 GEL = "15um --radius2 plane --work-of-adhesion 71mJ/m2 --young rigid --young2 3kPa --poisson2 0.5"
 WIDE, FLIES = "the contact is wider than the smaller sphere", "too fast to roll around body 2: it flies off"
 SLOW, SHORT = "2/7 of the energy cannot begin rolling", "held out level, even one sphere rolls down"
+SONIC = "faster than sound in the solid, which no contact at rest describes"
 XI = "ξ is too large for the formula"
 # Of each call with two values, the last of which ends the meaning of these results; None: of all.
 CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
@@ -24,6 +25,12 @@ CALLS: dict[str, tuple[tuple[str, str, str], set[str] | None, str, str]] = {
         ("n-roll quartz 100nm", "--speed", "12cm/s,10cm/s"), {"n_roll"}, "does-not-roll-sliding", SLOW,
     ),
     "a sphere that flies off": (("n-roll quartz 1um", "--speed", "4.65m/s,4.66m/s"), None, "flies-off", FLIES),
+    "an impact faster than sound, √(E/ρ) = 4557 m/s": (
+        ("impact quartz 1um", "--speed", "4.55km/s,4.56km/s"),
+        {"restitution", "lost_energy", "impact_pressure"},
+        "faster-than-sound",
+        SONIC,
+    ),
     "a contact wider than its sphere": (
         (f"contact {GEL}".replace("--young2 3kPa ", ""), "--young2", "1MPa,3kPa"), None, "contact-exceeds-sphere", WIDE,
     ),

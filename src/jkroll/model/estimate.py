@@ -172,9 +172,11 @@ class Ranges:
         if not is_energy and "sticking_speed" in self.names:
             speeds = self.estimate("sticking_speed")
             yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED
-        yield self._is_smooth, *((nan, own[1]) if is_energy else (0.0, 1.0)), ADHESION_ONLY
+        is_ended = self.results.ended.get(name, False)
+        least, most = (where(is_ended, nan, end) for end in ((nan, own[1]) if is_energy else (0.0, 1.0)))
+        yield self._is_smooth, least, most, ADHESION_ONLY
         if not is_energy and VISCOUS_TIME not in self.frame.stated:
-            yield self._is_hard, 0.0, self.hull(name, _itself, *_BETTER)[1], ADHESION_ONLY
+            yield self._is_hard, least, self.hull(name, _itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules of a rolling quantity with an assumed ξ: by what was measured, or between its ends."""

@@ -237,6 +237,12 @@ ENDING = (
         "too fast to roll around body 2: it flies off",
         ends_meaning=True,
     ),
+    Limit(
+        "speed_over_sound", _IMPACT, ">", {1.0: "faster-than-sound"},
+        "faster than sound in the solid, which no contact at rest describes",
+        lambda frame, _: "speed" in frame.stated,
+        ends_meaning=True,
+    ),
 )  # fmt: skip
 LAW = Limit(
     "tabor_parameter", _ELASTICITY, ">",
