@@ -227,3 +227,17 @@ def test_gaps_and_outliers_are_survived() -> None:
     assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=0.005)
     assert fit.values["contact_modulus"] == approx(1.75e6, rel=0.03)
     assert fit.remarks["gaps"].startswith("50 of 1500 points")
+
+
+def test_a_sphere_is_told_from_a_paraboloid() -> None:
+    setting = Setting(law_of("jkr", "sphere"), 7.5e-6, 4e-10, Grip(3.01))
+    z = ramp(-2.5e-6, 1.2e-6, 500, UNLOADING)
+    contact = Contact(0.06, 1.0e6, 7.5e-6, 4e-10)
+    q, _, last = state_at(setting.law, z, contact, setting.grip)
+    force = numpy.where(z < last, 0.0, setting.law.values(q, contact)[0].load)
+    by_sphere = fit_curve(Measured(TRAVEL, z, force), PROBE._replace(profile="sphere"))
+    assert by_sphere.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
+    assert by_sphere.values["contact_modulus"] == approx(1.0e6, rel=3e-3)
+    by_paraboloid = fit_curve(Measured(TRAVEL, z, force), PROBE)
+    assert 0.01 < 1 - by_paraboloid.values["work_of_adhesion_opening"] / 0.06 < 0.05  # J.1: 1 to 4 % low
+    assert "profile-matters" in by_paraboloid.remarks

@@ -20,6 +20,7 @@ _NOISE = 5.0  # standard deviations of the noise from which on a force is no noi
 _SMOOTH = 9  # points of a running median
 _END = 0.1  # share of a branch that is taken as its end
 _LOST = 0.5  # of the depth of the minimum: above, the contact is lost
+_RISE = 0.05  # of the depth, by which the force has risen where a lever lets go
 _SHORT = 0.03  # share of the points below which a way to the largest force is no branch
 _TURN = 0.1  # share of the points within which the turn of the travel is that of the force
 _LEAST_NOISE = 1e-9  # of the range of forces: of curves that a program made
@@ -78,12 +79,25 @@ class Baseline(NamedTuple):
 
 
 class Branch(NamedTuple):
-    """A branch: its points with loads in place of forces, and the slice of those in contact, in their order in time."""
+    """A branch: its points with loads in place of forces, and the slice of those in contact, in their order in time.
+
+    `reach` is the slice of those that may be in contact, beyond the least load.
+    """
 
     name: str
     points: Points
     contact: slice
+    reach: slice
     baseline: Baseline | None  # its own, if it has a free part
+
+    def extended(self, first_z: float) -> Self:
+        """Return the branch with the contact as far as travels from `first_z` on may reach."""
+        held = numpy.nonzero(self.points.z[self.reach] >= first_z)[0]
+        if self.name == UNLOADING:
+            last = int(held[-1]) + 1 if len(held) else 0
+            return self._replace(contact=slice(0, max(last, self.contact.stop)))
+        first = self.reach.start + int(held[0]) if len(held) else len(self.points.z)
+        return self._replace(contact=slice(min(first, self.contact.start), self.contact.stop))
 
     @property
     def in_contact(self) -> Points:
@@ -101,8 +115,8 @@ class Branches(NamedTuple):
     sign: float  # of z
 
 
-def branches_of(curve: Measured, *, tilt: bool = False) -> Branches:
-    """Return the branches of a curve. Raises BadCurve."""
+def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False) -> Branches:
+    """Return the branches of a curve; `stiffness` of its lever, infinite without one. Raises BadCurve."""
     remarks: dict[str, str] = {}
     curve = _finite(curve, remarks)
     if curve.kind == RADIUS:
@@ -123,9 +137,10 @@ def branches_of(curve: Measured, *, tilt: bool = False) -> Branches:
     for name, part in parts.items():
         own = baselines[name] or known[0]
         load = part.force - own.at(part.z)
-        errors = _errors(part, max(own.noise, noise), float(numpy.ptp(load)), float(numpy.ptp(part.z)))
-        inside = _in_contact(load, name, ends[name], max(own.noise, noise))
-        branches[name] = Branch(name, Points(part.z, load, *errors), inside, baselines[name])
+        give = 1 / stiffness or float(numpy.ptp(part.z)) / float(numpy.ptp(load))
+        errors = _errors(part, max(own.noise, noise), give)
+        inside = _in_contact(load, name, max(own.noise, noise))
+        branches[name] = Branch(name, Points(part.z, load, *errors), *inside, baselines[name])
     _check(branches, max(noise, *(each.noise for each in known)), remarks)
     used = next((baselines[name] for name in (UNLOADING, LOADING) if baselines.get(name) is not None), None)
     return Branches(branches, max(noise, known[0].noise), remarks, used.error if used else 0.0, sign)
@@ -267,21 +282,27 @@ def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) 
     size = 3 * max(numpy.hypot(both[0].error, both[1].error), 0.1 * both[0].noise)
     if abs(difference) > size:
         remarks["baseline-moves"] = (
-            f"the baseline moves by {difference * 1e9:.3g} nN from before the contact to behind it: each branch has its "
-            "own (--baseline tilt takes lines)"
+            f"the baseline moves by {difference * 1e9:.3g} nN from before the contact to behind it: each branch "
+            "has its own (--baseline tilt takes lines)"
         )
 
 
-def _errors(part: Measured, noise: float, force_range: float, z_range: float) -> tuple[Array, Array]:
-    """Return standard deviations of the force and of z, of which the ratio counts."""
+def _errors(part: Measured, noise: float, give: float) -> tuple[Array, Array]:
+    """Return standard deviations of the force and of z, of which the ratio counts.
+
+    Where a column has no errors of z, they are those of the force times `give`, a length over a force.
+    """
     force_error = part.force_error if part.force_error is not None else numpy.full(len(part.z), noise)
     if part.z_error is not None:
         return force_error, part.z_error
-    return force_error, force_error * (z_range / force_range)
+    return force_error, force_error * give
 
 
-def _in_contact(load: Array, name: str, free: slice, noise: float) -> slice:
-    """Return the slice of a branch in contact, from the largest load to the last point, or from the first one."""
+def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
+    """Return the slices of a branch in contact: between the largest load and the least one, and as far as it may be.
+
+    Behind the least load a stiff lever still holds the contact, and with a soft one it is on its way apart.
+    """
     forward = load if name == UNLOADING else load[::-1]
     smooth = running_median(forward, 5)
     least = int(numpy.argmin(smooth))
@@ -289,11 +310,13 @@ def _in_contact(load: Array, name: str, free: slice, noise: float) -> slice:
     count = len(load)
     if depth > _NOISE * noise:
         lost = numpy.nonzero(forward[least:] > -_LOST * depth)[0]
-        end = least + int(lost[0]) if len(lost) else count
+        risen = numpy.nonzero(smooth[least:] > -(1 - _RISE) * depth)[0]
+        ends = tuple(least + int(each[0]) if len(each) else count for each in (risen, lost))
     else:
-        end = free.start if name == UNLOADING and free.stop else count - free.stop if free.stop else count
-    end = min(max(end, 1), count)
-    return slice(0, end) if name == UNLOADING else slice(count - end, count)
+        pressed = numpy.nonzero(smooth > _NOISE * noise)[0]
+        ends = (int(pressed[-1]) + 1 if len(pressed) else count,) * 2
+    near, far = (slice(0, end) if name == UNLOADING else slice(count - end, count) for end in ends)
+    return near, far
 
 
 def _check(branches: Mapping[str, Branch], noise: float, remarks: dict[str, str]) -> None:
@@ -336,7 +359,7 @@ def _of_radii(curve: Measured, remarks: dict[str, str]) -> Branches:
             for column, size in zip((part.z_error, part.force_error), ranges, strict=True)
         ]
         points = Points(part.z, part.force, errors[1], errors[0])
-        branches[name] = Branch(name, points, slice(0, len(part.z)), None)
+        branches[name] = Branch(name, points, *[slice(0, len(part.z))] * 2, None)
     return Branches(branches, ranges[1], remarks, 0.0, 1.0)
 
 

@@ -15,6 +15,7 @@ from numpy import exp, inf, pi, sqrt
 
 from .fit_branches import LEAST_POINTS as LEAST
 from .fit_branches import (
+    APPROACH,
     LOADING,
     RADIUS,
     TRAVEL,
@@ -29,6 +30,7 @@ from .fit_branches import (
 )
 from .fit_laws import PROFILES, Array, Contact, Grip, law_of
 from .fit_minimum import (
+    FEW_INDEPENDENT,
     ADHESION,
     MODULUS,
     POINT,
@@ -49,7 +51,6 @@ _BINS = 24
 _FEW = 300  # points of a fit that shows how much the model moves the result
 _WIDE_CONTACT = 0.1  # a/R from which on the sphere's shape matters
 _STRONG = 5.0  # Tabor parameter above which JKR holds for w and E*
-_FEW_INDEPENDENT = 20.0  # n/τ below which no statistical error is honest
 _UNDETERMINED = 0.5  # standard deviation of ln E* from which on E* is not determined
 _LARGEST = 60.0  # ln w or ln E* beyond which a minimum is none
 _NO_ADHESION = 5.0  # standard deviations of the noise that a tension must have
@@ -146,7 +147,7 @@ class _Run:
 
     def __init__(self, curve: Measured, known: Known) -> None:
         self.curve, self.known = curve, known
-        self.branches: Branches = branches_of(curve, tilt=known.tilt)
+        self.branches: Branches = branches_of(curve, known.stiffness if curve.kind == TRAVEL else inf, tilt=known.tilt)
         self.result = Fit(known, curve.kind, remarks={**self.branches.remarks})
         chosen = {"load": [LOADING], "unload": [UNLOADING]}.get(known.branch, [UNLOADING, LOADING])
         self.names = [name for name in chosen if name in self.branches.by_name]
@@ -169,10 +170,10 @@ class _Run:
         first = self.branches.by_name[self.names[0]]
         if -float(running_median(first.in_contact.force, 3).min()) < _NO_ADHESION * self.branches.noise:
             return self._without_adhesion(first)
-        self.main, self.points = self._of_branch(first)
+        self.main, self.points, first = self._of_branch(first)
         self._put_main(first)
         if len(self.names) > 1:
-            self._put_other(self.branches.by_name[self.names[1]])
+            self._put_other(self._extended(self.branches.by_name[self.names[1]], self.main))
         self._calibrate()
         self._compare_models()
         self._judge(first)
@@ -200,22 +201,32 @@ class _Run:
         modulus = 9 * pi * w * radius**2 / (2 * unloaded**3)
         return [with_point(points, setting, w, modulus * factor) for factor in (1.0, 5.0)]
 
-    def _of_branch(self, branch: Branch) -> tuple[Minimum, Points]:
-        """Return the minimum of a branch with all unknowns, in the given range or up to the end of G's plateau."""
+    def _of_branch(self, branch: Branch) -> tuple[Minimum, Points, Branch]:
+        """Return the minimum of a branch with all unknowns, in the given range or up to the end of G's plateau.
+
+        A first minimum says how far the contact holds behind the least load.
+        """
         asked = self.known.range
         if self.curve.kind == RADIUS and asked is None:
             points = branch.in_contact
-            return self._minimum(points), points
+            return self._minimum(points), points, branch
         within = self._range(branch, asked or FIRST_RANGE)
-        points = branch.points.chosen(within)
-        found = self._minimum(points)
+        found = self._minimum(branch.points.chosen(within))
+        branch = self._extended(branch, found)
         if asked is not None or branch.name == LOADING:
-            return found, points
-        wider = self._plateau(branch, found)
-        if wider != within:
-            points = branch.points.chosen(wider)
-            found = minimum(points, self.setting, found.unknowns)
-        return found, points
+            within = self._range(branch, asked or FIRST_RANGE)
+        else:
+            within = self._plateau(branch, found)
+        points = branch.points.chosen(within)
+        return minimum(points, self.setting, found.unknowns), points, branch
+
+    def _extended(self, branch: Branch, found: Minimum) -> Branch:
+        """Return a branch with the contact as far as a minimum holds it, by fixed grips."""
+        if self.curve.kind != APPROACH:
+            return branch  # a lever's way from its least load is its way apart
+        contact, grip, law = self.setting.contact(found.unknowns), self.setting.grip, self.setting.law
+        x_last = float(grip.x(law.values(numpy.float64(law.last(contact, grip)), contact)[0]))
+        return branch.extended(found.unknowns[POINT] + x_last)
 
     def _range(self, branch: Branch, asked: Range) -> slice:
         """Return the range, or all of the contact where it would hold too few points and was not asked for."""
@@ -282,7 +293,7 @@ class _Run:
         depth = depth_of.without_adhesion(a, radius)[0]
         return modulus * (depth - approach) ** 2 / (2 * pi * a), a
 
-    # --- Results and their statistical errors ---------------------------------------------------------------------------
+    # --- Results and their statistical errors -------------------------------------------------------------------------
 
     def _put_main(self, branch: Branch) -> None:
         """Put w of the first branch, E* and z_c into the result, with their covariance."""
@@ -332,8 +343,9 @@ class _Run:
         other = minimum(points, self.setting, start, free=[ADHESION])
         own = float(other.covariance[0, 0])
         count = len(self.main.covariance)
-        rows = other.noise.whitened(other.residuals.derivatives) * other.weights[:, None]
-        pulls = -own * (rows[:, ADHESION] @ other.noise.whitened(other.residuals.derivatives)[:, :count])
+        rows = other.noise.whitened(other.residuals.derivatives)
+        weighted = rows[:, ADHESION] * other.weights
+        pulls = -(weighted @ rows[:, :count]) / (weighted @ rows[:, ADHESION])
         pulls[ADHESION] = 0.0
         variance = own + float(pulls @ self.main.covariance @ pulls)
         with_main = self.main.covariance @ pulls
@@ -359,7 +371,7 @@ class _Run:
         trial[ADHESION] = other.unknowns[ADHESION]
         self._put_points(branch, residuals(branch.in_contact, trial, self.setting).loads, rate, radius)
 
-    # --- Calibration and model ------------------------------------------------------------------------------------------
+    # --- Calibration and model ----------------------------------------------------------------------------------------
 
     def _refitted(self, change: Setting, points: Points, other: Points | None = None) -> dict[str, float]:
         """Return the results of a fit with something changed, from the present minimum."""
@@ -454,7 +466,7 @@ class _Run:
             result.by_law["maugis, z0/2"] = half
             self._add("model", [_sum(result.values, half, result.by_law["maugis"])])
         wide = result.goodness["contact_over_radius"] > _WIDE_CONTACT
-        if wide and known.profile == "paraboloid" and known.law == "jkr" and "sphere" in PROFILES:
+        if wide and known.profile == "paraboloid" and known.law == "jkr":
             sphere = by("jkr", "sphere")
             result.by_law["jkr, sphere"] = sphere
             before = {name: errors.total for name, errors in result.errors.items()}
@@ -462,19 +474,19 @@ class _Run:
             w_name = result.names[0]
             if any(abs(sphere[name] - result.values[name]) > before[name] for name in (w_name, "contact_modulus")):
                 result.remarks["profile-matters"] = (
-                    f"the contact is {result.goodness['contact_over_radius']:.2f} of the radius wide, where a sphere is "
-                    f"no paraboloid: w {sphere[w_name] / result.values[w_name] - 1:+.1%}, E* "
+                    f"the contact is {result.goodness['contact_over_radius']:.2f} of the radius wide, where a sphere "
+                    f"is no paraboloid: w {sphere[w_name] / result.values[w_name] - 1:+.1%}, E* "
                     f"{sphere['contact_modulus'] / result.values['contact_modulus'] - 1:+.1%} by --profile sphere"
                 )
 
-    # --- Goodness -------------------------------------------------------------------------------------------------------
+    # --- Goodness -----------------------------------------------------------------------------------------------------
 
     def _judge(self, branch: Branch) -> None:
         """Put measures of goodness and codes into the result."""
         result, main, known = self.result, self.main, self.known
         misfit = self.points.force - main.residuals.loads
         rms = float(sqrt(numpy.mean(numpy.where(main.residuals.is_beyond, 0.0, misfit) ** 2)))
-        tau = main.noise.correlation_time
+        tau = main.correlation_time
         count = len(self.points.z)
         result.goodness |= {
             "points": count, "rms": rms, "rms_over_pull_off": rms / result.values["pull_off_force_fitted"],
@@ -484,7 +496,7 @@ class _Run:
         remarks, errors, values = result.remarks, result.errors, result.values
         if branch.name == LOADING:
             remarks["loading-only"] = "a loading branch alone hardly tells w from E*: their errors are of one another"
-        if count / max(tau, 1.0) < _FEW_INDEPENDENT:
+        if count / max(tau, 1.0) < FEW_INDEPENDENT:
             remarks["few-independent"] = (
                 f"the misfit is a trend over {tau:.0f} points: {count} points count as {count / tau:.0f}, too few for "
                 "an honest statistical error"
@@ -528,7 +540,7 @@ class _Run:
                 )
                 return
 
-    # --- Without adhesion -----------------------------------------------------------------------------------------------
+    # --- Without adhesion ---------------------------------------------------------------------------------------------
 
     def _without_adhesion(self, branch: Branch) -> Fit:
         """Return the fit of Hertz' contact, and the upper limit of w that the noise leaves."""

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy
 from numpy import inf, pi, sqrt
 
-from ..physics import any_law, contact, dugdale, jkr, maugis
+from ..physics import any_law, contact, dugdale, jkr, maugis, sneddon
 
 Array = Any  # a float, or an array of floats
 
@@ -21,6 +21,7 @@ _STEPS = 60  # of Newton's method at most, which takes about 6
 _NEAR = 1e-10  # relative step after which the next one is rounding
 _SECANTS = 60
 _STRETCH = 1e-5  # relative step of derivatives by differences
+_WIDEST = 1 - 1e-9  # a/R of a sphere
 _LEAST_RATIO = 1e-6  # edge ratio below which there is no contact
 
 
@@ -148,7 +149,14 @@ def _paraboloid(a: Array, reduced_radius: float) -> tuple[Array, Array, Array, A
     return square / reduced_radius, slope, 2 / reduced_radius + 0 * a, 4 / 3 * a * square / reduced_radius
 
 
-PROFILES: Mapping[str, Profile] = {"paraboloid": Profile(_paraboloid, inf)}
+def _sphere(a: Array, radius: float) -> tuple[Array, Array, Array, Array]:
+    """Return δ_H of a rigid sphere and its derivatives, and P_H/E*, by Sneddon's formulas."""
+    artanh = sneddon.artanh_of_contact(a, radius)
+    depth, curvature = radius * sneddon.indentation(artanh), sneddon.indentation_curvature(artanh) / radius
+    return depth, sneddon.indentation_slope(artanh), curvature, radius * radius * sneddon.hertz_load(artanh)
+
+
+PROFILES: Mapping[str, Profile] = {"paraboloid": Profile(_paraboloid, inf), "sphere": Profile(_sphere, _WIDEST)}
 
 
 class Jkr(NamedTuple):
@@ -175,7 +183,7 @@ class Jkr(NamedTuple):
         return values, Values(1 + 0 * a, slope - rise, stiffness * (slope - 3 * rise))
 
     def last(self, contact: Contact, grip: Grip) -> float:
-        """Return a where dx/da = 0: at the fold of fixed grips, at pull-off of a dead load; next to 0 for a measured radius."""
+        """Return a where dx/da = 0, at the fold of fixed grips and at pull-off of a dead load; of a radius, near 0."""
         if grip.is_radius:
             return _LEAST_RATIO * contact.reduced_radius
         unloaded = _unloaded_radius(contact)
@@ -291,10 +299,7 @@ class Maugis:
     def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
         """Return v near that at x, by Hertz' contact radius and the width of the ring."""
         transition, length, depth = _scales(contact)
-        if grip.is_radius:
-            area = (x / length) ** 2
-        else:
-            area = numpy.maximum(x - x_last, 0) / depth
+        area = (x / length) ** 2 if grip.is_radius else numpy.maximum(x - x_last, 0) / depth
         wide = numpy.minimum(sqrt(pi / 4 * transition * area), numpy.cbrt(2 / 3 * transition * area))
         return last + wide + transition * sqrt(2 / 3 * sqrt(area))
 

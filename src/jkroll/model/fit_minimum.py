@@ -10,6 +10,8 @@ r = (x − x_last)/σ_x.
 
 Noise is white, or correlated as an autoregression of first order, r_i = φr_(i−1) + e_i: residuals are whitened, and φ
 is corrected for the bias that smooth unknowns give it (Kendall's). The scale of e is that of the residuals themselves.
+Where fewer than 20 points are independent, the residuals are a misfit of the model: it is fitted as white, and the
+variances are multiplied by the number of points that count as one.
 Residuals beyond 3 standard deviations count as Huber's, by their size.
 """
 
@@ -24,9 +26,11 @@ from .fit_laws import Array, Contact, Grip, Law, state_at
 ADHESION, MODULUS, POINT = range(3)  # the indices of ln w, ln E* and z_c among the unknowns
 
 _HUBER = 3.0  # standard deviations
+_CUTS = 30  # of residuals beyond 3 standard deviations, at most
 _MOST_PHI = 0.999
 _ROUNDS = 5  # of noise and minimum in turn, at most
 _SAME_PHI = 0.01
+FEW_INDEPENDENT = 20.0  # n/τ below which correlated noise cannot be told from a misfit
 _STEPS = 100  # of the minimiser
 _SAME = 1e-7  # relative decrease of the sum of squares at which it ends
 _LEAST_DAMPING, _MOST_DAMPING = 1e-12, 1e10
@@ -131,7 +135,7 @@ class Noise(NamedTuple):
 def noise_of(values: Array, unknowns: int) -> Noise:
     """Return the noise of the residuals of a fit of so many unknowns.
 
-    Source:   Kendall's bias of φ, with one term for each smooth regressor; scale by the median, against outliers.
+    Source:   Kendall's bias of φ, with one term for each smooth regressor.
     """
     size = len(values)
     limit = _HUBER * _spread(values, unknowns)
@@ -145,13 +149,14 @@ def noise_of(values: Array, unknowns: int) -> Noise:
 
 
 def _spread(values: Array, unknowns: int) -> float:
-    """Return the standard deviation of residuals, without those beyond 3 of the middle ones."""
+    """Return the standard deviation of residuals, of which those beyond 3 of it count as 3."""
     freedom = max(len(values) - unknowns, 1)
-    robust = 1.4826 * float(numpy.median(abs(values)))
-    limit = _HUBER * robust if robust > 0 else inf
-    inside = values[abs(values) <= limit]
-    share = len(inside) / len(values)  # a normal distribution that is cut at 3σ has 0.9733 of its variance
-    spread = float(sqrt(inside @ inside / (freedom * share) / (0.9733 if limit < inf else 1.0)))
+    spread = float(sqrt(values @ values / freedom))
+    for _ in range(_CUTS):
+        kept = numpy.clip(values, -_HUBER * spread, _HUBER * spread)
+        previous, spread = spread, float(sqrt(kept @ kept / freedom))
+        if spread > 0.999 * previous:
+            break
     return max(spread, 1e-9)  # of curves that a program made
 
 
@@ -166,8 +171,8 @@ class Minimum(NamedTuple):
     noise: Noise
     residuals: Residuals
     cost: float  # half the sum of Huber's function of whitened residuals
-    derivatives: Array  # whitened and weighted, of the free unknowns
     weights: Array
+    correlation_time: float = 1.0  # of the residuals, in points
 
 
 def minimum(
@@ -197,7 +202,13 @@ def minimum(
         previous, found = found, noise_of(at_end.residuals.values, len(chosen))
         if abs(found.phi - previous.phi) < _SAME_PHI and abs(found.scale / previous.scale - 1) < _SAME_PHI:
             break
-    return at_end
+    tau = noise_of(at_end.residuals.values, len(chosen)).correlation_time
+    count = len(points.z)
+    if noise is None and rounds > 1 and count < FEW_INDEPENDENT * tau:  # a misfit of the model, and no noise
+        white = Noise(0.0, _spread(residuals(points, unknowns, setting).values, len(chosen)))
+        at_end = _descended(points, setting, unknowns, chosen, white)
+        at_end = at_end._replace(covariance=at_end.covariance * min(tau, count / len(chosen)))
+    return at_end._replace(correlation_time=tau)
 
 
 def _descended(points: Points, setting: Setting, start: Array, free: Sequence[int], noise: Noise) -> Minimum:
@@ -240,7 +251,7 @@ def _descended(points: Points, setting: Setting, start: Array, free: Sequence[in
                 break
     weighted = rows * weights[:, None]
     covariance = _inverse(weighted.T @ rows)
-    return Minimum(unknowns, covariance, noise, here, cost, rows, weights)
+    return Minimum(unknowns, covariance, noise, here, cost, weights)
 
 
 def _solved(matrix: Array, target: Array) -> Array:

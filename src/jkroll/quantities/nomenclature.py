@@ -100,6 +100,16 @@ OF_MAUGIS: Mapping[str, Quantity] = {
 }  # fmt: skip
 
 
+# --- Columns of measured force curves, which no formula takes --------------------------------------------------------
+
+OF_CURVES: Mapping[str, Quantity] = {
+    "lever_travel": Quantity("z", "m", "travel of the drive that presses and pulls"),
+    "lever_force": Quantity("F", "N", "force that a lever measures; a pull is negative"),
+    "lever_deflection": Quantity("d", "m", "deflection of a lever; a pull is negative"),
+    "lever_stiffness": Quantity("k_c", "N/m", "stiffness of the lever", range=POSITIVE, example="3.01N/m"),
+}
+
+
 # --- Quantities of models of many grains ------------------------------------------------------------------------------
 
 _SPEED = "½(Nm1/2)v² = E"  # of two equal aggregates
@@ -401,6 +411,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
         definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code"),
     **OF_DEM,
     **OF_MAUGIS,
+    **OF_CURVES,
 }  # fmt: skip
 
 # A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the
