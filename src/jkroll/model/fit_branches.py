@@ -330,7 +330,7 @@ def _check(branches: Mapping[str, Branch], noise: float, remarks: dict[str, str]
     load = branch.points.force
     if branch.baseline is None and float(load.min()) < -_NOISE * noise:
         remarks["no-jump-off"] = "no part behind the jump-off: the curve may end before its least force"
-    behind = load[branch.contact.stop :]
+    behind = load[branch.reach.stop :]
     if len(behind) > 2 * _SMOOTH:
         smooth = running_median(behind)[_SMOOTH:]
         if float(smooth.min()) < min(-4 * _NOISE * noise, 0.2 * float(load.min())):

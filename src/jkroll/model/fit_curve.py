@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import numpy
 from numpy import exp, inf, pi, sqrt
 
-from .fit_branches import LEAST_POINTS as LEAST
 from .fit_branches import (
     APPROACH,
     LOADING,
@@ -28,10 +27,11 @@ from .fit_branches import (
     branches_of,
     running_median,
 )
+from .fit_branches import LEAST_POINTS as LEAST
 from .fit_laws import PROFILES, Array, Contact, Grip, law_of
 from .fit_minimum import (
-    FEW_INDEPENDENT,
     ADHESION,
+    FEW_INDEPENDENT,
     MODULUS,
     POINT,
     Minimum,

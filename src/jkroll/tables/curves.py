@@ -67,7 +67,9 @@ def curve_of_columns(columns: Mapping[str, Any], known: Materials, stiffness: fl
     cells = [cells_of(numpy.asarray(column).tolist()) for column in columns.values()]
     if len({*map(len, cells)}) > 1:
         raise BadTable("the columns of the curve have different lengths")
-    rows = [[cell.decode(errors="replace") for cell in row] for row in zip(*(each[:SAMPLE] for each in cells), strict=True)]
+    rows = [
+        [cell.decode(errors="replace") for cell in row] for row in zip(*(each[:SAMPLE] for each in cells), strict=True)
+    ]
     table = _table(names, rows, {}, Asked({}, known, measured=MEASURED, pass_rest=True))
     records = Records([b""] * len(cells[0]), {name: cells[place] for name, place in table.positions.items()})
     return ReadCurve(_curve(table, [records], stiffness), table.columns.reading())
@@ -83,7 +85,9 @@ def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Ite
     return table_of_lines(file, given, asked, excel_safe=False, as_markdown=False)
 
 
-def _table(names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked) -> CurveTable:
+def _table(
+    names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
+) -> CurveTable:
     """Return the columns of a curve among those of a table. Raises BadTable."""
     header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
     labels = {_BRANCH: place for place, text in enumerate(names) if text.strip().casefold() in _BRANCH_HEADERS}

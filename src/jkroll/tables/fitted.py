@@ -131,7 +131,9 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
 def _stiffness_of(spring: Any) -> Any:
     if spring is None:
         return None
-    value = value_of(spring, "lever_stiffness") if isinstance(spring, str) else Reader().number("lever_stiffness", spring)
+    value = (
+        value_of(spring, "lever_stiffness") if isinstance(spring, str) else Reader().number("lever_stiffness", spring)
+    )
     if not middle(value) > 0:
         raise QuantityError("lever_stiffness", str(spring), "must be positive")
     return value
@@ -192,7 +194,7 @@ def _range(text: str | None) -> Range | None:
 def modulus_of_body(fitted: Fit, given: Mapping[str, Any]) -> tuple[str, float] | None:
     """Return Young's modulus of the body that has none, by name, where the other's and both ratios are known.
 
-        (1 − ν²)/E = 1/E* − (1 − ν'²)/E'
+    (1 − ν²)/E = 1/E* − (1 − ν'²)/E'
     """
     if fitted.is_scaled:
         return None
@@ -205,5 +207,3 @@ def modulus_of_body(fitted: Fit, given: Mapping[str, Any]) -> tuple[str, float] 
         if compliance > 0:
             return f"youngs_modulus{sought}", (1 - middle(ratio) ** 2) / compliance
     return None
-
-
