@@ -69,8 +69,8 @@ TABLE = (
         name="material"),
 )  # fmt: skip
 _OF_CURVES = (
-    "radius radius2 diameter diameter2 reduced_radius youngs_modulus youngs_modulus2 poisson_ratio poisson_ratio2 model "
-    "atomic_spacing"
+    "radius radius2 diameter diameter2 reduced_radius youngs_modulus youngs_modulus2 poisson_ratio poisson_ratio2 "
+    "model atomic_spacing"
 ).split()
 FIT = (
     Options.spring,

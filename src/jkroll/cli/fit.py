@@ -14,6 +14,7 @@ from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import Materials
 from ..model.fit_curve import RESULTS, Fit, Known
 from ..quantities.formatting import Format, amount
+from ..quantities.laws import LAWS
 from ..quantities.values import value_of
 from ..tables.fitted import fit_of_file, known_of, modulus_of_body
 from ..text import ending, quoted, say, say_wrapped
@@ -72,7 +73,7 @@ def run_fit(call: Call) -> int:
     known = known_of(words, call.spring, given)
     task = Task(known, call.materials, call.columns, call.format, call.delimiter)
     if call.names_picture:
-        _check_single(call, paths, "a picture")
+        _check_single(paths, "a picture")
         from .map import check_picture
 
         check_picture(call, call.target)
@@ -99,7 +100,7 @@ def _paths(call: Call) -> list[str]:
     return paths
 
 
-def _check_single(call: Call, paths: Sequence[str], what: str) -> None:
+def _check_single(paths: Sequence[str], what: str) -> None:
     if len(paths) > 1:
         raise BadRequest(f"{what} shows one curve; {len(paths)} files were given")
 
@@ -140,9 +141,7 @@ def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, A
 def _heading(call: Call, path: str, fitted: Fit) -> str:
     """Return the line above a fit: the file and what is known."""
     known = fitted.known
-    texts = [
-        f"{os.path.basename(path)}: {fitted.kind} and force, by {known.law.upper() if known.law != 'maugis' else 'Maugis'}"
-    ]
+    texts = [f"{os.path.basename(path)}: {fitted.kind} and force, by {LAWS[known.law].short}"]
     if known.radius is not None:
         texts.append(f"R = {amount('reduced_radius', known.radius)}")
     if fitted.kind == "travel":
@@ -192,7 +191,11 @@ def _draw(call: Call, path: str, fitted: Fit) -> int:
     ]
     caption = [f"{name.replace('_', ' ')} {in_words(fitted, name)}" for name in names]
     assert call.target is not None
-    draw_into(call.target, picture_of_fit(fitted, os.path.basename(path), [*caption, *sentences(fitted)]), call)
+    draw_into(
+        call.target,
+        picture_of_fit(fitted, os.path.basename(path), [f"{text}." for text in (*caption, *sentences(fitted))]),
+        call,
+    )
     return 0
 
 

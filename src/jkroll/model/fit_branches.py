@@ -70,7 +70,6 @@ class Baseline(NamedTuple):
     slope: float
     error: float
     noise: float
-    count: int
     z: float = 0.0  # at which the line has the force
 
     def at(self, z: Array) -> Array:
@@ -130,7 +129,7 @@ def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False) -> Bra
     baselines = {name: _baseline(part, ends[name], tilt=tilt) for name, part in parts.items()}
     known = [each for each in (baselines.get(name) for name in (UNLOADING, LOADING)) if each is not None]
     if not known:
-        known = [Baseline(0.0, 0.0, 0.0, noise, 0)]
+        known = [Baseline(0.0, 0.0, 0.0, noise)]
         remarks["no-baseline"] = "no part away from contact: the force is taken as it is, its zero with it"
     _compare(baselines, remarks)
     branches = {}
@@ -270,7 +269,7 @@ def _baseline(part: Measured, free: slice, *, tilt: bool) -> Baseline | None:
     phi = float(shifted[1:] @ shifted[:-1]) / square if square > 0 else 0.0
     phi = max(0.0, min(phi, 0.99))
     error = noise * ((1 + phi) / (1 - phi) / len(force)) ** 0.5
-    return Baseline(level, slope, error, noise, len(force), middle)
+    return Baseline(level, slope, error, noise, middle)
 
 
 def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) -> None:
@@ -359,7 +358,7 @@ def _of_radii(curve: Measured, remarks: dict[str, str]) -> Branches:
             for column, size in zip((part.z_error, part.force_error), ranges, strict=True)
         ]
         points = Points(part.z, part.force, errors[1], errors[0])
-        branches[name] = Branch(name, points, *[slice(0, len(part.z))] * 2, None)
+        branches[name] = Branch(name, points, slice(0, len(part.z)), slice(0, len(part.z)), None)
     return Branches(branches, ranges[1], remarks, 0.0, 1.0)
 
 

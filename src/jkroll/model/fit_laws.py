@@ -187,7 +187,7 @@ class Jkr(NamedTuple):
         if grip.is_radius:
             return _LEAST_RATIO * contact.reduced_radius
         unloaded = _unloaded_radius(contact)
-        high = min(jkr.contact_radius_at_pull_off(contact_radius=unloaded), self.most(contact))
+        high = min(float(jkr.contact_radius_at_pull_off(contact_radius=unloaded)), self.most(contact))
         low = 0.2 * high
 
         def slope(a: float) -> float:
@@ -267,7 +267,7 @@ class Maugis:
         for name in ("work_of_adhesion", "contact_modulus"):
             value = getattr(contact, name)
             ends = [self._values(q, contact._replace(**{name: value * (1 + step)})) for step in (-_STRETCH, _STRETCH)]
-            partials.append(_difference(*ends, 2 * _STRETCH))
+            partials.append(_difference(ends[0], ends[1], 2 * _STRETCH))
         return States(*self.values(q, contact), *partials)
 
     def values(self, q: Array, contact: Contact) -> tuple[Values, Values]:
@@ -313,7 +313,7 @@ def _scales(of: Contact) -> tuple[float, float, float]:
     given = {name: getattr(of, name) for name in ("work_of_adhesion", "reduced_radius", "contact_modulus")}
     tabor = contact.tabor_parameter(**given, atomic_spacing=of.atomic_spacing)
     lengths = maugis.length_unit_maugis(**given), maugis.approach_unit_maugis(**given)
-    return float(any_law.transition_parameter(tabor_parameter=tabor)), *map(float, lengths)
+    return float(any_law.transition_parameter(tabor_parameter=tabor)), float(lengths[0]), float(lengths[1])
 
 
 def _difference(below: Values, above: Values, step: Array) -> Values:
@@ -323,4 +323,5 @@ def _difference(below: Values, above: Values, step: Array) -> Values:
 
 def law_of(name: str, profile: str) -> Law:
     """Return the law of a name, jkr, dmt or maugis; the last two have a paraboloid alone."""
-    return {"dmt": Dmt(), "maugis": Maugis()}.get(name) or Jkr(PROFILES[profile])
+    others: Mapping[str, Law] = {"dmt": Dmt(), "maugis": Maugis()}
+    return others.get(name) or Jkr(PROFILES[profile])

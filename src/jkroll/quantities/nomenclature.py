@@ -106,7 +106,7 @@ OF_CURVES: Mapping[str, Quantity] = {
     "lever_travel": Quantity("z", "m", "travel of the drive that presses and pulls"),
     "lever_force": Quantity("F", "N", "force that a lever measures; a pull is negative"),
     "lever_deflection": Quantity("d", "m", "deflection of a lever; a pull is negative"),
-    "lever_stiffness": Quantity("k_c", "N/m", "stiffness of the lever", range=POSITIVE, example="3.01N/m"),
+    "lever_stiffness": Quantity("k_c", "N/m", "stiffness of the lever", range=POSITIVE),
 }
 
 

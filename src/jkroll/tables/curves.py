@@ -19,7 +19,7 @@ from .table import Asked, Records
 # The quantities of the columns: what x may be, in the order in which they are preferred, and forces.
 _X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
 _FORCES = ("load", "lever_force", "lever_deflection")
-MEASURED = ",".join(("contact_radius_at_load", "lever_travel", "lever_force", "lever_deflection"))
+MEASURED = "contact_radius_at_load,lever_travel,lever_force,lever_deflection"
 _BRANCH = "branch"
 _BRANCH_HEADERS = ("branch", "segment", "direction")
 _WORDS = {
@@ -90,7 +90,8 @@ def _table(
 ) -> CurveTable:
     """Return the columns of a curve among those of a table. Raises BadTable."""
     header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
-    labels = {_BRANCH: place for place, text in enumerate(names) if text.strip().casefold() in _BRANCH_HEADERS}
+    place = next((place for place, text in enumerate(names) if text.strip().casefold() in _BRANCH_HEADERS), None)
+    labels = {} if place is None else {_BRANCH: place}
     wanted = tuple(column for column in header.inputs if column.name in (*_X, *_FORCES))
     columns = header._replace(inputs=wanted, materials=())
     return CurveTable(columns, asked, {**columns.positions, **labels}, labels)

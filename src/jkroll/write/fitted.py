@@ -7,6 +7,7 @@ from typing import Any, TextIO
 from .. import __version__
 from ..model.fit_curve import RESULTS, Fit
 from ..quantities.formatting import Format, amount, bar_digits, with_unit
+from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE, bracketed
 from ..text import json_text, say, say_wrapped, write_texts
 
@@ -20,7 +21,6 @@ _WORDS = {
     "pull_off_force_fitted": ("pull-off force, fitted", "P_c"),
     "pull_off_force_measured": ("pull-off force, measured", "P_min"),
 }
-_LAWS = {"jkr": "JKR", "maugis": "Maugis", "dmt": "DMT"}
 _SCALED = {"J/m^2": "J/m", "Pa": "Pa m^0.5"}  # of wR and E*√R
 _WITHOUT_RADIUS = {"work_of_adhesion_opening": "wR_open", "work_of_adhesion_closing": "wR_close",
     "adhesion_hysteresis": "ΔwR", "contact_modulus": "E*√R"}  # fmt: skip
@@ -114,7 +114,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
     best = fitted.law_that_holds
     order = sorted(fitted.by_law, key=lambda law: (law.partition(",")[0] != best, law))
     texts = [
-        f"{_LAWS[law.partition(',')[0]]}{law[len(law.partition(',')[0]) :]} "
+        f"{LAWS[law.partition(',')[0]].short}{law[len(law.partition(',')[0]) :]} "
         + amount("work_of_adhesion", fitted.by_law[law][name], Format(digits=3))
         for law in order
     ]
@@ -166,7 +166,11 @@ def _finite(value: float | None) -> float | None:
 
 
 def _column(column: Any) -> list[Any]:
-    return [cell if isinstance(cell, str) else _finite(cell) for cell in column.tolist()]
+    return [*map(_cell, column.tolist())]
+
+
+def _cell(cell: Any) -> Any:
+    return cell if isinstance(cell, str) else _finite(cell)
 
 
 def write_json(answers: Sequence[Mapping[str, Any]], out: TextIO) -> None:
@@ -212,4 +216,4 @@ def curve_columns(fitted: Fit) -> tuple[list[str], list[Any]]:
     heads["release_rate"] += f" [{rate}]"
     heads["contact_radius"] += " [m^0.5]" if fitted.is_scaled else " [m]"
     columns = [fitted.points[name].tolist() for name in heads]
-    return [*heads.values()], [[None if cell != cell else cell for cell in column] for column in columns]
+    return [*heads.values()], [[_cell(cell) for cell in column] for column in columns]
