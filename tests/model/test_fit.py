@@ -198,6 +198,7 @@ def test_without_adhesion_there_is_an_upper_limit() -> None:
     fit = fit_curve(Measured(APPROACH, z, force), Known(radius=5e-6))
     assert "no-adhesion" in fit.remarks
     assert fit.values["contact_modulus"] == approx(1e6, rel=0.02)
+    assert fit.largest_adhesion is not None
     assert 0 < fit.largest_adhesion < 1e-3
     assert "work_of_adhesion_opening" not in fit.values
 
