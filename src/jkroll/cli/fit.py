@@ -29,7 +29,7 @@ from ..write.fitted import (
     write_json,
 )
 from ..write.writers import text_output, write_columns
-from .call import CSV, JSON, MARKDOWN, Call
+from .call import CSV, JSON, MARKDOWN, TABLE, Call
 
 _WAIT = 0.5  # seconds before progress is shown
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
@@ -124,6 +124,11 @@ def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, A
     with text_output(call.target or "-") as out:
         if output is JSON:
             write_json([json_of(fitted, path, outcome.reading, following, curve=call.curve)], out)
+        elif call.curve and output is TABLE:
+            from ..pictures.fitted import picture_of_fit
+            from ..pictures.picture import write_picture
+
+            write_picture(picture_of_fit(fitted, os.path.basename(path), [*sentences(fitted)]), out)
         elif call.curve:
             heads, columns = curve_columns(fitted)
             write_columns(heads, columns, "csv" if output is not MARKDOWN else "md", out)

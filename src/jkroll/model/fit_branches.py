@@ -22,9 +22,11 @@ _END = 0.1  # share of a branch that is taken as its end
 _LOST = 0.5  # of the depth of the minimum: above, the contact is lost
 _RISE = 0.05  # of the depth, by which the force has risen where a lever lets go
 _SHORT = 0.03  # share of the points below which a way to the largest force is no branch
-_TURN = 0.1  # share of the points within which the turn of the travel is that of the force
+_STEEPER = 5.0  # ratio of the rise of force at both ends from which on it says which is free
+_NEAR_ONCE = 1.5  # length of all ways of z over that of one way there and one back
 _LEAST_NOISE = 1e-9  # of the range of forces: of curves that a program made
 _FLAT = 5  # equal largest readings in a row from which on the sensor is saturated
+_LONG = 0.2  # of the travel, which a flat end must have to be free where no force is below it
 _SETTLES = 0.1  # share of the free part behind the jump in which a lever swings
 
 
@@ -124,7 +126,8 @@ def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False) -> Bra
     sign = _sign(curve)
     curve = curve._replace(z=sign * curve.z)
     parts = _split(curve)
-    noise = max(_white_noise(curve.force), _LEAST_NOISE * float(numpy.ptp(curve.force)))
+    floor = _LEAST_NOISE * float(numpy.ptp(curve.force))
+    noise = max(_white_noise(curve.force), floor)
     ends = {name: _free(part, name, noise) for name, part in parts.items()}
     baselines = {name: _baseline(part, ends[name], tilt=tilt) for name, part in parts.items()}
     known = [each for each in (baselines.get(name) for name in (UNLOADING, LOADING)) if each is not None]
@@ -142,7 +145,7 @@ def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False) -> Bra
         branches[name] = Branch(name, Points(part.z, load, *errors), *inside, baselines[name])
     _check(branches, max(noise, *(each.noise for each in known)), remarks)
     used = next((baselines[name] for name in (UNLOADING, LOADING) if baselines.get(name) is not None), None)
-    return Branches(branches, max(noise, known[0].noise), remarks, used.error if used else 0.0, sign)
+    return Branches(branches, max(known[0].noise, floor), remarks, used.error if used else 0.0, sign)
 
 
 def _finite(curve: Measured, remarks: dict[str, str]) -> Measured:
@@ -176,11 +179,18 @@ def _unsaturated(curve: Measured, remarks: dict[str, str]) -> Measured:
 
 
 def _sign(curve: Measured) -> float:
-    """Return the sign that makes z rise into the contact. Raises BadCurve where no end of the travel is free."""
+    """Return the sign that makes z rise into the contact: the free end is flat, and the force at it is the smaller one.
+
+    Raises BadCurve where neither end of the travel differs from the other.
+    """
     order = numpy.argsort(curve.z, kind="stable")
-    count = max(2, len(order) // 20)
-    low, high = (float(numpy.median(curve.force[which])) for which in (order[:count], order[-count:]))
+    count = max(3, len(order) // 10)
+    ends = [curve.force[which] for which in (order[:count], order[-count:])]
+    low, high = (float(numpy.median(end)) for end in ends)
+    bend_low, bend_high = (abs(float(numpy.polyfit(numpy.arange(count), end, 1)[0])) * count for end in ends)
     spread = float(numpy.ptp(curve.force))
+    if max(bend_low, bend_high) > max(_STEEPER * min(bend_low, bend_high), 0.02 * spread):
+        return 1.0 if bend_high > bend_low else -1.0
     if abs(high - low) < 0.02 * spread:
         raise BadCurve(
             f"at both ends of the {curve.kind} the force is the same: which end is in contact is not known. Leave out "
@@ -191,19 +201,25 @@ def _sign(curve: Measured) -> float:
 
 
 def _split(curve: Measured) -> dict[str, Measured]:
-    """Return the points of each branch, as a column says, or before and behind the largest force."""
+    """Return the points of each branch, as a column says, or before and behind the turn of z or the largest force."""
     if curve.branch is not None:
         parts = {name: curve.chosen(curve.branch == name) for name in (LOADING, UNLOADING)}
     else:
-        smooth = running_median(curve.force)
-        top, turn = int(numpy.argmax(smooth)), int(numpy.nonzero(curve.z == curve.z.max())[0][-1])
-        top = turn if abs(turn - top) < _TURN * len(smooth) else top
+        top = int(numpy.nonzero(curve.z == curve.z.max())[0][-1])
+        if not _turns_once(curve.z, top):
+            top = int(numpy.argmax(running_median(curve.force)))
         parts = {LOADING: curve.chosen(slice(0, top)), UNLOADING: curve.chosen(slice(top, None))}
     least = max(LEAST_POINTS, _SHORT * len(curve.z))
     kept = {name: part for name, part in parts.items() if len(part.z) >= least and _varies(part)}
     if not kept:
         raise BadCurve("neither branch has enough points", "too few points")
     return kept
+
+
+def _turns_once(z: Array, top: int) -> bool:
+    """Return whether z rises up to an index and falls from there, but for noise."""
+    ways = float(abs(numpy.diff(running_median(z))).sum())
+    return ways < _NEAR_ONCE * float(2 * z[top] - z[0] - z[-1])
 
 
 def _varies(part: Measured) -> bool:
@@ -221,9 +237,15 @@ def running_median(values: Array, size: int = _SMOOTH) -> Array:
 
 
 def _white_noise(force: Array) -> float:
-    """Return the standard deviation of noise from one point to the next: of second differences, by their median."""
-    seconds = force[2:] - 2 * force[1:-1] + force[:-2]
-    return 1.4826 * float(numpy.median(abs(seconds))) / 6**0.5
+    """Return the standard deviation of noise from one point to the next: by differences, the least of some orders.
+
+    In a curve of few points, differences of low order hold its bend.
+    """
+    sizes = []
+    for order, square in ((2, 6), (3, 20), (4, 70)):
+        if len(force) > order:
+            sizes.append(1.4826 * float(numpy.median(abs(numpy.diff(force, order)))) / square**0.5)
+    return min(sizes)
 
 
 def _free(part: Measured, name: str, noise: float) -> slice:
@@ -247,6 +269,9 @@ def _free(part: Measured, name: str, noise: float) -> slice:
     else:
         pressed = numpy.nonzero(smooth > level + _NOISE * spread)[0]
         first = int(pressed[-1]) + 1 if len(pressed) else len(force)
+        z = part.z if name == UNLOADING else part.z[::-1]
+        if not len(z[first:]) or numpy.ptp(z[first:]) < _LONG * numpy.ptp(z):
+            return slice(0, 0)  # it may be the least force of a curve that ends there
     first += int(_SETTLES * (len(force) - first))
     if len(force) - first < LEAST_POINTS:
         return slice(0, 0)

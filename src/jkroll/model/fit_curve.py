@@ -497,10 +497,9 @@ class _Run:
         if branch.name == LOADING:
             remarks["loading-only"] = "a loading branch alone hardly tells w from E*: their errors are of one another"
         if count / max(tau, 1.0) < FEW_INDEPENDENT:
-            remarks["few-independent"] = (
-                f"the misfit is a trend over {tau:.0f} points: {count} points count as {count / tau:.0f}, too few for "
-                "an honest statistical error"
-            )
+            cause = "the misfit is one trend" if tau > count / 2 else f"neighbours are alike over {tau:.0f} points"
+            few = f"{count} points are few" if tau < 2 else cause
+            remarks["few-independent"] = f"{few}: the statistical error is not to be trusted"
         elif tau > 1 and result.goodness["longest_run"] > 0.1 * count + 10:
             remarks["residual-trend"] = (
                 f"residuals have one sign over {result.goodness['longest_run']:.0f} points in a row: the model, not "

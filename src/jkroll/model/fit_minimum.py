@@ -26,6 +26,7 @@ from .fit_laws import Array, Contact, Grip, Law, state_at
 ADHESION, MODULUS, POINT = range(3)  # the indices of ln w, ln E* and z_c among the unknowns
 
 _HUBER = 3.0  # standard deviations
+_FEW = 30  # points below which noise is taken as white
 _CUTS = 30  # of residuals beyond 3 standard deviations, at most
 _MOST_PHI = 0.999
 _ROUNDS = 5  # of noise and minimum in turn, at most
@@ -141,7 +142,7 @@ def noise_of(values: Array, unknowns: int) -> Noise:
     limit = _HUBER * _spread(values, unknowns)
     kept = numpy.clip(values, -limit, limit)
     square = float(kept @ kept)
-    if size < 10 or square == 0:
+    if size < _FEW or square == 0:
         return Noise(0.0, _spread(values, unknowns))
     phi = float(kept[1:] @ kept[:-1]) / square
     phi = max(-_MOST_PHI, min(phi + (unknowns + (unknowns + 2) * phi) / size, _MOST_PHI))

@@ -6,7 +6,7 @@ from typing import Any, TextIO
 
 from .. import __version__
 from ..model.fit_curve import RESULTS, Fit
-from ..quantities.formatting import Format, amount, bar_digits, with_unit
+from ..quantities.formatting import Format, amount, bar_digits, significant, with_unit
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE, bracketed
 from ..text import json_text, say, say_wrapped, write_texts
@@ -53,7 +53,7 @@ def _cells(fitted: Fit, name: str, numbers: Sequence[float]) -> tuple[list[str],
         unit, factor = shown, scale[1] / scale[0]
     value, *errors = (number * factor for number in numbers)
     total = errors[-1] if errors else 0.0
-    texts = [bar_digits(value, total), *(f"{error:.2g}" if isfinite(error) else "–" for error in errors)]
+    texts = [bar_digits(value, total), *(significant(error, 2, zeros=True) if isfinite(error) else "–" for error in errors)]
     return texts, unit
 
 
@@ -74,7 +74,7 @@ def write_fit(fitted: Fit, out: TextIO, *, heading: str, following: str, body: t
         symbol = _WITHOUT_RADIUS.get(name, symbol) if fitted.is_scaled else symbol
         cells = [*texts[1:4], texts[0] + (f" ± {texts[4]}" if parts else "")] if parts else ["", "", "", texts[0]]
         rows.append([words, symbol, cells[3], unit, *cells[:3]])
-    write_texts(["quantity", "symbol", "fit", "unit", "noise", "calibration", "model"], rows, out)
+    write_texts(["quantity", "symbol", "fit", "unit", "noise", "R, k", "model"], rows, out)
     for line in sentences(fitted, body):
         say_wrapped(line, out)
     if following:
@@ -96,7 +96,8 @@ def sentences(fitted: Fit, body: tuple[str, float] | None = None) -> Iterator[st
     largest = [name for name, errors in fitted.errors.items() if max(errors) > errors.statistical > 0]
     if "contact_modulus" in largest:
         by = max(("calibration", "model"), key=lambda part: getattr(fitted.errors["contact_modulus"], part))
-        yield f"the error of E* is not that of noise: its largest part is the {by}"
+        cause = {"calibration": "the instrument (R, k, baseline)", "model": "the model"}[by]
+        yield f"the error of E* is not that of noise: most of it is of {cause}"
     if "rms" in good and "pull_off_force_fitted" in values:
         rms = amount("pull_off_force", good["rms"], Format(digits=2))
         noise = good["rms_over_noise"]
@@ -119,7 +120,7 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
         for law in order
     ]
     number = fitted.goodness["tabor_parameter"]
-    yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {number:.2g}; JKR needs 5)"
+    yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {significant(number, 2)}; JKR needs 5)"
 
 
 # --- JSON -------------------------------------------------------------------------------------------------------------
