@@ -52,6 +52,7 @@ _FEW = 300  # points of a fit that shows how much the model moves the result
 _WIDE_CONTACT = 0.1  # a/R from which on the sphere's shape matters
 _STRONG = 5.0  # Tabor parameter above which JKR holds for w and E*
 _UNDETERMINED = 0.5  # standard deviation of ln E* from which on E* is not determined
+_POOR = 0.1  # rms over the pull-off force from which on the curve is no contact's
 _LARGEST = 60.0  # ln w or ln E* beyond which a minimum is none
 _NO_ADHESION = 5.0  # standard deviations of the noise that a tension must have
 
@@ -504,6 +505,11 @@ class _Run:
             remarks["residual-trend"] = (
                 f"residuals have one sign over {result.goodness['longest_run']:.0f} points in a row: the model, not "
                 "the noise, limits the fit"
+            )
+        if result.goodness["rms_over_pull_off"] > _POOR:
+            remarks["poor-fit"] = (
+                f"the misfit is {result.goodness['rms_over_pull_off']:.0%} of the pull-off force: this is not the curve "
+                "of one contact"
             )
         modulus = values["contact_modulus"]
         if not errors["contact_modulus"].statistical < _UNDETERMINED * modulus:

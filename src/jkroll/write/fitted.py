@@ -53,7 +53,10 @@ def _cells(fitted: Fit, name: str, numbers: Sequence[float]) -> tuple[list[str],
         unit, factor = shown, scale[1] / scale[0]
     value, *errors = (number * factor for number in numbers)
     total = errors[-1] if errors else 0.0
-    texts = [bar_digits(value, total), *(significant(error, 2, zeros=True) if isfinite(error) else "–" for error in errors)]
+    texts = [
+        bar_digits(value, total),
+        *(significant(error, 2, zeros=True) if isfinite(error) else "–" for error in errors),
+    ]
     return texts, unit
 
 
