@@ -170,7 +170,9 @@ class Options:
     # Of measured force curves
     spring = _text("--spring", "Stiffness of the lever, for a travel or a deflection", "3.01±0.1N/m", group="Curve")
     branch = Option("both", "--branch", "both, load or unload", "BRANCH", group="Curve")
-    range = _text("--range", "Loads that are fitted: parts of the largest one, or forces", "-100%:30%", group="Curve")
+    range = _text(
+        "--range", "Loads that are fitted: parts of the largest tension and load, or forces", "-100%:30%", group="Curve"
+    )
     profile = Option("paraboloid", "--profile", "paraboloid, or sphere: rigid, on a body with --poisson2 0.45 or more",
         "SHAPE", group="Curve")  # fmt: skip
     baseline = Option("median", "--baseline", "median, or tilt: lines through the parts away from contact", "KIND",

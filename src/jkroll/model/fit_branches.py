@@ -245,7 +245,7 @@ def _white_noise(force: Array) -> float:
     for order, square in ((2, 6), (3, 20), (4, 70)):
         if len(force) > order:
             sizes.append(1.4826 * float(numpy.median(abs(numpy.diff(force, order)))) / square**0.5)
-    return min(sizes)
+    return float(min(sizes))
 
 
 def _free(part: Measured, name: str, noise: float) -> slice:
@@ -334,7 +334,7 @@ def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
     count = len(load)
     if depth > _NOISE * noise:
         lost = numpy.nonzero(forward[least:] > -_LOST * depth)[0]
-        risen = numpy.nonzero(smooth[least:] > -(1 - _RISE) * depth)[0]
+        risen = numpy.nonzero(forward[least:] > -(1 - _RISE) * depth)[0]
         ends = tuple(least + int(each[0]) if len(each) else count for each in (risen, lost))
     else:
         pressed = numpy.nonzero(smooth > _NOISE * noise)[0]
@@ -391,11 +391,17 @@ def _of_radii(curve: Measured, remarks: dict[str, str]) -> Branches:
 
 
 class Range(NamedTuple):
-    """The loads that are fitted, in newtons, or in parts of the largest load."""
+    """The loads that are fitted, in newtons, or in parts of the largest load and, below 0, of the largest tension."""
 
     low: float
     high: float
     is_share: bool
+
+    def _load(self, end: float, load: Array) -> float:
+        """Return the load at an end of the range."""
+        if not self.is_share:
+            return end
+        return end * (float(load.max()) if end > 0 else -float(load.min()))
 
     def within(self, branch: Branch) -> slice:
         """Return the slice of a branch in contact whose loads lie in the range; all is one run of points.
@@ -403,13 +409,13 @@ class Range(NamedTuple):
         Ends are those of the running median, so that the noise of a point decides on none.
         """
         load = branch.in_contact.force
-        scale = float(load.max()) if self.is_share else 1.0
-        low, high = self.low * scale, self.high * scale
+        low, high = map(self._load, (self.low, self.high), [load] * 2)
         smooth = running_median(load)
         order = smooth if branch.name == UNLOADING else smooth[::-1]
         below = numpy.nonzero(order <= high)[0]
         first = int(below[0]) if len(below) else len(load)
-        beyond = numpy.nonzero(order[first:] < low)[0]
+        is_whole = self.is_share and self.low <= -1  # to the last point, which noise may put below the median
+        beyond = numpy.nonzero(order[first:] < (-numpy.inf if is_whole else low))[0]
         last = first + int(beyond[0]) if len(beyond) else len(load)
         if last - first < LEAST_POINTS:
             raise BadCurve(f"{branch.name}: the range has fewer than {LEAST_POINTS} points", "too few points")

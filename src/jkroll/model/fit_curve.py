@@ -508,8 +508,8 @@ class _Run:
             )
         if result.goodness["rms_over_pull_off"] > _POOR:
             remarks["poor-fit"] = (
-                f"the misfit is {result.goodness['rms_over_pull_off']:.0%} of the pull-off force: this is not the curve "
-                "of one contact"
+                f"the misfit is {result.goodness['rms_over_pull_off']:.0%} of the pull-off force: this is not the "
+                "curve of one contact"
             )
         modulus = values["contact_modulus"]
         if not errors["contact_modulus"].statistical < _UNDETERMINED * modulus:

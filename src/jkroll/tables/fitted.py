@@ -50,7 +50,7 @@ def fit(
     branch
         both, load or unload.
     range
-        Loads that are fitted, as "-100%:30%" of the largest one, or "-2uN:500nN".
+        Loads that are fitted, as "-100%:30%" of the largest tension and load, or "-2uN:500nN".
     profile
         paraboloid, or sphere: a rigid one on a body whose Poisson's ratio is 0.45 or more.
     baseline

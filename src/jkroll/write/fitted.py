@@ -122,8 +122,8 @@ def _about_laws(fitted: Fit) -> Iterator[str]:
         + amount("work_of_adhesion", fitted.by_law[law][name], Format(digits=3))
         for law in order
     ]
-    number = fitted.goodness["tabor_parameter"]
-    yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {significant(number, 2)}; JKR needs 5)"
+    number = significant(fitted.goodness["tabor_parameter"], 2)
+    yield f"w by law, the one that holds first: {', '.join(texts)} (Tabor parameter {number}; JKR needs 5)"
 
 
 # --- JSON -------------------------------------------------------------------------------------------------------------
