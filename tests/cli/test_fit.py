@@ -143,6 +143,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
         ("--spring 3N/m --range 30%:1nN", "write two of one kind"),
         ("--spring 3N/m --range 30%:10%", "does not rise"),
         ("--spring 3N/m --model hertz", "hertz"),
+        ("--spring 3N/m --model maugis", "needs --radius"),
         ("--spring 3N/m --radius2 plane", "give --radius, too"),
     ],
 )

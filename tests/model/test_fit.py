@@ -34,6 +34,13 @@ def test_a_clean_curve_gives_back_what_made_it(sign: Any, baseline: Any) -> None
     assert fit.values["hysteresis_fraction"] == approx(0.013 / 0.06, rel=1e-3)
 
 
+def test_a_pull_may_be_positive() -> None:
+    z, force = jkr_curve()
+    fit = fit_curve(Measured(TRAVEL, z, -force), PROBE)
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-4)
+    assert "force-reversed" in fit.remarks
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_curves_of_other_sizes(seed: Any) -> None:
     rng = numpy.random.default_rng(seed)

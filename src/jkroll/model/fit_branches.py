@@ -124,7 +124,7 @@ def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False) -> Bra
         return _of_radii(curve, remarks)
     curve = _unsaturated(curve, remarks)
     sign = _sign(curve)
-    curve = curve._replace(z=sign * curve.z)
+    curve = _with_pull_negative(curve._replace(z=sign * curve.z), remarks)
     parts = _split(curve)
     floor = _LEAST_NOISE * float(numpy.ptp(curve.force))
     noise = max(_white_noise(curve.force), floor)
@@ -198,6 +198,19 @@ def _sign(curve: Measured) -> float:
             "unknown direction",
         )
     return 1.0 if high > low else -1.0
+
+
+def _with_pull_negative(curve: Measured, remarks: dict[str, str]) -> Measured:
+    """Return a curve whose force rises into the contact, as its slope at that end of z says."""
+    order = numpy.argsort(curve.z, kind="stable")[-max(LEAST_POINTS, len(curve.z) // 40) :]
+    z, force = curve.z[order], curve.force[order]
+    slope = float(numpy.polyfit(z - z.mean(), force, 1)[0]) if numpy.ptp(z) > 0 else 0.0
+    if -slope * float(numpy.ptp(z)) < max(0.02 * float(numpy.ptp(curve.force)), _NOISE * _white_noise(curve.force)):
+        return curve
+    remarks["force-reversed"] = (
+        "the force falls on the way into the contact: its sign is reversed, so a pull is negative"
+    )
+    return curve._replace(force=-curve.force)
 
 
 def _split(curve: Measured) -> dict[str, Measured]:

@@ -113,6 +113,8 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
         _check_sphere(law, given)
     stiffness = _stiffness_of(spring)
     radius = _radius(given)
+    if law == "maugis" and radius is None:
+        raise BadRequest("--model maugis needs --radius: its curve depends on R and the atomic spacing")
     value = middle(stiffness) if stiffness is not None else inf
     return Known(
         radius=None if radius is None else float(middle(radius)),
