@@ -104,9 +104,9 @@ OF_MAUGIS: Mapping[str, Quantity] = {
 
 OF_CURVES: Mapping[str, Quantity] = {
     "lever_travel": Quantity("z", "m", "travel of the drive that presses and pulls"),
-    "lever_force": Quantity("F", "N", "force that a lever measures; a pull is negative"),
-    "lever_deflection": Quantity("d", "m", "deflection of a lever; a pull is negative"),
-    "lever_stiffness": Quantity("k_c", "N/m", "stiffness of the lever", range=POSITIVE),
+    "lever_force": Quantity("F_lever", "N", "force that a lever measures; a pull is negative"),
+    "lever_deflection": Quantity("d_lever", "m", "deflection of a lever; a pull is negative"),
+    "lever_stiffness": Quantity("k_lever", "N/m", "stiffness of the lever", range=POSITIVE),
 }
 
 

@@ -25,7 +25,13 @@ SYMBOLS_TOO |= {
     "A11": "hamaker",
     "A22": "hamaker2",
 }
-_OF_CURVES = (*OF_CURVES, "contact_radius_at_load")  # whose synonyms are words in the header of a curve alone
+# Columns of curves, whose synonyms and these symbols are words in the header of a curve alone.
+_OF_CURVES = {
+    **dict.fromkeys(OF_CURVES, ""),
+    "contact_radius_at_load": "a",
+    "lever_force": "F",
+    "lever_deflection": "d",
+}
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
@@ -183,8 +189,12 @@ def meanings(measured: str) -> dict[str, Meaning]:
     inputs |= {re.sub("us$", "i", re.sub("y$", "ies", word)): meaning for word, meaning in inputs.items()}  # radii
     known = dict.fromkeys(NOMENCLATURE, Meaning()) | _of_spheres(inputs | _DOUBTFUL_WORDS)
     for name in filter(None, measured.split(",")):
-        spelt = (name, NOMENCLATURE[name].symbol, *(SYNONYMS.get(name, []) if name in _OF_CURVES else ()))
-        known |= dict.fromkeys(map(key, spelt), Meaning([name]))
+        spelt = (
+            name,
+            NOMENCLATURE[name].symbol,
+            *((*SYNONYMS.get(name, []), _OF_CURVES[name]) if name in _OF_CURVES else ()),
+        )
+        known |= dict.fromkeys(filter(None, map(key, spelt)), Meaning([name]))
     return {word.replace("_", ""): meaning for word, meaning in known.items() if word}
 
 
