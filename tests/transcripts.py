@@ -10,6 +10,7 @@ import io
 import os
 import re
 import shlex
+import shutil
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -32,6 +33,7 @@ _ALL_DIGITS = re.compile(r"\d+\.\d{14,}")  # of a number that is written for pro
 _NOT_RUN = ("jkroll bench", "jkroll --install-completion", "jkroll COMMAND", "jkroll --show-completion")
 TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # of commands that read grains.csv
 TERMINAL = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}  # of a page written anew
+CURVE = Path(__file__).parent / "data" / "probe.csv"  # of commands that read curve.csv
 MATERIALS = '[materials.mine]\nsurface_energy = "30 mJ/m2"\n'  # of commands that read mine.toml
 
 
@@ -99,6 +101,7 @@ def exit_code(command: str) -> int:
     """Run a command beside the files that texts speak of, and return its exit code."""
     Path("grains.csv").write_text(TABLE, encoding="utf-8")
     Path("mine.toml").write_text(MATERIALS, encoding="utf-8")
+    shutil.copy(CURVE, "curve.csv")
     Path("grains").mkdir(exist_ok=True)
     Path("grains/a.csv").write_text(TABLE, encoding="utf-8")
     stream = Stream()

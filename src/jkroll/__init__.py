@@ -19,6 +19,7 @@ _HOMES = {
     "Measured": "quantities.values",
     "Quantity": "quantities.nomenclature",
     "answer": "write.answered",
+    "fit": "tables.fitted",
     "infer": "model.infer",
     "known_materials": "materials.library",
     "solve": "model.solver",

@@ -231,6 +231,7 @@ from .quantities.nomenclature import NOMENCLATURE as NOMENCLATURE
 from .quantities.nomenclature import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
+from .tables.fitted import fit as fit
 from .write.answered import answer as answer
 
 __version__: str

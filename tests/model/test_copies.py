@@ -14,6 +14,7 @@ import pytest
 import jkroll
 from jkroll.errors import BadRow, BadTable, JkrollError, MissingExtra, NoResult
 from jkroll.model import unsolved as of_problems
+from jkroll.model.fit_branches import BadCurve
 from jkroll.model.reasons import BEYOND_PULL_OFF, NoErrorBar
 from jkroll.tables.workers import LostWorker
 from relative import approx
@@ -113,6 +114,7 @@ def every_error() -> Iterator[JkrollError]:
         MissingExtra("this needs pandas"),
         BadTable("two headers"),
         BadRow(3, "bad radius"),
+        BadCurve("the curve has 3 points", "too few points"),
         NoErrorBar("pull_off_force", "the load breaks this contact"),
         LostWorker("ended"),
     )

@@ -68,6 +68,27 @@ TABLE = (
     Option(None, "--material", "Material of rows whose cell is empty; the inputs below work likewise", "NAME",
         name="material"),
 )  # fmt: skip
+_OF_CURVES = (
+    "radius radius2 diameter diameter2 reduced_radius youngs_modulus youngs_modulus2 poisson_ratio poisson_ratio2 "
+    "model atomic_spacing"
+).split()
+FIT = (
+    Options.spring,
+    Options.branch,
+    Options.range,
+    Options.profile,
+    Options.baseline,
+    Options.columns,
+    Options.format,
+    Options.delimiter,
+    Options.curve.but(help="Write the points: residuals and energy release rate", excludes=[]),
+    *_LISTED,
+    Options.target.but(help="Write a file; a picture as x.svg, .pdf or .png"),
+    *(option.but(hidden=True) for option in (Options.width, Options.style, Options.uncaptioned)),
+    Options.jobs.but(help="Number of processes for many files"),
+    Options.file,
+    Options.quiet,
+)
 BENCH = (Options.quick, Options.plot, Options.width, Options.style, Options.uncaptioned, *_LISTED)
 
 _OF_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "shear_modulus2", "poisson_ratio2", "density2")
@@ -127,7 +148,9 @@ class Command:
         self.name, self.sentence, self.words, self.options = name, sentence, words, options
         self.runner, self.example, self.job = runner, example, job
         self.placeholders = tuple(word.strip("[].") for word in words.split())  # MATERIAL, RADIUS and so on
-        self.most_words = INFINITY if "[" in words else len(self.placeholders)  # any where some can be left out
+        self.most_words = (
+            INFINITY if "[" in words or "..." in words else len(self.placeholders)
+        )  # any where some can vary
         self.has_subject = words != "" and not words.startswith("[")  # the first word says what the command is about
 
     def flags(self) -> dict[str, Option[Any]]:
@@ -150,6 +173,14 @@ def _options_of_table() -> tuple[Option[Any], ...]:
         if quantity.example
     )
     return (*TABLE, *inputs, Options.file, Options.quiet)
+
+
+def _options_of_fit() -> tuple[Option[Any], ...]:
+    inputs = (
+        Option(None, NOMENCLATURE[name].option or "--radius", metavar=NOMENCLATURE[name].example, name=name)
+        for name in _OF_CURVES
+    )
+    return (*inputs, *FIT)
 
 
 _SCENE = "[MATERIAL] [RADIUS]..."
@@ -187,6 +218,8 @@ _COMMANDS = (
     Command("infer", "Inputs from measured values.", "INPUT [MATERIAL] [RADIUS]...",
         lambda: (Options.measured, *input_options(), *_OUTPUT), "runners:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN", CONTACT),
+    Command("fit", "Work of adhesion and modulus of a force curve.", "FILE...",
+        _options_of_fit, "fit:run_fit", "curve.csv --radius 7.5um --radius2 plane --spring 3.01N/m", CONTACT),
     Command("batch", "Results for each row of a table.", "IN",
         _options_of_table, "runners:run_batch", "grains.csv -o forces.csv", ALL),
     Command("map", "Draw a quantity over two inputs as a map, or over one as curves.",

@@ -167,6 +167,17 @@ class Options:
     dask = Option("", "--dask", "Convert many tables on a Dask cluster", "ADDRESS")
     excel_safe = _switch("--excel-safe", "Escape text that a spreadsheet would run")
 
+    # Of measured force curves
+    spring = _text("--spring", "Stiffness of the lever, for a travel or a deflection", "3.01±0.1N/m", group="Curve")
+    branch = Option("both", "--branch", "both, load or unload", "BRANCH", group="Curve")
+    range = _text(
+        "--range", "Loads that are fitted: parts of the largest tension and load, or forces", "-100%:30%", group="Curve"
+    )
+    profile = Option("paraboloid", "--profile", "paraboloid, or sphere: rigid, on a body with --poisson2 0.45 or more",
+        "SHAPE", group="Curve")  # fmt: skip
+    baseline = Option("median", "--baseline", "median, or tilt: lines through the parts away from contact", "KIND",
+        group="Curve")  # fmt: skip
+
     # Of the measurements of speed
     quick = _switch("--quick", "Measure fewer points")
     plot = _text("--plot", "Draw error against cost (needs the plot extra)", "FILE")

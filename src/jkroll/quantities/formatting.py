@@ -254,3 +254,15 @@ def symbol_among(name: str, inputs: Collection[str]) -> str:
 def symbol_of(name: str) -> str:
     """Return the symbol of a quantity, or its name if it has none."""
     return NOMENCLATURE[name].symbol or name
+
+
+def bar_digits(value: float, error: float) -> str:
+    """Return a value to the second digit of its error, or with four digits without one.
+
+    >>> bar_digits(61.7234, 0.24), bar_digits(1749.6, 190.0), bar_digits(0.21666, 0.0)
+    ('61.72', '1750', '0.2167')
+    """
+    if not 0 < error < abs(value):
+        return significant(value, RESULT_DIGITS)
+    place = int(f"{error:.1e}".partition("e")[2]) - 1
+    return f"{round(value, -place):.{max(-place, 0)}f}"

@@ -111,6 +111,16 @@ OF_MAUGIS: Mapping[str, Quantity] = {
 }  # fmt: skip
 
 
+# --- Columns of measured force curves, which no formula takes --------------------------------------------------------
+
+OF_CURVES: Mapping[str, Quantity] = {
+    "lever_travel": Quantity("z", "m", "travel of the drive that presses and pulls"),
+    "lever_force": Quantity("F_lever", "N", "force that a lever measures; a pull is negative"),
+    "lever_deflection": Quantity("d_lever", "m", "deflection of a lever; a pull is negative"),
+    "lever_stiffness": Quantity("k_lever", "N/m", "stiffness of the lever", range=POSITIVE),
+}
+
+
 # --- Quantities of models of many grains ------------------------------------------------------------------------------
 
 _SPEED = "½(Nm1/2)v² = E"  # of two equal aggregates
@@ -415,6 +425,7 @@ _QUANTITIES: Mapping[str, Quantity] = {
     **OF_DEM,
     **OF_MAUGIS,
     **OF_SPHERE,
+    **OF_CURVES,
 }  # fmt: skip
 
 # A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the

@@ -24,6 +24,7 @@ WORDS_OF_OTHERS = {
             modulo_reducido""",
         likely="effective_elastic_modulus equivalent_modulus combined_modulus",
     ),
+    "contact_radius_at_load": Words(certain="contact_radius"),
     "contacts": Words(certain="number_of_contacts"),
     "cutoff": Words(likely="cutoff_distance cut_off_distance"),
     "density": Words(
@@ -44,6 +45,9 @@ WORDS_OF_OTHERS = {
     ),
     "hamaker": Words(certain="hamaker_constant hamaker_coefficient hamaker_konstante constante_de_hamaker"),
     "hysteresis_fraction": Words(certain="adhesion_hysteresis_fraction relative_adhesion_hysteresis"),
+    "lever_deflection": Words(certain="deflection defl"),
+    "lever_force": Words(certain="force"),
+    "lever_travel": Words(certain="travel piezo z_piezo piezo_position height measured_height z_sensor zsnsr"),
     "load": Words(
         certain="""applied_load normal_load contact_load auflast normallast charge_normale charge_appliquee
             carga_normal carga_aplicada""",

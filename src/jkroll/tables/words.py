@@ -6,7 +6,7 @@ from functools import cache
 from itertools import groupby
 from typing import NamedTuple
 
-from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
+from ..quantities.nomenclature import NOMENCLATURE, OF_CURVES, OPTION_WORDS
 from ..quantities.synonyms import SYNONYMS
 from ..quantities.units import PREFIXES, SUPERSCRIPTS, BadUnit, dimension_of, is_in_table
 from ..quantities.values import unit_meant
@@ -24,6 +24,13 @@ SYMBOLS_TOO |= {
     "AH": "hamaker",
     "A11": "hamaker",
     "A22": "hamaker2",
+}
+# Columns of curves, whose synonyms and these symbols are words in the header of a curve alone.
+_OF_CURVES = {
+    **dict.fromkeys(OF_CURVES, ""),
+    "contact_radius_at_load": "a",
+    "lever_force": "F",
+    "lever_deflection": "d",
 }
 RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
@@ -174,15 +181,20 @@ def spelt_out(word: str) -> str:
 def meanings(measured: str) -> dict[str, Meaning]:
     """Return what words mean, by their keys, with 1 or 2 for the sphere or without.
 
-    `measured`: a quantity whose name and symbol are words, besides those of inputs; "" for none.
+    `measured`: quantities, with commas, whose names, symbols and synonyms are words besides those of inputs.
     """
     names = {name: name for name in (*INPUTS, *MATERIALS)} | OPTION_WORDS
     names |= {word: name for name, others in SYNONYMS.items() for word in others}
     inputs = {word: Meaning([name]) for word, name in names.items() if name in INPUTS or name in MATERIALS}
     inputs |= {re.sub("us$", "i", re.sub("y$", "ies", word)): meaning for word, meaning in inputs.items()}  # radii
     known = dict.fromkeys(NOMENCLATURE, Meaning()) | _of_spheres(inputs | _DOUBTFUL_WORDS)
-    if measured:
-        known |= dict.fromkeys(map(key, (measured, NOMENCLATURE[measured].symbol)), Meaning([measured]))
+    for name in filter(None, measured.split(",")):
+        spelt = (
+            name,
+            NOMENCLATURE[name].symbol,
+            *((*SYNONYMS.get(name, []), _OF_CURVES[name]) if name in _OF_CURVES else ()),
+        )
+        known |= dict.fromkeys(filter(None, map(key, spelt)), Meaning([name]))
     return {word.replace("_", ""): meaning for word, meaning in known.items() if word}
 
 

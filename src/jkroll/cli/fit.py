@@ -1,0 +1,279 @@
+"""Runner of `fit`: from files of curves and options to answers, rows or a picture."""
+
+import glob
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from time import monotonic
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..errors import ROWS_FAILED, BadRequest, JkrollError
+from ..materials.library import Materials
+from ..model.fit_curve import RESULTS, Fit, Known
+from ..quantities.formatting import Format, amount
+from ..quantities.laws import LAWS
+from ..quantities.values import value_of
+from ..tables.fitted import fit_of_file, known_of, modulus_of_body
+from ..text import ending, quoted, say, say_wrapped
+from ..write.fitted import (
+    curve_columns,
+    heads_of,
+    in_words,
+    json_of,
+    row_of,
+    sentences,
+    write_fit,
+    write_json,
+)
+from ..write.writers import text_output, write_columns
+from .call import CSV, JSON, MARKDOWN, TABLE, Call
+
+_WAIT = 0.5  # seconds before progress is shown
+_SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
+_RADII = ("radius", "diameter", "reduced_radius")
+
+
+class Outcome(NamedTuple):
+    """The fit of a file and how it was read, or the error about it."""
+
+    fitted: Fit | None
+    reading: str
+    error: JkrollError | None
+
+
+class Task(NamedTuple):
+    """Fits a file, in this process or in another."""
+
+    known: Known
+    materials: Materials
+    columns: tuple[str, ...]
+    form: str
+    mark: str
+
+    def outcome(self, path: str) -> Outcome:
+        """Return the outcome of a file."""
+        try:
+            fitted, reading = fit_of_file(path, self.known, self.materials, self.columns, self.form, self.mark)
+        except JkrollError as error:
+            return Outcome(None, "", error.with_traceback(None))
+        return Outcome(fitted, reading, None)
+
+
+def run_fit(call: Call) -> int:
+    """Fit the curves in files; return the exit code."""
+    paths = _paths(call)
+    given = {name: value_of(text, name) for name, text in call.inputs.items() if name != "model"}
+    words = {
+        "model": call.inputs.get("model", "jkr"), "branch": call.branch, "range": call.range, "profile": call.profile,
+        "baseline": call.baseline,
+    }  # fmt: skip
+    known = known_of(words, call.spring, given)
+    task = Task(known, call.materials, call.columns, call.format, call.delimiter)
+    if call.names_picture:
+        _check_single(paths, "a picture")
+        from .map import check_picture
+
+        check_picture(call, call.target)
+    if len(paths) == 1:
+        return _write_single(call, paths[0], task.outcome(paths[0]), given)
+    if call.curve:
+        raise BadRequest("--curve writes the points of one file")
+    return _write_rows(call, paths, [*_outcomes(call, task, paths)], known)
+
+
+def _paths(call: Call) -> list[str]:
+    """Return the files that the words name. Raises BadRequest."""
+    words = [word for word in (call.subject, *call.words) if word]
+    if not words:
+        raise BadRequest("fit needs a curve, such as curve.csv; jkroll guide fit has an example")
+    paths: list[str] = []
+    for word in words:
+        found = sorted(glob.glob(word)) if glob.has_magic(word) and not os.path.exists(word) else [word]
+        if not found:
+            raise BadRequest(f"{quoted(word)}: no such file")
+        paths += found
+    if "-" in paths:
+        raise BadRequest("fit reads files: save the curve first")
+    return paths
+
+
+def _check_single(paths: Sequence[str], what: str) -> None:
+    if len(paths) > 1:
+        raise BadRequest(f"{what} shows one curve; {len(paths)} files were given")
+
+
+# --- One file ---------------------------------------------------------------------------------------------------------
+
+
+def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, Any]) -> int:
+    """Write the fit of one file in the form that was asked for; return the exit code."""
+    fitted = outcome.fitted
+    if fitted is None:
+        assert outcome.error is not None
+        raise outcome.error
+    if not call.quiet:
+        say_wrapped(outcome.reading, sys.stderr)
+    following = following_command(call, fitted)
+    body = modulus_of_body(fitted, given)
+    if call.names_picture:
+        return _draw(call, path, fitted)
+    output = call.output
+    with text_output(call.target or "-") as out:
+        if output is JSON:
+            write_json([json_of(fitted, path, outcome.reading, following, curve=call.curve)], out)
+        elif call.curve and output is TABLE:
+            from ..pictures.fitted import picture_of_fit
+            from ..pictures.picture import write_picture
+
+            write_picture(picture_of_fit(fitted, os.path.basename(path), [*sentences(fitted)]), out)
+        elif call.curve:
+            heads, columns = curve_columns(fitted)
+            write_columns(heads, columns, "csv" if output is not MARKDOWN else "md", out)
+        elif output is CSV or (call.target is not None and ending(call.target) not in ("txt", "")):
+            row = row_of(path, fitted)
+            write_columns(heads_of(is_scaled=fitted.is_scaled), [[cell] for cell in row], "csv", out)
+        elif output is MARKDOWN:
+            row = row_of(path, fitted)
+            write_columns(heads_of(is_scaled=fitted.is_scaled), [[cell] for cell in row], "md", out)
+        else:
+            write_fit(fitted, out, heading=_heading(call, path, fitted), following=following, body=body)
+    return 0
+
+
+def _heading(call: Call, path: str, fitted: Fit) -> str:
+    """Return the line above a fit: the file and what is known."""
+    known = fitted.known
+    texts = [f"{os.path.basename(path)}: {fitted.kind} and force, by {LAWS[known.law].short}"]
+    if known.radius is not None:
+        texts.append(f"R = {amount('reduced_radius', known.radius)}")
+    if fitted.kind == "travel":
+        texts.append(f"k = {call.spring}")
+    texts.append(f"{known.profile}, {int(fitted.goodness['points'])} points")
+    return ", ".join(texts)
+
+
+def following_command(call: Call, fitted: Fit) -> str:
+    """Return the command that goes on from a fit to rolling; empty where w or the radius is not known."""
+    values = fitted.values
+    w = values.get("work_of_adhesion_opening")
+    radii = [name for name in _RADII if name in call.inputs]
+    if w is None or not radii or fitted.is_scaled:
+        return ""
+    form = Format(digits=3)
+    words = ["jkroll yield-force"]
+    if "radius" in call.inputs:
+        words.append(call.inputs["radius"])
+    words += [
+        f"--{name} {call.inputs[name]}"
+        for name in ("diameter", "reduced_radius", "radius2", "diameter2")
+        if name in call.inputs
+    ]
+    words.append(f"--work-of-adhesion {_typed('work_of_adhesion', w, form)}")
+    words.append(f"--contact-modulus {_typed('contact_modulus', values['contact_modulus'], form)}")
+    hysteresis = values.get("adhesion_hysteresis", 0.0)
+    if hysteresis > 0:
+        words.append(f"--adhesion-hysteresis {_typed('adhesion_hysteresis', hysteresis, form)}")
+    return " ".join(words).replace("--reduced_radius", "--reduced-radius")
+
+
+def _typed(name: str, value: float, form: Format) -> str:
+    """Return a value as it is typed."""
+    return amount(name, value, form).replace(" ", "").replace("²", "2").replace("µ", "u")
+
+
+def _draw(call: Call, path: str, fitted: Fit) -> int:
+    """Draw the fit into a file; return the exit code."""
+    from ..pictures.fitted import picture_of_fit
+    from .map import draw_into
+
+    names = [
+        name
+        for name in ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus")
+        if name in fitted.values
+    ]
+    caption = [f"{name.replace('_', ' ')} {in_words(fitted, name)}" for name in names]
+    assert call.target is not None
+    draw_into(
+        call.target,
+        picture_of_fit(fitted, os.path.basename(path), [f"{text}." for text in (*caption, *sentences(fitted))]),
+        call,
+    )
+    return 0
+
+
+# --- Many files -------------------------------------------------------------------------------------------------------
+
+
+def _outcomes(call: Call, task: Task, paths: Sequence[str]) -> Iterator[Outcome]:
+    """Iterate over the outcomes of files, with a line of progress on a terminal."""
+    answered: Iterator[Outcome]
+    run: Callable[[Any], Any] = partial(_outcome_of, task)
+    if (call.jobs or 1) > 1:
+        from ..tables.workers import answers
+
+        answered = answers(min(call.jobs, len(paths)), run, paths)
+    else:
+        answered = map(run, paths)
+    began, is_shown = monotonic(), sys.stderr.isatty() and not call.quiet
+    for done, outcome in enumerate(answered, 1):
+        yield outcome
+        if is_shown and monotonic() - began > _WAIT:
+            sys.stderr.write(f"\r{done} of {len(paths)} files".ljust(40) + "\r")
+            sys.stderr.flush()
+
+
+def _outcome_of(task: Task, path: str) -> Outcome:
+    return task.outcome(path)
+
+
+def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[Outcome], known: Known) -> int:
+    """Write a row for each file, and a summary on stderr; return the exit code."""
+    rows = [
+        row_of(path, outcome.fitted, "" if outcome.error is None else outcome.error.phrase or str(outcome.error))
+        for path, outcome in zip(paths, outcomes, strict=True)
+    ]
+    fits = [outcome.fitted for outcome in outcomes if outcome.fitted is not None]
+    with text_output(call.target or "-") as out:
+        if call.output is JSON:
+            write_json(
+                [
+                    json_of(each.fitted, path, each.reading, "", curve=False)
+                    if each.fitted is not None
+                    else {"inputs": {"file": path}, "results": [], "reason": str(each.error)}
+                    for path, each in zip(paths, outcomes, strict=True)
+                ],
+                out,
+            )
+        else:
+            form = "md" if call.output is MARKDOWN else "csv"
+            write_columns(
+                heads_of(is_scaled=known.radius is None), [list(each) for each in zip(*rows, strict=True)], form, out
+            )
+    for path, outcome in zip(paths, outcomes, strict=True):
+        if outcome.error is not None:
+            say_wrapped(f"jkroll: {quoted(path)}: {outcome.error}", sys.stderr)
+    if not call.quiet:
+        for line in _summary(fits, len(paths)):
+            say_wrapped(line, sys.stderr)
+    failed = len(paths) - len(fits)
+    if failed:
+        say(f"jkroll: {failed} of {len(paths)} files failed; column status says why", sys.stderr)
+    return ROWS_FAILED if failed else 0
+
+
+def _summary(fits: Sequence[Fit], count: int) -> Iterator[str]:
+    """Iterate over sentences on the results of many curves: median, quartiles, mean and scatter."""
+    for name in _SUMMARY:
+        values = numpy.array([each.values[name] for each in fits if name in each.values])
+        if len(values) < 2 or any(each.is_scaled for each in fits):
+            continue
+        quantity = RESULTS[name]
+        low, median, high = (amount(quantity, float(each)) for each in numpy.quantile(values, [0.25, 0.5, 0.75]))
+        mean, scatter = amount(quantity, float(values.mean())), amount(quantity, float(values.std(ddof=1)))
+        yield (
+            f"note: {name}: {len(values)} of {count} files; median {median}, quartiles {low} and {high}; mean {mean}, "
+            f"scatter {scatter}"
+        )

@@ -1,0 +1,437 @@
+"""A measured force curve as branches: signs, baseline, the free parts, the contact, and the range that is fitted.
+
+Loading is the way to the largest force, unloading the way back. Away from contact a branch is free: there its force is
+the baseline. Loads are forces less the baseline, tension negative; travel and approach rise into the contact.
+"""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple, Self
+
+import numpy
+
+from ..errors import JkrollError
+from .fit_minimum import Points
+
+Array = Any
+
+LOADING, UNLOADING = "loading", "unloading"
+LEAST_POINTS = 5
+_NOISE = 5.0  # standard deviations of the noise from which on a force is no noise
+_SMOOTH = 9  # points of a running median
+_END = 0.1  # share of a branch that is taken as its end
+_LOST = 0.5  # of the depth of the minimum: above, the contact is lost
+_RISE = 0.05  # of the depth, by which the force has risen where a lever lets go
+_SHORT = 0.03  # share of the points below which a way to the largest force is no branch
+_STEEPER = 5.0  # ratio of the rise of force at both ends from which on it says which is free
+_NEAR_ONCE = 1.5  # length of all ways of z over that of one way there and one back
+_LEAST_NOISE = 1e-9  # of the range of forces: of curves that a program made
+_FLAT = 5  # equal largest readings in a row from which on the sensor is saturated
+_LONG = 0.2  # of the travel, which a flat end must have to be free where no force is below it
+_SETTLES = 0.1  # share of the free part behind the jump in which a lever swings
+
+
+class BadCurve(JkrollError):
+    """Error raised for a curve that cannot be fitted."""
+
+    exit_code = 1
+
+    def __init__(self, problem: str, phrase: str) -> None:
+        """`phrase`: for the row of a table."""
+        super().__init__(problem)
+        self.phrase = phrase
+
+
+class Measured(NamedTuple):
+    """Columns of a curve in their order in time, in SI units: z or a, the force, and what else a table gives.
+
+    `z` is a contact radius, an approach or a travel, as `kind` says. Errors are standard deviations, None if unknown;
+    `branch` is the name of the branch at each point, None if no column says so.
+    """
+
+    kind: str
+    z: Array
+    force: Array
+    z_error: Array | None = None
+    force_error: Array | None = None
+    branch: Array | None = None
+
+    def chosen(self, which: Array) -> Self:
+        """Return the points at some indices, or where a mask is True."""
+        return self._replace(
+            **{name: column[which] for name, column in self._asdict().items() if name != "kind" and column is not None}
+        )
+
+
+RADIUS, APPROACH, TRAVEL = "contact radius", "approach", "travel"
+
+
+class Baseline(NamedTuple):
+    """The force away from contact, as a line over z: its middle, slope and standard error, and the noise there."""
+
+    force: float
+    slope: float
+    error: float
+    noise: float
+    z: float = 0.0  # at which the line has the force
+
+    def at(self, z: Array) -> Array:
+        """Return the baseline at some z."""
+        return self.force + self.slope * (z - self.z)
+
+
+class Branch(NamedTuple):
+    """A branch: its points with loads in place of forces, and the slice of those in contact, in their order in time.
+
+    `reach` is the slice of those that may be in contact, beyond the least load.
+    """
+
+    name: str
+    points: Points
+    contact: slice
+    reach: slice
+    baseline: Baseline | None  # its own, if it has a free part
+
+    def extended(self, first_z: float) -> Self:
+        """Return the branch with the contact as far as travels from `first_z` on may reach."""
+        held = numpy.nonzero(self.points.z[self.reach] >= first_z)[0]
+        if self.name == UNLOADING:
+            last = int(held[-1]) + 1 if len(held) else 0
+            return self._replace(contact=slice(0, max(last, self.contact.stop)))
+        first = self.reach.start + int(held[0]) if len(held) else len(self.points.z)
+        return self._replace(contact=slice(min(first, self.contact.start), self.contact.stop))
+
+    @property
+    def in_contact(self) -> Points:
+        """The points in contact."""
+        return self.points.chosen(self.contact)
+
+
+class Branches(NamedTuple):
+    """The branches of a curve by name, the noise of the force, and remarks by code."""
+
+    by_name: Mapping[str, Branch]
+    noise: float
+    remarks: Mapping[str, str]
+    baseline_error: float
+    sign: float  # of z
+
+
+def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False) -> Branches:
+    """Return the branches of a curve; `stiffness` of its lever, infinite without one. Raises BadCurve."""
+    remarks: dict[str, str] = {}
+    curve = _finite(curve, remarks)
+    if curve.kind == RADIUS:
+        return _of_radii(curve, remarks)
+    curve = _unsaturated(curve, remarks)
+    sign = _sign(curve)
+    curve = _with_pull_negative(curve._replace(z=sign * curve.z), remarks)
+    parts = _split(curve)
+    floor = _LEAST_NOISE * float(numpy.ptp(curve.force))
+    noise = max(_white_noise(curve.force), floor)
+    ends = {name: _free(part, name, noise) for name, part in parts.items()}
+    baselines = {name: _baseline(part, ends[name], tilt=tilt) for name, part in parts.items()}
+    known = [each for each in (baselines.get(name) for name in (UNLOADING, LOADING)) if each is not None]
+    if not known:
+        known = [Baseline(0.0, 0.0, 0.0, noise)]
+        remarks["no-baseline"] = "no part away from contact: the force is taken as it is, its zero with it"
+    _compare(baselines, remarks)
+    branches = {}
+    for name, part in parts.items():
+        own = baselines[name] or known[0]
+        load = part.force - own.at(part.z)
+        give = 1 / stiffness or float(numpy.ptp(part.z)) / float(numpy.ptp(load))
+        errors = _errors(part, max(own.noise, noise), give)
+        inside = _in_contact(load, name, max(own.noise, noise))
+        branches[name] = Branch(name, Points(part.z, load, *errors), *inside, baselines[name])
+    _check(branches, max(noise, *(each.noise for each in known)), remarks)
+    used = next((baselines[name] for name in (UNLOADING, LOADING) if baselines.get(name) is not None), None)
+    return Branches(branches, max(known[0].noise, floor), remarks, used.error if used else 0.0, sign)
+
+
+def _finite(curve: Measured, remarks: dict[str, str]) -> Measured:
+    """Return the points that have numbers. Raises BadCurve for too few."""
+    is_known = numpy.isfinite(curve.z) & numpy.isfinite(curve.force)
+    if curve.kind == RADIUS:
+        is_known &= curve.z > 0
+    if left_out := int((~is_known).sum()):
+        remarks["gaps"] = f"{left_out} of {len(is_known)} points have no number and are left out"
+    if (count := int(is_known.sum())) < LEAST_POINTS:
+        raise BadCurve(f"the curve has {count} points, and a fit needs {LEAST_POINTS}", "too few points")
+    curve = curve.chosen(is_known)
+    if not (numpy.ptp(curve.z) > 0 and numpy.ptp(curve.force) > 0):
+        which = curve.kind if numpy.ptp(curve.z) == 0 else "force"
+        raise BadCurve(f"the {which} is the same at all points", "no curve")
+    return curve
+
+
+def _unsaturated(curve: Measured, remarks: dict[str, str]) -> Measured:
+    """Return a curve without the points at which the sensor gave its largest or its least reading again and again."""
+    is_kept = numpy.ones(len(curve.force), bool)
+    for end in (curve.force.max(), curve.force.min()):
+        at_end = curve.force == end
+        if at_end.sum() >= _FLAT and at_end.sum() < 0.5 * len(at_end) and (at_end[1:] & at_end[:-1]).sum() >= _FLAT - 1:
+            is_kept &= ~at_end
+    count = int((~is_kept).sum())
+    if count and is_kept.sum() >= LEAST_POINTS:
+        remarks["saturated"] = f"{count} points at the end of the sensor's range are left out"
+        return curve.chosen(is_kept)
+    return curve
+
+
+def _sign(curve: Measured) -> float:
+    """Return the sign that makes z rise into the contact: the free end is flat, and the force at it is the smaller one.
+
+    Raises BadCurve where neither end of the travel differs from the other.
+    """
+    order = numpy.argsort(curve.z, kind="stable")
+    count = max(3, len(order) // 10)
+    ends = [curve.force[which] for which in (order[:count], order[-count:])]
+    low, high = (float(numpy.median(end)) for end in ends)
+    bend_low, bend_high = (abs(float(numpy.polyfit(numpy.arange(count), end, 1)[0])) * count for end in ends)
+    spread = float(numpy.ptp(curve.force))
+    if max(bend_low, bend_high) > max(_STEEPER * min(bend_low, bend_high), 0.02 * spread):
+        return 1.0 if bend_high > bend_low else -1.0
+    if abs(high - low) < 0.02 * spread:
+        raise BadCurve(
+            f"at both ends of the {curve.kind} the force is the same: which end is in contact is not known. Leave out "
+            "what is not of one approach and retraction",
+            "unknown direction",
+        )
+    return 1.0 if high > low else -1.0
+
+
+def _with_pull_negative(curve: Measured, remarks: dict[str, str]) -> Measured:
+    """Return a curve whose force rises into the contact, as its slope at that end of z says."""
+    order = numpy.argsort(curve.z, kind="stable")[-max(LEAST_POINTS, len(curve.z) // 40) :]
+    z, force = curve.z[order], curve.force[order]
+    slope = float(numpy.polyfit(z - z.mean(), force, 1)[0]) if numpy.ptp(z) > 0 else 0.0
+    if -slope * float(numpy.ptp(z)) < max(0.02 * float(numpy.ptp(curve.force)), _NOISE * _white_noise(curve.force)):
+        return curve
+    remarks["force-reversed"] = (
+        "the force falls on the way into the contact: its sign is reversed, so a pull is negative"
+    )
+    return curve._replace(force=-curve.force)
+
+
+def _split(curve: Measured) -> dict[str, Measured]:
+    """Return the points of each branch, as a column says, or before and behind the turn of z or the largest force."""
+    if curve.branch is not None:
+        parts = {name: curve.chosen(curve.branch == name) for name in (LOADING, UNLOADING)}
+    else:
+        top = int(numpy.nonzero(curve.z == curve.z.max())[0][-1])
+        if not _turns_once(curve.z, top):
+            top = int(numpy.argmax(running_median(curve.force)))
+        parts = {LOADING: curve.chosen(slice(0, top)), UNLOADING: curve.chosen(slice(top, None))}
+    least = max(LEAST_POINTS, _SHORT * len(curve.z))
+    kept = {name: part for name, part in parts.items() if len(part.z) >= least and _varies(part)}
+    if not kept:
+        raise BadCurve("neither branch has enough points", "too few points")
+    return kept
+
+
+def _turns_once(z: Array, top: int) -> bool:
+    """Return whether z rises up to an index and falls from there, but for noise."""
+    ways = float(abs(numpy.diff(running_median(z))).sum())
+    return ways < _NEAR_ONCE * float(2 * z[top] - z[0] - z[-1])
+
+
+def _varies(part: Measured) -> bool:
+    return bool(numpy.ptp(part.z) > 0 and numpy.ptp(part.force) > 0)
+
+
+def running_median(values: Array, size: int = _SMOOTH) -> Array:
+    """Return the running median over an odd number of points, fewer at the ends."""
+    size = min(size, len(values) - (len(values) + 1) % 2)
+    if size < 3:
+        return values
+    half = size // 2
+    padded = numpy.concatenate([values[:half][::-1], values, values[-half:][::-1]])
+    return numpy.median(numpy.lib.stride_tricks.sliding_window_view(padded, size), axis=-1)
+
+
+def _white_noise(force: Array) -> float:
+    """Return the standard deviation of noise from one point to the next: by differences, the least of some orders.
+
+    In a curve of few points, differences of low order hold its bend.
+    """
+    sizes = []
+    for order, square in ((2, 6), (3, 20), (4, 70)):
+        if len(force) > order:
+            sizes.append(1.4826 * float(numpy.median(abs(numpy.diff(force, order)))) / square**0.5)
+    return float(min(sizes))
+
+
+def _free(part: Measured, name: str, noise: float) -> slice:
+    """Return the slice of a branch away from contact; an empty one if it has none."""
+    force = part.force if name == UNLOADING else part.force[::-1]
+    count = max(LEAST_POINTS, int(_END * len(force)))
+    if len(force) < 2 * count:
+        return slice(0, 0)
+    end = force[-count:]
+    level = float(numpy.median(end))
+    spread = max(noise, 1.4826 * float(numpy.median(abs(end - level))))
+    smooth = running_median(force, 5)
+    least = int(numpy.argmin(smooth))
+    depth = level - float(smooth[least])
+    slope = numpy.polyfit(numpy.arange(count), end, 1)[0] * count
+    if abs(slope) > 0.2 * float(numpy.ptp(force)):
+        return slice(0, 0)  # still in contact
+    if depth > _NOISE * spread:
+        above = numpy.nonzero(smooth[least:] > level - max(_NOISE * spread, 0.1 * depth))[0]
+        first = least + int(above[0]) if len(above) else len(force)
+    else:
+        pressed = numpy.nonzero(smooth > level + _NOISE * spread)[0]
+        first = int(pressed[-1]) + 1 if len(pressed) else len(force)
+        z = part.z if name == UNLOADING else part.z[::-1]
+        if not len(z[first:]) or numpy.ptp(z[first:]) < _LONG * numpy.ptp(z):
+            return slice(0, 0)  # it may be the least force of a curve that ends there
+    first += int(_SETTLES * (len(force) - first))
+    if len(force) - first < LEAST_POINTS:
+        return slice(0, 0)
+    return slice(first, len(force)) if name == UNLOADING else slice(0, len(force) - first)
+
+
+def _baseline(part: Measured, free: slice, *, tilt: bool) -> Baseline | None:
+    """Return the baseline of a free part: its median, or a line; None without one."""
+    force, z = part.force[free], part.z[free]
+    if len(force) < LEAST_POINTS:
+        return None
+    middle, slope = float(numpy.mean(z)), 0.0
+    if tilt and numpy.ptp(z) > 0:
+        slope = float(numpy.polyfit(z - middle, force, 1)[0])
+    rest = force - slope * (z - middle)
+    level = float(numpy.median(rest))
+    noise = 1.4826 * float(numpy.median(abs(rest - level)))
+    shifted = rest - level
+    square = float(shifted @ shifted)
+    phi = float(shifted[1:] @ shifted[:-1]) / square if square > 0 else 0.0
+    phi = max(0.0, min(phi, 0.99))
+    error = noise * ((1 + phi) / (1 - phi) / len(force)) ** 0.5
+    return Baseline(level, slope, error, noise, middle)
+
+
+def _compare(baselines: Mapping[str, Baseline | None], remarks: dict[str, str]) -> None:
+    """Remark on baselines before and after the contact that differ."""
+    both = [each for each in baselines.values() if each is not None]
+    if len(both) < 2:
+        return
+    difference = both[1].force - both[0].force
+    size = 3 * max(numpy.hypot(both[0].error, both[1].error), 0.1 * both[0].noise)
+    if abs(difference) > size:
+        remarks["baseline-moves"] = (
+            f"the baseline moves by {difference * 1e9:.3g} nN from before the contact to behind it: each branch "
+            "has its own (--baseline tilt takes lines)"
+        )
+
+
+def _errors(part: Measured, noise: float, give: float) -> tuple[Array, Array]:
+    """Return standard deviations of the force and of z, of which the ratio counts.
+
+    Where a column has no errors of z, they are those of the force times `give`, a length over a force.
+    """
+    force_error = part.force_error if part.force_error is not None else numpy.full(len(part.z), noise)
+    if part.z_error is not None:
+        return force_error, part.z_error
+    return force_error, force_error * give
+
+
+def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
+    """Return the slices of a branch in contact: between the largest load and the least one, and as far as it may be.
+
+    Behind the least load a stiff lever still holds the contact, and with a soft one it is on its way apart.
+    """
+    forward = load if name == UNLOADING else load[::-1]
+    smooth = running_median(forward, 5)
+    least = int(numpy.argmin(smooth))
+    depth = -float(smooth[least])
+    count = len(load)
+    if depth > _NOISE * noise:
+        lost = numpy.nonzero(forward[least:] > -_LOST * depth)[0]
+        risen = numpy.nonzero(forward[least:] > -(1 - _RISE) * depth)[0]
+        ends = tuple(least + int(each[0]) if len(each) else count for each in (risen, lost))
+    else:
+        pressed = numpy.nonzero(smooth > _NOISE * noise)[0]
+        ends = (int(pressed[-1]) + 1 if len(pressed) else count,) * 2
+    near, far = (slice(0, end) if name == UNLOADING else slice(count - end, count) for end in ends)
+    return near, far
+
+
+def _check(branches: Mapping[str, Branch], noise: float, remarks: dict[str, str]) -> None:
+    """Remark on what the branches lack. Raises BadCurve for too few points in contact."""
+    for name in [*branches]:
+        if len(branches[name].in_contact.z) < LEAST_POINTS:
+            raise BadCurve(f"{name}: fewer than {LEAST_POINTS} points are in contact", "too few points")
+    branch = branches.get(UNLOADING)
+    if branch is None:
+        return
+    load = branch.points.force
+    if branch.baseline is None and float(load.min()) < -_NOISE * noise:
+        remarks["no-jump-off"] = "no part behind the jump-off: the curve may end before its least force"
+    behind = load[branch.reach.stop :]
+    if len(behind) > 2 * _SMOOTH:
+        smooth = running_median(behind)[_SMOOTH:]
+        if float(smooth.min()) < min(-4 * _NOISE * noise, 0.2 * float(load.min())):
+            remarks["several-minima"] = "several minima behind the jump-off (strands, or asperities that let go late)"
+
+
+def _of_radii(curve: Measured, remarks: dict[str, str]) -> Branches:
+    """Return the branches of contact radii over loads: all points are in contact, and loads have no baseline."""
+    top = int(numpy.argmax(curve.force))
+    if curve.branch is not None:
+        parts = {name: curve.chosen(curve.branch == name) for name in (LOADING, UNLOADING)}
+    else:
+        parts = {LOADING: curve.chosen(slice(0, top)), UNLOADING: curve.chosen(slice(top, None))}
+    parts = {name: part for name, part in parts.items() if len(part.z) >= LEAST_POINTS}
+    if not parts:
+        parts = {UNLOADING: curve}
+    if curve.z_error is None or curve.force_error is None:
+        remarks["equal-errors"] = (
+            "radii and loads are taken to have equal errors, each of its range (columns of errors say otherwise)"
+        )
+    ranges = [float(numpy.ptp(column)) / 200 for column in (curve.z, curve.force)]
+    branches = {}
+    for name, part in parts.items():
+        errors = [
+            column if column is not None else numpy.full(len(part.z), size)
+            for column, size in zip((part.z_error, part.force_error), ranges, strict=True)
+        ]
+        points = Points(part.z, part.force, errors[1], errors[0])
+        branches[name] = Branch(name, points, slice(0, len(part.z)), slice(0, len(part.z)), None)
+    return Branches(branches, ranges[1], remarks, 0.0, 1.0)
+
+
+# --- The range that is fitted -----------------------------------------------------------------------------------------
+
+
+class Range(NamedTuple):
+    """The loads that are fitted, in newtons, or in parts of the largest load and, below 0, of the largest tension."""
+
+    low: float
+    high: float
+    is_share: bool
+
+    def _load(self, end: float, load: Array) -> float:
+        """Return the load at an end of the range."""
+        if not self.is_share:
+            return end
+        return end * (float(load.max()) if end > 0 else -float(load.min()))
+
+    def within(self, branch: Branch) -> slice:
+        """Return the slice of a branch in contact whose loads lie in the range; all is one run of points.
+
+        Ends are those of the running median, so that the noise of a point decides on none.
+        """
+        load = branch.in_contact.force
+        low, high = map(self._load, (self.low, self.high), [load] * 2)
+        smooth = running_median(load)
+        order = smooth if branch.name == UNLOADING else smooth[::-1]
+        below = numpy.nonzero(order <= high)[0]
+        first = int(below[0]) if len(below) else len(load)
+        is_whole = self.is_share and self.low <= -1  # to the last point, which noise may put below the median
+        beyond = numpy.nonzero(order[first:] < (-numpy.inf if is_whole else low))[0]
+        last = first + int(beyond[0]) if len(beyond) else len(load)
+        if last - first < LEAST_POINTS:
+            raise BadCurve(f"{branch.name}: the range has fewer than {LEAST_POINTS} points", "too few points")
+        if branch.name == UNLOADING:
+            return slice(branch.contact.start + first, branch.contact.start + last)
+        return slice(branch.contact.stop - last, branch.contact.stop - first)

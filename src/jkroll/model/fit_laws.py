@@ -1,0 +1,327 @@
+"""Force curves of the laws as functions of one variable, with the derivatives by ln w and ln E* that a fit needs.
+
+A state of the curve has a variable q: the contact radius a in JKR, the approach δ in DMT, the edge ratio v in Maugis'
+law. With it a, δ and P are explicit, and so are their derivatives at fixed q. A fit compares loads at a measured x: at
+an approach, at the travel δ + P/k of a lever, or at a contact radius.
+
+All values are floats or arrays of one dimension in SI units. `profile` is the shape of body 1; w and E* are positive.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple, Protocol
+
+import numpy
+from numpy import inf, pi, sqrt
+
+from ..physics import any_law, contact, dugdale, jkr, maugis, sneddon
+
+Array = Any  # a float, or an array of floats
+
+_STEPS = 60  # of Newton's method at most, which takes about 6
+_NEAR = 1e-10  # relative step after which the next one is rounding
+_SECANTS = 60
+_STRETCH = 1e-5  # relative step of derivatives by differences
+_WIDEST = 1 - 1e-9  # a/R of a sphere
+_LEAST_RATIO = 1e-6  # edge ratio below which there is no contact
+
+
+class Contact(NamedTuple):
+    """The constants of a contact: work of adhesion, contact modulus, reduced radius, atomic spacing."""
+
+    work_of_adhesion: float
+    contact_modulus: float
+    reduced_radius: float
+    atomic_spacing: float
+
+
+class Values(NamedTuple):
+    """A contact radius, an approach and a load; or their derivatives."""
+
+    radius: Array
+    approach: Array
+    load: Array
+
+
+class States(NamedTuple):
+    """States of a force curve, and their derivatives: along the curve by q, and at fixed q by ln w and ln E*."""
+
+    values: Values
+    slopes: Values
+    by_adhesion: Values
+    by_modulus: Values
+
+
+class Grip(NamedTuple):
+    """What a measured x is: an approach, the travel of a lever of a stiffness, or a contact radius.
+
+    An approach is the travel of an infinitely stiff lever.
+    """
+
+    stiffness: float = inf
+    is_radius: bool = False
+
+    def x(self, values: Values) -> Array:
+        """Return x of values, or its derivative from theirs."""
+        return values.radius if self.is_radius else values.approach + values.load / self.stiffness
+
+
+class Law(Protocol):
+    """The force curve of a law."""
+
+    def states(self, q: Array, contact: Contact) -> States:
+        """Return states with their derivatives."""
+
+    def values(self, q: Array, contact: Contact) -> tuple[Values, Values]:
+        """Return states and their derivatives by q."""
+
+    def last(self, contact: Contact, grip: Grip) -> float:
+        """Return q of the last state before a contact is lost, at which dx/dq is 0, or a is."""
+
+    def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
+        """Return q to begin with, at best above the state at x. `last`, `x_last`: of the last state."""
+
+    def most(self, contact: Contact) -> float:
+        """Return the upper bound of q."""
+
+
+def state_at(law: Law, x: Array, contact: Contact, grip: Grip) -> tuple[Array, float, float]:
+    """Return q of the stable states at x, with q and x of the last state, which stands for all x beyond it.
+
+    Solved by Newton's method between bounds, by bisection where a step leaves them. In JKR x is convex in a, so that
+    no step does.
+    """
+    last, most = law.last(contact, grip), law.most(contact)
+    x_last = float(grip.x(law.values(last, contact)[0]))
+    is_held = x > x_last
+    low, high = numpy.full_like(x, last), numpy.full_like(x, most)
+    q = numpy.clip(law.start(x, contact, grip, last, x_last), last, most)
+    for _ in range(_STEPS):
+        values, slopes = law.values(q, contact)
+        excess, slope = grip.x(values) - x, grip.x(slopes)
+        low, high = numpy.where(excess < 0, q, low), numpy.where(excess < 0, high, q)
+        step = excess / numpy.where(slope > 0, slope, 1.0)
+        new = q - step
+        middle = numpy.where(high < inf, (low + high) / 2, 2 * q)
+        is_step = (slope > 0) & (new >= low) & (new <= high)
+        new = numpy.where(is_held, numpy.where(is_step, new, middle), last)
+        is_done = bool(numpy.all(abs(new - q) <= _NEAR * q))
+        q = new
+        if is_done:
+            break
+    return q, last, x_last
+
+
+def _root(excess: Callable[[float], float], low: float, high: float) -> float:
+    """Return where an excess that rises through 0 is 0; an end where it does not. By the Illinois method."""
+    below, above = excess(low), excess(high)
+    if below >= 0 or above <= 0:
+        return low if below >= 0 else high
+    side = 0
+    for _ in range(_SECANTS):
+        middle = (low * above - high * below) / (above - below)
+        if not low < middle < high or high - low <= 1e-14 * high:
+            break
+        value = excess(middle)
+        if value < 0:
+            low, below, above, side = middle, value, above / 2 if side < 0 else above, -1
+        elif value > 0:
+            high, above, below, side = middle, value, below / 2 if side > 0 else below, 1
+        else:
+            return middle
+        if abs(value) <= 1e-14 * max(below, above, -below, abs(above)):
+            break
+    return middle
+
+
+# --- JKR --------------------------------------------------------------------------------------------------------------
+
+
+class Profile(NamedTuple):
+    """The shape of body 1: δ_H, dδ_H/da, d²δ_H/da² and P_H/E* of a contact without adhesion, and the largest a/R."""
+
+    without_adhesion: Callable[[Array, float], tuple[Array, Array, Array, Array]]
+    most: float
+
+
+def _paraboloid(a: Array, reduced_radius: float) -> tuple[Array, Array, Array, Array]:
+    """Return δ_H = a²/R and its derivatives, and P_H/E* = 4a³/(3R)."""
+    square, slope = a * a, 2 * a / reduced_radius
+    return square / reduced_radius, slope, 2 / reduced_radius + 0 * a, 4 / 3 * a * square / reduced_radius
+
+
+def _sphere(a: Array, radius: float) -> tuple[Array, Array, Array, Array]:
+    """Return δ_H of a rigid sphere and its derivatives, and P_H/E*, by Sneddon's formulas."""
+    artanh = sneddon.artanh_of_contact(a, radius)
+    depth, curvature = radius * sneddon.indentation(artanh), sneddon.indentation_curvature(artanh) / radius
+    return depth, sneddon.indentation_slope(artanh), curvature, radius * radius * sneddon.hertz_load(artanh)
+
+
+PROFILES: Mapping[str, Profile] = {"paraboloid": Profile(_paraboloid, inf), "sphere": Profile(_sphere, _WIDEST)}
+
+
+class Jkr(NamedTuple):
+    """JKR's law for a profile: δ = δ_H − u, P = P_H − 2E*au, u = √(2πwa/E*)."""
+
+    profile: Profile
+
+    def states(self, q: Array, contact: Contact) -> States:
+        """Return states with their derivatives."""
+        a, modulus = q, contact.contact_modulus
+        values, slopes = self.values(a, contact)
+        u = sqrt(2 * pi * contact.work_of_adhesion / modulus * a)
+        pull, zero = modulus * a * u, 0 * a
+        return States(values, slopes, Values(zero, -u / 2, -pull), Values(zero, u / 2, values.load + pull))
+
+    def values(self, q: Array, contact: Contact) -> tuple[Values, Values]:
+        """Return states and their derivatives by a."""
+        a, modulus = q, contact.contact_modulus
+        depth, slope, _, hertz = self.profile.without_adhesion(a, contact.reduced_radius)
+        u = sqrt(2 * pi * contact.work_of_adhesion / modulus * a)
+        rise = u / (2 * a)
+        stiffness = 2 * modulus * a
+        values = Values(a, depth - u, modulus * hertz - stiffness * u)
+        return values, Values(1 + 0 * a, slope - rise, stiffness * (slope - 3 * rise))
+
+    def last(self, contact: Contact, grip: Grip) -> float:
+        """Return a where dx/da = 0, at the fold of fixed grips and at pull-off of a dead load; of a radius, near 0."""
+        if grip.is_radius:
+            return _LEAST_RATIO * contact.reduced_radius
+        unloaded = _unloaded_radius(contact)
+        high = min(float(jkr.contact_radius_at_pull_off(contact_radius=unloaded)), self.most(contact))
+        low = 0.2 * high
+
+        def slope(a: float) -> float:
+            return float(grip.x(self.values(a, contact)[1]))
+
+        return _root(slope, low, high)
+
+    def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
+        """Return a above that at x, by the curvature at the last state; the measured radius itself."""
+        if grip.is_radius:
+            return x
+        radius, modulus = contact.reduced_radius, contact.contact_modulus
+        _, slope, bend, _ = self.profile.without_adhesion(last, radius)
+        u = sqrt(2 * pi * contact.work_of_adhesion * last / modulus)
+        turn = bend + u / (4 * last * last)
+        load_turn = 2 * modulus * (slope - 1.5 * u / last + last * bend + 0.75 * u / last)
+        curvature = turn + load_turn / grip.stiffness
+        most = self.most(contact)
+        return numpy.minimum(last + sqrt(2 * numpy.maximum(x - x_last, 0) / curvature), (last + most) / 2)
+
+    def most(self, contact: Contact) -> float:
+        """Return the largest contact radius that the profile has."""
+        return self.profile.most * contact.reduced_radius
+
+
+def _unloaded_radius(of: Contact) -> float:
+    """Return a0 of a paraboloid."""
+    given = {name: getattr(of, name) for name in ("work_of_adhesion", "reduced_radius", "contact_modulus")}
+    return float(contact.contact_radius(**given))
+
+
+# --- DMT --------------------------------------------------------------------------------------------------------------
+
+
+class Dmt:
+    """DMT's law: a = √(Rδ), P = (4/3)E*√R δ^(3/2) − 2πwR. It has no fold: the contact is lost at δ = 0."""
+
+    def states(self, q: Array, contact: Contact) -> States:
+        """Return states with their derivatives."""
+        values, slopes = self.values(q, contact)
+        zero = 0 * q
+        attraction = 2 * pi * contact.work_of_adhesion * contact.reduced_radius
+        return States(
+            values, slopes, Values(zero, zero, zero - attraction), Values(zero, zero, values.load + attraction)
+        )
+
+    def values(self, q: Array, contact: Contact) -> tuple[Values, Values]:
+        """Return states and their derivatives by δ."""
+        modulus, radius = contact.contact_modulus, contact.reduced_radius
+        a = sqrt(radius * q)
+        load = 4 / 3 * modulus * a * q - 2 * pi * contact.work_of_adhesion * radius
+        slope = radius / (2 * numpy.maximum(a, 1e-12 * radius))
+        return Values(a, q, load), Values(slope, 1 + 0 * q, 2 * modulus * a)
+
+    def last(self, contact: Contact, grip: Grip) -> float:  # noqa: ARG002
+        """Return δ = 0."""
+        return 0.0
+
+    def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:  # noqa: ARG002
+        """Return δ above that at x: without the lever's deflection."""
+        return x * x / contact.reduced_radius if grip.is_radius else numpy.maximum(x - x_last, 0)
+
+    def most(self, contact: Contact) -> float:  # noqa: ARG002
+        """Return that there is no bound."""
+        return inf
+
+
+# --- Maugis -----------------------------------------------------------------------------------------------------------
+
+
+class Maugis:
+    """Maugis' law at a fixed atomic spacing, in contact. Derivatives are by central differences."""
+
+    def states(self, q: Array, contact: Contact) -> States:
+        """Return states with their derivatives."""
+        partials = []
+        for name in ("work_of_adhesion", "contact_modulus"):
+            value = getattr(contact, name)
+            ends = [self._values(q, contact._replace(**{name: value * (1 + step)})) for step in (-_STRETCH, _STRETCH)]
+            partials.append(_difference(ends[0], ends[1], 2 * _STRETCH))
+        return States(*self.values(q, contact), *partials)
+
+    def values(self, q: Array, contact: Contact) -> tuple[Values, Values]:
+        """Return states and their derivatives by v."""
+        below, above = self._values(q * (1 - _STRETCH), contact), self._values(q * (1 + _STRETCH), contact)
+        return self._values(q, contact), _difference(below, above, 2 * _STRETCH * q)
+
+    def _values(self, q: Array, contact: Contact) -> Values:
+        """Return states at edge ratios."""
+        transition, length, depth = _scales(contact)
+        ring = dugdale.Shape(q)
+        span = dugdale.span(transition, ring)
+        force = pi * contact.work_of_adhesion * contact.reduced_radius
+        load, approach = dugdale.load(transition, ring, span), dugdale.approach(transition, ring, span)
+        return Values(q * span * length, approach * depth, load * force)
+
+    def last(self, contact: Contact, grip: Grip) -> float:
+        """Return v where dx/dv = 0; a small v where a vanishes before, or for a measured radius."""
+        if grip.is_radius:
+            return _LEAST_RATIO
+        transition, *_ = _scales(contact)
+        low, high = (float(each(transition)) for each in (dugdale.fold_ratio, dugdale.pull_off_ratio))
+
+        def slope(v: float) -> float:
+            return float(grip.x(self.values(v, contact)[1]))
+
+        return _root(slope, max(low, _LEAST_RATIO), max(high, 2 * _LEAST_RATIO))
+
+    def start(self, x: Array, contact: Contact, grip: Grip, last: float, x_last: float) -> Array:
+        """Return v near that at x, by Hertz' contact radius and the width of the ring."""
+        transition, length, depth = _scales(contact)
+        area = (x / length) ** 2 if grip.is_radius else numpy.maximum(x - x_last, 0) / depth
+        wide = numpy.minimum(sqrt(pi / 4 * transition * area), numpy.cbrt(2 / 3 * transition * area))
+        return last + wide + transition * sqrt(2 / 3 * sqrt(area))
+
+    def most(self, contact: Contact) -> float:  # noqa: ARG002
+        """Return that there is no bound."""
+        return inf
+
+
+def _scales(of: Contact) -> tuple[float, float, float]:
+    """Return λ and the units of lengths and approaches of Maugis' curve."""
+    given = {name: getattr(of, name) for name in ("work_of_adhesion", "reduced_radius", "contact_modulus")}
+    tabor = contact.tabor_parameter(**given, atomic_spacing=of.atomic_spacing)
+    lengths = maugis.length_unit_maugis(**given), maugis.approach_unit_maugis(**given)
+    return float(any_law.transition_parameter(tabor_parameter=tabor)), float(lengths[0]), float(lengths[1])
+
+
+def _difference(below: Values, above: Values, step: Array) -> Values:
+    """Return the quotient of differences."""
+    return Values(*((high - low) / step for low, high in zip(below, above, strict=True)))
+
+
+def law_of(name: str, profile: str) -> Law:
+    """Return the law of a name, jkr, dmt or maugis; the last two have a paraboloid alone."""
+    others: Mapping[str, Law] = {"dmt": Dmt(), "maugis": Maugis()}
+    return others.get(name) or Jkr(PROFILES[profile])

@@ -1,0 +1,305 @@
+"""The least-squares fit of one branch of a force curve: residuals, their minimum, noise and the covariance.
+
+The unknowns are ln w, ln E* and, where x is an approach or a travel, the contact point z_c. With x = z − z_c, q of the
+state at x, and the slopes X = dx/dq and T = dP/dq, a residual is
+
+    r = X(F − P)/√(X²σ_F² + T²σ_x²)
+
+which is finite where the contact is lost, though dP/dx = T/X is not. A point beyond the last state of the model has
+r = (x − x_last)/σ_x.
+
+Noise is white, or correlated as an autoregression of first order, r_i = φr_(i−1) + e_i: residuals are whitened, and φ
+is corrected for the bias that smooth unknowns give it (Kendall's). The scale of e is that of the residuals themselves.
+Where fewer than 20 points are independent, the residuals are a misfit of the model: it is fitted as white, and the
+variances are multiplied by the number of points that count as one.
+Residuals beyond 3 standard deviations count as Huber's, by their size.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple, Self
+
+import numpy
+from numpy import exp, inf, log, sqrt
+
+from .fit_laws import Array, Contact, Grip, Law, state_at
+
+ADHESION, MODULUS, POINT = range(3)  # the indices of ln w, ln E* and z_c among the unknowns
+
+_HUBER = 3.0  # standard deviations
+_FEW = 30  # points below which noise is taken as white
+_CUTS = 30  # of residuals beyond 3 standard deviations, at most
+_MOST_PHI = 0.999
+_ROUNDS = 5  # of noise and minimum in turn, at most
+_SAME_PHI = 0.01
+FEW_INDEPENDENT = 20.0  # n/τ below which correlated noise cannot be told from a misfit
+_STEPS = 100  # of the minimiser
+_SAME = 1e-7  # relative decrease of the sum of squares at which it ends
+_LEAST_DAMPING, _MOST_DAMPING = 1e-12, 1e10
+_LONGEST = 4.0  # the longest step of ln w and ln E*, a factor of 55
+
+
+class Points(NamedTuple):
+    """The measured points of a branch in their order in time: x or z, F, and their standard deviations.
+
+    Of the two deviations the ratio counts: the fit estimates their scale.
+    """
+
+    z: Array
+    force: Array
+    force_error: Array
+    z_error: Array
+
+    def chosen(self, which: Array) -> Self:
+        """Return the points at some indices, or where a mask is True."""
+        return self._replace(**{name: column[which] for name, column in self._asdict().items()})
+
+    def thinned(self, most: int) -> Self:
+        """Return about as many points at equal distances in the order."""
+        step = -(-len(self.z) // most)
+        return self.chosen(slice(None, None, step)) if step > 1 else self
+
+
+class Setting(NamedTuple):
+    """What a fit takes as known: the law, radius and spacing of the contact, and the grip."""
+
+    law: Law
+    reduced_radius: float
+    atomic_spacing: float
+    grip: Grip
+
+    def contact(self, unknowns: Array) -> Contact:
+        """Return the contact with values of the unknowns."""
+        w, modulus = (float(exp(unknowns[index])) for index in (ADHESION, MODULUS))
+        return Contact(w, modulus, self.reduced_radius, self.atomic_spacing)
+
+    @property
+    def names(self) -> tuple[int, ...]:
+        """The unknowns of this setting: z_c only where x is an approach or a travel."""
+        return (ADHESION, MODULUS) if self.grip.is_radius else (ADHESION, MODULUS, POINT)
+
+
+class Residuals(NamedTuple):
+    """Residuals, the derivatives of the model by ln w, ln E* and z_c in the same units, and the model's loads."""
+
+    values: Array
+    derivatives: Array
+    loads: Array
+    radii: Array
+    is_beyond: Array
+
+
+def residuals(points: Points, unknowns: Array, setting: Setting) -> Residuals:
+    """Return the residuals of points; the derivatives are of the model, so that those of residuals are their negative.
+
+    ∂P/∂θ at fixed x = P_θ − (T/X)x_θ
+    """
+    contact, grip = setting.contact(unknowns), setting.grip
+    x = points.z - (0.0 if grip.is_radius else unknowns[POINT])
+    q, last, x_last = state_at(setting.law, x, contact, grip)
+    values, slopes, *partials = setting.law.states(q, contact)
+    x_slope, load_slope = grip.x(slopes), slopes.load
+    size = numpy.hypot(x_slope * points.force_error, load_slope * points.z_error)
+    size = numpy.where(size > 0, size, 1.0)
+    columns = [x_slope * partial.load - load_slope * grip.x(partial) for partial in partials]
+    columns.append(-load_slope if not grip.is_radius else 0 * x)
+    is_beyond = x < x_last
+    derivatives = numpy.stack(columns, 1) / size[:, None]
+    result = x_slope * (points.force - values.load) / size
+    if is_beyond.any():
+        _, _, *at_last = setting.law.states(numpy.float64(last), contact)
+        of_last = numpy.array([*(float(grip.x(partial)) for partial in at_last), 1.0])
+        result = numpy.where(is_beyond, (x - x_last) / points.z_error, result)
+        derivatives = numpy.where(is_beyond[:, None], of_last / points.z_error[:, None], derivatives)
+    return Residuals(result, derivatives, values.load, values.radius, is_beyond)
+
+
+# --- Noise ------------------------------------------------------------------------------------------------------------
+
+
+class Noise(NamedTuple):
+    """The noise of residuals: φ of the autoregression, and the standard deviation of what is left of them."""
+
+    phi: float = 0.0
+    scale: float = 1.0
+
+    def whitened(self, rows: Array) -> Array:
+        """Return residuals, or rows of their derivatives, as independent ones of unit variance."""
+        first = rows[:1] * sqrt(1 - self.phi**2)
+        return numpy.concatenate([first, rows[1:] - self.phi * rows[:-1]]) / self.scale
+
+    @property
+    def correlation_time(self) -> float:
+        """The number of points that count as one, τ = (1 + φ)/(1 − φ)."""
+        return (1 + self.phi) / (1 - self.phi)
+
+
+def noise_of(values: Array, unknowns: int) -> Noise:
+    """Return the noise of the residuals of a fit of so many unknowns.
+
+    Source:   Kendall's bias of φ, with one term for each smooth regressor.
+    """
+    size = len(values)
+    limit = _HUBER * _spread(values, unknowns)
+    kept = numpy.clip(values, -limit, limit)
+    square = float(kept @ kept)
+    if size < _FEW or square == 0:
+        return Noise(0.0, _spread(values, unknowns))
+    phi = float(kept[1:] @ kept[:-1]) / square
+    phi = max(-_MOST_PHI, min(phi + (unknowns + (unknowns + 2) * phi) / size, _MOST_PHI))
+    return Noise(phi, _spread(Noise(phi).whitened(values), unknowns))
+
+
+def _spread(values: Array, unknowns: int) -> float:
+    """Return the standard deviation of residuals, of which those beyond 3 of it count as 3."""
+    freedom = max(len(values) - unknowns, 1)
+    spread = float(sqrt(values @ values / freedom))
+    for _ in range(_CUTS):
+        kept = numpy.clip(values, -_HUBER * spread, _HUBER * spread)
+        previous, spread = spread, float(sqrt(kept @ kept / freedom))
+        if spread > 0.999 * previous:
+            break
+    return max(spread, 1e-9)  # of curves that a program made
+
+
+# --- The minimum ------------------------------------------------------------------------------------------------------
+
+
+class Minimum(NamedTuple):
+    """A minimum: the unknowns, the covariance of the free ones, the noise, and the residuals there."""
+
+    unknowns: Array
+    covariance: Array
+    noise: Noise
+    residuals: Residuals
+    cost: float  # half the sum of Huber's function of whitened residuals
+    weights: Array
+    correlation_time: float = 1.0  # of the residuals, in points
+
+
+def minimum(
+    points: Points,
+    setting: Setting,
+    start: Array,
+    free: Sequence[int] | None = None,
+    noise: Noise | None = None,
+    *,
+    rounds: int = _ROUNDS,
+) -> Minimum:
+    """Return the minimum from a start, with the noise of its own residuals unless one is given.
+
+    `free`: the unknowns that are moved, by default all of the setting; `rounds`: of noise and minimum, of which the
+    first takes the noise as white.
+    """
+    chosen = [*(setting.names if free is None else free)]
+    unknowns, found = numpy.array(start, float), noise
+    if noise is None:
+        found = Noise(0.0, _spread(residuals(points, unknowns, setting).values, len(chosen)))
+    for _ in range(rounds):
+        assert found is not None
+        at_end = _descended(points, setting, unknowns, chosen, found)
+        unknowns = at_end.unknowns
+        if noise is not None:
+            break
+        previous, found = found, noise_of(at_end.residuals.values, len(chosen))
+        if abs(found.phi - previous.phi) < _SAME_PHI and abs(found.scale / previous.scale - 1) < _SAME_PHI:
+            break
+    tau = noise_of(at_end.residuals.values, len(chosen)).correlation_time
+    count = len(points.z)
+    if noise is None and rounds > 1 and count < FEW_INDEPENDENT * tau:  # a misfit of the model, and no noise
+        white = Noise(0.0, _spread(residuals(points, unknowns, setting).values, len(chosen)))
+        at_end = _descended(points, setting, unknowns, chosen, white)
+        at_end = at_end._replace(covariance=at_end.covariance * min(tau, count / len(chosen)))
+    return at_end._replace(correlation_time=tau)
+
+
+def _descended(points: Points, setting: Setting, start: Array, free: Sequence[int], noise: Noise) -> Minimum:
+    """Return the minimum for a given noise, by Levenberg's and Marquardt's method."""
+
+    def system(unknowns: Array) -> tuple[Residuals, Array, Array, Array, float]:
+        here = residuals(points, unknowns, setting)
+        values, rows = noise.whitened(here.values), noise.whitened(here.derivatives[:, [*free]])
+        size = abs(values)
+        weights = numpy.where(size > _HUBER, _HUBER / numpy.maximum(size, _HUBER), 1.0)
+        cost = float(numpy.where(size > _HUBER, _HUBER * (size - _HUBER / 2), values * values / 2).sum())
+        return here, values, rows, weights, cost
+
+    unknowns, damping = start, 1e-3
+    here, values, rows, weights, cost = system(unknowns)
+    for _ in range(_STEPS):
+        weighted = rows * weights[:, None]
+        matrix, target = weighted.T @ rows, weighted.T @ values
+        scale = numpy.diag(matrix).copy()
+        scale[scale <= 0] = 1.0
+        step = _solved(matrix + damping * numpy.diag(scale), target)
+        longest = max((abs(step[place]) for place, name in enumerate(free) if name != POINT), default=0.0)
+        if longest > _LONGEST:
+            step = step * (_LONGEST / longest)
+        if float(target @ step) <= _SAME * cost:
+            break
+        new = unknowns.copy()
+        new[[*free]] += step
+        with numpy.errstate(over="ignore", invalid="ignore"):
+            there = system(new)
+        if there[-1] <= cost:
+            is_done = cost - there[-1] <= _SAME * cost
+            unknowns, damping = new, max(damping / 10, _LEAST_DAMPING)
+            here, values, rows, weights, cost = there
+            if is_done:
+                break
+        else:
+            damping *= 10
+            if damping > _MOST_DAMPING:
+                break
+    weighted = rows * weights[:, None]
+    covariance = _inverse(weighted.T @ rows)
+    return Minimum(unknowns, covariance, noise, here, cost, weights)
+
+
+def _solved(matrix: Array, target: Array) -> Array:
+    """Return the solution of equations; by least squares where they are singular."""
+    try:
+        return numpy.linalg.solve(matrix, target)
+    except numpy.linalg.LinAlgError:
+        return numpy.linalg.lstsq(matrix, target, rcond=None)[0]
+
+
+def _inverse(matrix: Array) -> Array:
+    """Return the inverse of a symmetric matrix, scaled first; infinite where it has none."""
+    scale = sqrt(numpy.diag(matrix))
+    if not (scale > 0).all():
+        return numpy.full_like(matrix, inf)
+    scaled = matrix / numpy.outer(scale, scale)
+    if numpy.linalg.cond(scaled) > 1e13:
+        return numpy.full_like(matrix, inf)
+    return numpy.linalg.inv(scaled) / numpy.outer(scale, scale)
+
+
+# --- Starts -----------------------------------------------------------------------------------------------------------
+
+
+def with_point(points: Points, setting: Setting, w: float, modulus: float) -> Array:
+    """Return unknowns of w and E*, with the z_c at which the loads lie best on the curve."""
+    unknowns = numpy.array([log(w), log(modulus), 0.0])
+    if setting.grip.is_radius:
+        return unknowns
+    contact, grip = setting.contact(unknowns), setting.grip
+    reach = float(points.z.max() - points.z.min())
+    _, _, x_last = state_at(setting.law, numpy.zeros(1), contact, grip)
+    x = x_last + numpy.linspace(0, 1, 200) ** 2 * 2 * reach + 1e-12 * reach
+    q, *_ = state_at(setting.law, x, contact, grip)
+    loads = setting.law.values(q, contact)[0].load
+    rising = numpy.maximum.accumulate(loads) if loads[-1] > loads[0] else loads
+    which = points.force >= loads[0]
+    chosen = points.chosen(which) if which.any() else points
+    unknowns[POINT] = float(numpy.median(chosen.z - numpy.interp(chosen.force, rising, x)))
+    return unknowns
+
+
+def best_of(starts: Sequence[Array], points: Points, setting: Setting, free: Sequence[int] | None = None) -> Minimum:
+    """Return the lowest of the minima from some starts. Raises ValueError if no start leads to a finite one."""
+    found = [minimum(points, setting, start, free, rounds=1) for start in starts]
+    found = [each for each in found if numpy.isfinite(each.unknowns).all() and numpy.isfinite(each.cost)]
+    if not found:
+        raise ValueError("no minimum")
+    best = min(found, key=lambda each: _spread(each.residuals.values, len(each.covariance)))
+    return minimum(points, setting, best.unknowns, free)

@@ -1,0 +1,151 @@
+"""Measured force curves from tables: their columns by the grammar of `batch`, as arrays in SI units."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..errors import BadTable, missing_extra
+from ..materials.library import Materials
+from ..model.fit_branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, Measured
+from ..quantities.nomenclature import header as header_of
+from ..text import quoted
+from .cells import Column, cells_of
+from .files import Input, input_format, table_of_lines
+from .header import Header, understood
+from .layouts import SAMPLE
+from .table import Asked, Records
+
+# The quantities of the columns: what x may be, in the order in which they are preferred, and forces.
+_X = {"contact_radius_at_load": RADIUS, "approach_at_load": APPROACH, "lever_travel": TRAVEL}
+_FORCES = ("load", "lever_force", "lever_deflection")
+MEASURED = "contact_radius_at_load,lever_travel,lever_force,lever_deflection"
+_BRANCH = "branch"
+_BRANCH_HEADERS = ("branch", "segment", "direction")
+_WORDS = {
+    **dict.fromkeys("loading load approach approaching extend extension trace advance closing in 0".split(), LOADING),
+    **dict.fromkeys("unloading unload retract retraction withdraw retrace opening out 1".split(), UNLOADING),
+}
+
+
+class CurveTable(NamedTuple):
+    """The columns of a table that a curve needs, in the form in which formats of files read them."""
+
+    columns: Header
+    asked: Asked
+    positions: Mapping[str, int]
+    labels: Mapping[str, int]
+    added: tuple[str, ...] = ()
+
+
+class ReadCurve(NamedTuple):
+    """A curve with the sentence that says how its table was read."""
+
+    curve: Measured
+    reading: str
+
+
+def read_curve(
+    path: str, known: Materials, stiffness: float | None, columns: tuple[str, ...] = (), form: str = "", mark: str = ""
+) -> ReadCurve:
+    """Return the curve in a file. Raises BadTable.
+
+    `stiffness`: of the lever; `columns`, `form`, `mark`: the values of --column, --format and --delimiter.
+    """
+    asked = Asked({}, known, columns=columns, measured=MEASURED, pass_rest=True)
+    file = Input(path)
+    with file.file:
+        lines, blocks = _opened(file, asked, form, mark)
+        table = _table(lines.names, lines.sample, lines.stated, asked)
+        every = [lines.read(block, table) for block in blocks]
+    return ReadCurve(_curve(table, every, stiffness), table.columns.reading(*lines.remarks))
+
+
+def curve_of_columns(columns: Mapping[str, Any], known: Materials, stiffness: float | None) -> ReadCurve:
+    """Return the curve in columns by their headers, as of a DataFrame. Raises BadTable."""
+    names = (*map(str, columns),)
+    cells = [cells_of(numpy.asarray(column).tolist()) for column in columns.values()]
+    if len({*map(len, cells)}) > 1:
+        raise BadTable("the columns of the curve have different lengths")
+    rows = [
+        [cell.decode(errors="replace") for cell in row] for row in zip(*(each[:SAMPLE] for each in cells), strict=True)
+    ]
+    table = _table(names, rows, {}, Asked({}, known, measured=MEASURED, pass_rest=True))
+    records = Records([b""] * len(cells[0]), {name: cells[place] for name, place in table.positions.items()})
+    return ReadCurve(_curve(table, [records], stiffness), table.columns.reading())
+
+
+def _opened(file: Input, asked: Asked, stated: str, mark: str) -> tuple[Any, Iterator[Any]]:
+    """Return the form of a table, and its blocks."""
+    given = input_format(file.path, "-", stated, mark)
+    if given.name == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import batches_of
+        return batches_of(file, "", asked)
+    return table_of_lines(file, given, asked, excel_safe=False, as_markdown=False)
+
+
+def _table(
+    names: Sequence[str], sample: Sequence[Sequence[str]], stated: Mapping[str, str], asked: Asked
+) -> CurveTable:
+    """Return the columns of a curve among those of a table. Raises BadTable."""
+    header = understood(names, sample, stated, (), asked.measured, pass_rest=True)
+    place = next((place for place, text in enumerate(names) if text.strip().casefold() in _BRANCH_HEADERS), None)
+    labels = {} if place is None else {_BRANCH: place}
+    wanted = tuple(column for column in header.inputs if column.name in (*_X, *_FORCES))
+    columns = header._replace(inputs=wanted, materials=())
+    return CurveTable(columns, asked, {**columns.positions, **labels}, labels)
+
+
+def _curve(table: CurveTable, records: list[Records], stiffness: float | None) -> Measured:
+    """Return the columns of a curve. Raises BadTable where there is no pair of x and force."""
+    found = {column.name: column for column in table.columns.inputs}
+    x_name = next((name for name in _X if name in found), "")
+    force_name = next((name for name in _FORCES if name in found), "")
+    if not x_name or not force_name:
+        lacking = "force" if x_name else "contact radius, approach or travel"
+        names = ("lever_travel", "lever_force", "contact_radius_at_load", "approach_at_load", "load")
+        raise BadTable(
+            f"header: no column has the {lacking} of the curve; write --column 'HEADER=QUANTITY [UNIT]', with one of "
+            f"{', '.join(map(header_of, names))}"
+        )
+    if x_name == "lever_travel" and stiffness is None:
+        raise BadTable("a travel holds the bending of the lever: give its stiffness, as in --spring 3.01N/m")
+    if force_name == "lever_deflection" and stiffness is None:
+        raise BadTable("a deflection becomes a force by the lever's stiffness: give --spring 3.01N/m")
+    z, z_error = _numbers(found[x_name], records)
+    force, force_error = _numbers(found[force_name], records)
+    if force_name == "lever_deflection" and stiffness is not None:
+        force = force * stiffness
+        force_error = None if force_error is None else force_error * stiffness
+    branch = _branch_of(records) if table.labels else None
+    return Measured(_X[x_name], z, force, z_error, force_error, branch)
+
+
+def _numbers(column: Column, records: list[Records]) -> tuple[Any, Any]:
+    """Return the numbers of a column in SI units, and their errors if all have one; nan for a cell without."""
+    values, errors = [], []
+    for block in records:
+        numbers = column.numbers(block.cells)
+        array = numpy.array(numbers.values, dtype=float)
+        error = numpy.full(len(array), numpy.nan)
+        for place, uncertain in numbers.uncertain.items():
+            error[place] = (uncertain.high - uncertain.low) / 2
+        array[[*block.odd]] = numpy.nan
+        values.append(array)
+        errors.append(error)
+    every = numpy.concatenate(values) if values else numpy.empty(0)
+    bars = numpy.concatenate(errors) if errors else numpy.empty(0)
+    known = numpy.isfinite(bars) & (bars > 0)
+    if not known.any():
+        return every, None
+    return every, numpy.where(known, bars, numpy.median(bars[known]))
+
+
+def _branch_of(records: list[Records]) -> Any:
+    """Return the branch of each row by its words. Raises BadTable for another word."""
+    cells = [cell.decode(errors="replace").strip() for block in records for cell in block.cells[_BRANCH]]
+    for cell in dict.fromkeys(cells):
+        if cell.casefold() not in _WORDS:
+            raise BadTable(f"branch: {quoted(cell)} is none of loading and unloading, approach and retract, 0 and 1")
+    return numpy.array([_WORDS[cell.casefold()] for cell in cells], dtype=object)

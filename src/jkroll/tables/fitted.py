@@ -1,0 +1,211 @@
+"""`jkroll.fit`: the work of adhesion and the contact modulus of a measured force curve."""
+
+import os
+from collections.abc import Mapping
+from math import inf
+from typing import Any
+
+from ..errors import BadRequest
+from ..materials.library import Materials, materials_of_user
+from ..model.containers import Reader
+from ..model.fit_branches import Range
+from ..model.fit_curve import USUAL_SPACING, Fit, Known, fit_curve
+from ..model.fit_laws import PROFILES
+from ..model.reasons import MissingInput
+from ..model.solver import solve
+from ..quantities.laws import DEFAULT_LAW, law_named
+from ..quantities.values import QuantityError, is_uncertain, middle, value_of
+from ..text import listed, quoted
+from .curves import curve_of_columns, read_curve
+
+_BRANCHES = ("both", "load", "unload")
+_BASELINES = ("median", "tilt")
+_INCOMPRESSIBLE = 0.45  # Poisson's ratio from which on the shape of a sphere is a consistent improvement
+_RADII = ("radius", "radius2", "diameter", "diameter2", "reduced_radius")
+
+
+def fit(
+    curve: Any,
+    /,
+    *,
+    spring: Any = None,
+    model: str = DEFAULT_LAW,
+    branch: str = "both",
+    range: str | None = None,
+    profile: str = "paraboloid",
+    baseline: str = "median",
+    **given: Any,
+) -> Fit:
+    """Return the fit of a measured force curve.
+
+    Parameters
+    ----------
+    curve
+        The path of a table, or a mapping of headers to columns, such as a DataFrame: contact radius and load, approach
+        and load, or travel and force or deflection of a lever, with units in the headers.
+    spring
+        The stiffness of the lever in N/m, or a text such as "3.01±0.1N/m". A travel and a deflection need it.
+    model
+        The law: jkr, maugis or dmt.
+    branch
+        both, load or unload.
+    range
+        Loads that are fitted, as "-100%:30%" of the largest tension and load, or "-2uN:500nN".
+    profile
+        paraboloid, or sphere: a rigid one on a body whose Poisson's ratio is 0.45 or more.
+    baseline
+        median, or tilt: lines through the parts away from contact.
+    **given
+        The radii, as `solve` takes them; without one the fit has wR and E*√R. Poisson's ratios and Young's modulus of
+        one body, from which that of the other follows; `atomic_spacing`.
+
+    Returns
+    -------
+    `Fit`: `values` and `errors` by name, in SI units, with `covariance` and `points`.
+
+    Raises
+    ------
+    BadCurve, BadRequest, BadTable, QuantityError
+        The curve cannot be fitted, an argument is wrong, or the table has no curve.
+
+    >>> import numpy
+    >>> a = numpy.linspace(80e-6, 40e-6, 30)
+    >>> load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * numpy.pi * 0.05 * 2e6 * a**3)
+    >>> fitted = fit({"contact radius [m]": a, "load [N]": load}, radius=1e-3, radius2="plane")
+    >>> [f"{fitted.values[name]:.4g}" for name in ("work_of_adhesion_opening", "contact_modulus")]
+    ['0.05', '2e+06']
+    """
+    words = {"model": model, "branch": branch, "range": range, "profile": profile, "baseline": baseline}
+    known = known_of(words, spring, Reader().in_si(given))
+    if isinstance(curve, str | os.PathLike):
+        return fit_of_file(os.fspath(curve), known)[0]
+    return fit_curve(curve_of_columns(curve, materials_of_user(None), _stiffness(known)).curve, known)
+
+
+def fit_of_file(
+    path: str,
+    known: Known,
+    materials: Materials | None = None,
+    columns: tuple[str, ...] = (),
+    form: str = "",
+    mark: str = "",
+) -> tuple[Fit, str]:
+    """Return the fit of the curve in a file, and the sentence that says how the file was read."""
+    materials = materials or materials_of_user(None)
+    read = read_curve(path, materials, _stiffness(known), columns, form, mark)
+    return fit_curve(read.curve, known), read.reading
+
+
+def _stiffness(known: Known) -> float | None:
+    return known.stiffness if known.stiffness < inf else None
+
+
+def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, Any]) -> Known:
+    """Return what is known of the contact and the instrument. Raises BadRequest, QuantityError.
+
+    `given`: inputs in SI units, some with uncertainties.
+    """
+    for name, choices in (("branch", _BRANCHES), ("profile", PROFILES), ("baseline", _BASELINES)):
+        if words.get(name) not in choices:
+            raise BadRequest(f"--{name}: {quoted(str(words.get(name)))} is none of {listed(choices)}")
+    law = law_named(str(words["model"])).name
+    if words["profile"] == "sphere":
+        _check_sphere(law, given)
+    stiffness = _stiffness_of(spring)
+    radius = _radius(given)
+    if law == "maugis" and radius is None:
+        raise BadRequest("--model maugis needs --radius: its curve depends on R and the atomic spacing")
+    value = middle(stiffness) if stiffness is not None else inf
+    return Known(
+        radius=None if radius is None else float(middle(radius)),
+        radius_error=_relative_error(radius),
+        stiffness=value,
+        stiffness_error=_relative_error(stiffness),
+        spacing=float(middle(given.get("atomic_spacing", USUAL_SPACING))),
+        law=law,
+        profile=str(words["profile"]),
+        branch=str(words["branch"]),
+        range=_range(words.get("range")),
+        tilt=words["baseline"] == "tilt",
+    )
+
+
+def _stiffness_of(spring: Any) -> Any:
+    if spring is None:
+        return None
+    value = (
+        value_of(spring, "lever_stiffness") if isinstance(spring, str) else Reader().number("lever_stiffness", spring)
+    )
+    if not middle(value) > 0:
+        raise QuantityError("lever_stiffness", str(spring), "must be positive")
+    return value
+
+
+def _radius(given: Mapping[str, Any]) -> Any:
+    """Return the reduced radius of the radii that are given; None without one."""
+    radii = {name: given[name] for name in _RADII if name in given}
+    if not radii:
+        return None
+    try:
+        return solve("reduced_radius", **radii) if "reduced_radius" not in radii else radii["reduced_radius"]
+    except MissingInput:
+        raise BadRequest("--radius2 alone is no contact: give --radius, too") from None
+
+
+def _relative_error(value: Any) -> float:
+    """Return half the width of an uncertainty over the value; 0 without one."""
+    return float((value.high - value.low) / 2 / abs(value.value)) if is_uncertain(value) else 0.0
+
+
+def _check_sphere(law: str, given: Mapping[str, Any]) -> None:
+    """Refuse the profile of a sphere where half-space theory is wrong by more than that profile changes."""
+    ratio = middle(given.get("poisson_ratio2", given.get("poisson_ratio", 0.0)))
+    if law != DEFAULT_LAW:
+        raise BadRequest("--profile sphere is known by JKR's law alone; leave --model out")
+    if not ratio >= _INCOMPRESSIBLE:
+        raise BadRequest(
+            "--profile sphere holds for a rigid sphere on a body that keeps its volume: give its Poisson's ratio, 0.45 "
+            "or more, as in --poisson2 0.5"
+        )
+    if not any(name in given for name in _RADII):
+        raise BadRequest("--profile sphere needs --radius")
+
+
+def _range(text: str | None) -> Range | None:
+    """Return the range of a text FROM:TO, in percent of the largest load or in forces."""
+    if text is None:
+        return None
+    ends = [end.strip() for end in text.split(":")]
+    if len(ends) != 2 or not all(ends):
+        raise BadRequest(f"--range: {quoted(text)} is not of the form FROM:TO, as in -100%:30% or -2uN:500nN")
+    are_shares = [end.endswith("%") for end in ends]
+    if all(are_shares):
+        try:
+            low, high = (float(end[:-1]) / 100 for end in ends)
+        except ValueError:
+            raise BadRequest(f"--range: {quoted(text)} has no numbers before %") from None
+    elif any(are_shares):
+        raise BadRequest(f"--range: {quoted(text)} has a share and a force; write two of one kind")
+    else:
+        low, high = (float(middle(value_of(end, "load"))) for end in ends)
+    if not low < high:
+        raise BadRequest(f"--range: {quoted(text)} does not rise; write FROM:TO with FROM below TO")
+    return Range(low, high, all(are_shares))
+
+
+def modulus_of_body(fitted: Fit, given: Mapping[str, Any]) -> tuple[str, float] | None:
+    """Return Young's modulus of the body that has none, by name, where the other's and both ratios are known.
+
+    (1 − ν²)/E = 1/E* − (1 − ν'²)/E'
+    """
+    if fitted.is_scaled:
+        return None
+    for known, sought in (("", "2"), ("2", "")):
+        modulus, ratio = given.get(f"youngs_modulus{known}"), given.get(f"poisson_ratio{sought}")
+        if modulus is None or ratio is None or f"youngs_modulus{sought}" in given:
+            continue
+        other = middle(given.get(f"poisson_ratio{known}", 0.0))
+        compliance = 1 / fitted.values["contact_modulus"] - (1 - other**2) / middle(modulus)
+        if compliance > 0:
+            return f"youngs_modulus{sought}", (1 - middle(ratio) ** 2) / compliance
+    return None

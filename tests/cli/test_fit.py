@@ -1,0 +1,212 @@
+"""`jkroll fit` at the prompt: what is typed, what is answered, and the words for what cannot be fitted."""
+
+import csv
+import gzip
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy
+import pytest
+
+import jkroll
+from curves import autoregression, jkr_curve
+from harness import Run
+from relative import approx
+
+KNOWN = "--radius 7.5um --radius2 plane --spring 3.01N/m"
+OF_NINES = Path(__file__).parents[1] / "data" / "force_curve.csv"
+
+
+def table(z: Any, force: Any, head: str = "travel [um],force [nN]") -> str:
+    return head + "\n" + "".join(f"{a * 1e6:.6f},{b * 1e9:.5f}\n" for a, b in zip(z, force, strict=True))
+
+
+def values(text: str) -> dict[str, float]:
+    return {each["name"]: each["value"] for each in json.loads(text)["results"]}
+
+
+@pytest.fixture
+def curve() -> str:
+    z, force = jkr_curve(count=250)
+    text = table(z, force + autoregression(1, len(z), 3e-9, 0.0))
+    Path("curve.csv").write_text(text, encoding="utf-8")
+    return text
+
+
+def check(found: dict[str, float]) -> None:
+    assert found["work_of_adhesion_opening"] == approx(0.06, rel=5e-3)
+    assert found["work_of_adhesion_closing"] == approx(0.047, rel=1e-2)
+    assert found["contact_modulus"] == approx(1.75e6, rel=2e-2)
+
+
+def test_a_curve_in_every_form_of_file(run: Run, curve: str) -> None:
+    check(values(run(f"fit curve.csv {KNOWN} --json").out))
+    Path("curve.csv.gz").write_bytes(gzip.compress(curve.encode()))
+    check(values(run(f"fit curve.csv.gz {KNOWN} --json").out))
+    rows = [*csv.reader(io.StringIO(curve))]
+    Path("curve.tsv").write_text(
+        "# instrument\n# gain 3\ntime\tz\tF\ns\tum\tnN\n"
+        + "".join(f"{number}\t{z}\t{force}\n" for number, (z, force) in enumerate(rows[1:])),
+        encoding="utf-8",
+    )
+    words = "--column z=lever_travel --column F=lever_force"
+    check(values(run(f"fit curve.tsv {KNOWN} --json {words}").out))
+    lines = [json.dumps({rows[0][0]: float(z), rows[0][1]: float(force)}) for z, force in rows[1:]]
+    Path("curve.ndjson").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    check(values(run(f"fit curve.ndjson {KNOWN} --json").out))
+
+
+def test_a_deflection_becomes_a_force(run: Run, curve: str) -> None:
+    rows = [line.split(",") for line in curve.splitlines()[1:]]
+    text = "travel [um],deflection [nm]\n" + "".join(f"{z},{float(force) / 3.01}\n" for z, force in rows)
+    Path("curve.csv").write_text(text, encoding="utf-8")
+    check(values(run(f"fit curve.csv {KNOWN} --json").out))
+
+
+def test_a_column_of_branches_divides_them(run: Run, curve: str) -> None:
+    rows = curve.splitlines()
+    names = ["approach"] * 250 + ["retract"] * 250
+    text = "\n".join([f"{rows[0]},branch", *(f"{row},{name}" for row, name in zip(rows[1:], names, strict=True))])
+    Path("curve.csv").write_text(text, encoding="utf-8")
+    check(values(run(f"fit curve.csv {KNOWN} --json").out))
+
+
+def test_the_curve_of_another_law_and_program(run: Run) -> None:
+    """The recipe with scipy in `guide measurements` gives γ 27.84 ± 0.11 (JKR), 26.41 ± 0.11 mJ/m² and E 5.95 GPa."""
+    for law, gamma in (("jkr", 27.84e-3), ("maugis", 26.41e-3)):
+        found = values(run("fit", str(OF_NINES), *"--radius 1um --radius2 plane --json --model".split(), law).out)
+        assert found["work_of_adhesion_opening"] == approx(2 * gamma, rel=0.008)
+        assert found["contact_modulus"] == approx(5.96e9 / (1 - 0.09), rel=0.008)
+
+
+def test_the_answer_ends_with_the_command_that_goes_on(run: Run, curve: str) -> None:
+    assert curve
+    out = run(f"fit curve.csv {KNOWN} --young rigid --poisson2 0.5").out
+    assert "E2 = 1.31 MPa of the other body" in out
+    command = out.splitlines()[-1].partition("then: jkroll ")[2]
+    assert "--adhesion-hysteresis 1" in command
+    ran = run(*command.split())
+    assert ran.code == 0
+    assert ran.out.startswith("yield_force ")
+
+
+def test_python_takes_files_and_columns(run: Run, curve: str) -> None:
+    known = {"radius": "7.5 um", "radius2": "plane", "spring": "3.01 N/m"}
+    fitted = jkroll.fit("curve.csv", **known)
+    z, force = numpy.loadtxt(io.StringIO(curve), delimiter=",", skiprows=1).T
+    other = jkroll.fit({"travel [um]": z, "force [nN]": force}, **known)
+    assert other.values == approx(fitted.values)
+    check(fitted.values)
+    at_prompt = values(run(f"fit curve.csv {KNOWN} --json").out)
+    assert at_prompt == approx(fitted.values)
+    place = fitted.names.index("contact_modulus")
+    assert fitted.covariance[place, place] ** 0.5 == approx(fitted.errors["contact_modulus"].statistical)
+
+
+def test_many_files_give_a_row_each(run: Run) -> None:
+    for seed in range(3):
+        z, force = jkr_curve(count=200, opening=0.06 + 0.002 * seed)
+        Path(f"{seed}.csv").write_text(table(z, force + autoregression(seed, 400, 3e-9, 0.0)), encoding="utf-8")
+    Path("bad.csv").write_text("travel [um],force [nN]\n1,2\n", encoding="utf-8")
+    ran = run(f"fit *.csv {KNOWN} --csv")
+    rows = [*csv.DictReader(io.StringIO(ran.out))]
+    assert ran.code == 1
+    assert [row["file"] for row in rows] == ["0.csv", "1.csv", "2.csv", "bad.csv"]
+    opening = [float(row["work_of_adhesion_opening [J/m^2]"]) for row in rows[:3]]
+    assert opening == approx([0.06, 0.062, 0.064], rel=5e-3)
+    assert rows[3]["status"] == "too few points"
+    assert "work_of_adhesion_opening: 3 of 4 files; median 62" in ran.err
+    assert run(f"fit *.csv {KNOWN} --csv --jobs 2").out == ran.out
+
+
+def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
+    assert curve
+    rows = [*csv.DictReader(io.StringIO(run(f"fit curve.csv {KNOWN} --curve --csv").out))]
+    residuals = numpy.array([float(row["residual [N]"]) for row in rows])
+    assert residuals.std() == approx(3e-9, rel=0.15)
+    rates = [float(row["energy_release_rate [J/m^2]"]) for row in rows if row["branch"] == "unloading"]
+    assert numpy.median(rates) == approx(0.06, rel=5e-3)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("", "give its stiffness, as in --spring 3.01N/m"),
+        ("--spring 0N/m", "must be positive"),
+        ("--spring 3N/m --branch up", "is none of both, load and unload"),
+        ("--spring 3N/m --profile cone", "is none of paraboloid and sphere"),
+        ("--spring 3N/m --radius 1um --profile sphere", "0.45 or more, as in --poisson2 0.5"),
+        ("--spring 3N/m --profile sphere --poisson2 0.5", "needs --radius"),
+        ("--spring 3N/m --range 30%", "is not of the form FROM:TO"),
+        ("--spring 3N/m --range 30%:1nN", "write two of one kind"),
+        ("--spring 3N/m --range 30%:10%", "does not rise"),
+        ("--spring 3N/m --model hertz", "hertz"),
+        ("--spring 3N/m --model maugis", "needs --radius"),
+        ("--spring 3N/m --radius2 plane", "give --radius, too"),
+    ],
+)
+def test_what_is_refused_says_what_to_type(run: Run, curve: str, words: str, said: str) -> None:
+    assert curve
+    ran = run(f"fit curve.csv {words}")
+    assert ran.code == 2
+    assert said in " ".join(ran.err.split())
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("t,q\n1,2\n3,4\n", "no column has the contact radius, approach or travel"),
+        ("travel [um],volts [V]\n1,2\n3,4\n", "no column has the force"),
+        ("travel [um],force [V]\n1,2\n3,4\n", "no column has the force"),
+        ("travel [um],force [nN],branch\n1,2,up\n3,4,down\n", "is none of loading and unloading"),
+        ("", "no header"),
+    ],
+)
+def test_a_table_that_is_no_curve_says_so(run: Run, text: str, said: str) -> None:
+    Path("curve.csv").write_text(text, encoding="utf-8")
+    ran = run(f"fit curve.csv {KNOWN}")
+    assert ran.code == 2
+    assert said in " ".join(ran.err.split())
+
+
+def broken(text: str, seed: int) -> bytes:
+    """Return a table with something wrong in it."""
+    rng = numpy.random.default_rng(seed)
+    lines = text.splitlines()
+    kind = seed % 10
+    if kind == 0:
+        return text.encode()[: int(rng.integers(0, len(text)))]
+    if kind == 1:
+        rng.shuffle(lines[1:])
+    elif kind == 2:
+        lines = [line.replace(",", ";", 1) if rng.random() < 0.3 else line for line in lines]
+    elif kind == 3:
+        lines = [line if rng.random() < 0.7 else "nan,inf" for line in lines]
+    elif kind == 4:
+        lines = lines[: int(rng.integers(1, 12))]
+    elif kind == 5:
+        data = bytearray(text.encode())
+        for place in rng.integers(0, len(data), 30):
+            data[place] = int(rng.integers(0, 256))
+        return bytes(data)
+    elif kind == 6:
+        lines = [lines[0], *(f"{line.split(',')[0]},{10 ** rng.uniform(-300, 300):g}" for line in lines[1:])]
+    elif kind == 7:
+        lines = [lines[0], *(f"{rng.normal()},{rng.normal()}" for _ in range(int(rng.integers(5, 300))))]
+    elif kind == 8:
+        lines = [lines[0], *(f"{number},{number * rng.integers(-1, 2)}" for number in range(100))]
+    else:
+        part = slice(int(rng.integers(1, 200)), int(rng.integers(200, len(lines))))
+        lines = [lines[0], *lines[part]]
+    return "\n".join(lines).encode()
+
+
+@pytest.mark.parametrize(("first", "last"), [(0, 40), pytest.param(40, 200, marks=pytest.mark.slow)])
+def test_broken_files_give_words_and_no_bug(run: Run, curve: str, first: int, last: int) -> None:
+    for seed in range(first, last):
+        Path("broken.csv").write_bytes(broken(curve, seed))
+        ran = run(f"fit broken.csv {KNOWN}")
+        assert "bug" not in ran.err, seed
+        assert ran.code == 0 or ran.err, seed

@@ -1,0 +1,74 @@
+"""Force curves for tests of the fit, made by formulas that the fit does not use."""
+
+from math import pi
+from typing import Any
+
+import numpy
+from numpy import cbrt, sqrt
+
+from jkroll.model.fit_branches import LOADING, UNLOADING
+
+
+def jkr_state(x: Any, w: Any, modulus: Any, radius: Any) -> Any:
+    """Return approach and load of JKR's paraboloid at x = (a/a0)^(3/2), from Eqs (5) and (6) of the paper."""
+    unloaded = cbrt(9 * pi * w * radius**2 / (2 * modulus))
+    force = 1.5 * pi * w * radius
+    approach = force / (modulus * unloaded)
+    return approach * (3 * x ** (4 / 3) - 2 * cbrt(x)), 4 * force * (x * x - x)
+
+
+def jkr_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any, *, has_contact_below: bool = True) -> Any:
+    """Return the force of a lever at travels from its contact point, by a table of states; 0 away from contact."""
+    x = numpy.geomspace(1 / 6, 500, 400_000)
+    approach, load = jkr_state(x, w, modulus, radius)
+    travel = approach + load / stiffness
+    last = int(numpy.argmin(travel))
+    force = numpy.interp(z, travel[last:], load[last:])
+    return numpy.where(z < (travel[last] if has_contact_below else 0.0), 0.0, force)
+
+
+def dmt_force(z: Any, w: Any, modulus: Any, radius: Any, stiffness: Any) -> Any:
+    """Return the force of a lever in DMT; 0 away from contact."""
+    approach = numpy.linspace(0, 3 * max(z.max(), 1e-12), 400_000)
+    load = 4 / 3 * modulus * sqrt(radius) * approach**1.5 - 2 * pi * w * radius
+    travel = approach + load / stiffness
+    return numpy.where(z < travel[0], 0.0, numpy.interp(z, travel, load))
+
+
+def ramp(low: Any, high: Any, count: Any, name: Any) -> Any:
+    """Return travels of a branch in their order in time."""
+    return numpy.linspace(low, high, count)[:: -1 if name == UNLOADING else 1]
+
+
+def jkr_curve(
+    opening: float = 0.06,
+    closing: float = 0.047,
+    modulus: float = 1.75e6,
+    radius: float = 7.5e-6,
+    stiffness: float = 3.01,
+    point: float = 2e-7,
+    baseline: float = 1e-8,
+    count: int = 750,
+    low: float = -2.5e-6,
+    high: float = 1.2e-6,
+    branches: Any = (LOADING, UNLOADING),
+) -> Any:
+    """Return travel and force of a lever over some branches."""
+    travels, forces = [], []
+    for name in branches:
+        z = ramp(low, high, count, name)
+        w = opening if name == UNLOADING else closing
+        force = jkr_force(z - point, w, modulus, radius, stiffness, has_contact_below=name == UNLOADING)
+        travels.append(z)
+        forces.append(force + baseline)
+    return numpy.concatenate(travels), numpy.concatenate(forces)
+
+
+def autoregression(seed: Any, count: Any, scale: Any, phi: Any) -> Any:
+    """Return noise of standard deviation scale/√(1 − φ²) whose neighbours are correlated by φ."""
+    steps = numpy.random.default_rng(seed).normal(0, scale, count)
+    noise = numpy.empty(count)
+    noise[0] = steps[0] / sqrt(1 - phi * phi)
+    for place in range(1, count):
+        noise[place] = phi * noise[place - 1] + steps[place]
+    return noise

@@ -1,0 +1,251 @@
+"""The fit of force curves: what was put in comes out, with errors that are as large as they say."""
+
+from typing import Any
+
+import numpy
+import pytest
+from numpy import exp, log, pi
+
+from curves import autoregression, dmt_force, jkr_curve, jkr_state, ramp
+from jkroll.model.fit_branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, Measured, Range
+from jkroll.model.fit_curve import Known, fit_curve
+from jkroll.model.fit_laws import Contact, Grip, law_of, state_at
+from jkroll.model.fit_minimum import Points, Setting, minimum, residuals
+from relative import approx
+
+PROBE = Known(radius=7.5e-6, stiffness=3.01)
+TRUE = {"work_of_adhesion_opening": 0.06, "work_of_adhesion_closing": 0.047, "contact_modulus": 1.75e6}
+
+
+def pulls(fit: Any) -> Any:
+    return [(fit.values[name] - value) / fit.errors[name].statistical for name, value in TRUE.items()]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("baseline", [0.0, 1e-8, -2e-7])
+def test_a_clean_curve_gives_back_what_made_it(sign: Any, baseline: Any) -> None:
+    z, force = jkr_curve(baseline=baseline)
+    fit = fit_curve(Measured(TRAVEL, sign * z, force), PROBE)
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-4)
+    assert fit.values["work_of_adhesion_closing"] == approx(0.047, rel=1e-4)
+    assert fit.values["contact_modulus"] == approx(1.75e6, rel=3e-4)
+    assert fit.values["contact_point"] == approx(sign * 2e-7, rel=1e-3)
+    assert fit.values["adhesion_hysteresis"] == approx(0.013, rel=1e-3)
+    assert fit.values["hysteresis_fraction"] == approx(0.013 / 0.06, rel=1e-3)
+
+
+def test_a_pull_may_be_positive() -> None:
+    z, force = jkr_curve()
+    fit = fit_curve(Measured(TRAVEL, z, -force), PROBE)
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-4)
+    assert "force-reversed" in fit.remarks
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_curves_of_other_sizes(seed: Any) -> None:
+    rng = numpy.random.default_rng(seed)
+    radius, w = 10 ** rng.uniform(-7, -3), 10 ** rng.uniform(-2.3, -0.7)
+    modulus = w / radius * 10 ** rng.uniform(2, 4)
+    unloaded = (9 * pi * w * radius**2 / 2 / modulus) ** (1 / 3)
+    force = 1.5 * pi * w * radius
+    stiffness = modulus * unloaded * 10 ** rng.uniform(-0.5, 1)
+    reach = force / (modulus * unloaded) + force / stiffness
+    z, loads = jkr_curve(w, 0.8 * w, modulus, radius, stiffness, 0.3 * reach, 0.1 * force, 300, -4 * reach, 2 * reach)
+    fit = fit_curve(Measured(TRAVEL, z, loads), Known(radius=radius, stiffness=stiffness))
+    assert fit.values["work_of_adhesion_opening"] == approx(w, rel=1e-3)
+    assert fit.values["contact_modulus"] == approx(modulus, rel=3e-3)
+
+
+def test_an_approach_is_measured_without_a_lever() -> None:
+    x = numpy.geomspace(1 / 6, 3, 300)[::-1]
+    approach, load = jkr_state(x, 0.06, 1.75e6, 7.5e-6)
+    away = numpy.linspace(approach[-1] - 1e-8, 2 * approach[-1], 100)
+    approach, load = numpy.concatenate([approach, away]), numpy.concatenate([load, 0 * away])
+    fit = fit_curve(Measured(APPROACH, approach + 1e-7, load), Known(radius=7.5e-6))
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
+    assert fit.values["contact_modulus"] == approx(1.75e6, rel=3e-3)
+
+
+def test_contact_radii_need_no_contact_point() -> None:
+    x = numpy.linspace(0.55, 3, 40)[::-1]
+    w, modulus, radius = 0.045, 2e6, 1e-3
+    _, load = jkr_state(x, w, modulus, radius)
+    a = (9 * pi * w * radius**2 / (2 * modulus)) ** (1 / 3) * x ** (2 / 3)
+    fit = fit_curve(Measured(RADIUS, a, load), Known(radius=radius))
+    assert fit.values["work_of_adhesion_opening"] == approx(w, rel=1e-6)
+    assert fit.values["contact_modulus"] == approx(modulus, rel=1e-6)
+    assert "contact_point" not in fit.values
+
+
+def test_without_a_radius_products_are_fitted() -> None:
+    z, force = jkr_curve(branches=(UNLOADING,))
+    fit = fit_curve(Measured(TRAVEL, z, force), Known(stiffness=3.01))
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06 * 7.5e-6, rel=1e-3)
+    assert fit.values["contact_modulus"] == approx(1.75e6 * 7.5e-6**0.5, rel=3e-3)
+    assert "radius-free" in fit.remarks
+
+
+def test_dmt_has_no_fold() -> None:
+    z = ramp(-4e-9, 6e-9, 500, UNLOADING)
+    force = dmt_force(z, 0.02, 1e10, 5e-8, 40.0)
+    fit = fit_curve(Measured(TRAVEL, z, force), Known(radius=5e-8, stiffness=40.0, law="dmt"))
+    assert fit.values["work_of_adhesion_opening"] == approx(0.02, rel=1e-3)
+    assert fit.values["contact_modulus"] == approx(1e10, rel=3e-3)
+    assert fit.law_that_holds == "maugis"
+
+
+def test_maugis_tends_to_jkr() -> None:
+    z, force = jkr_curve(branches=(UNLOADING,), count=250)
+    fit = fit_curve(Measured(TRAVEL, z, force), PROBE._replace(law="maugis"))
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
+    assert fit.values["contact_modulus"] == approx(1.75e6, rel=3e-3)
+
+
+@pytest.mark.parametrize("name", ["jkr", "dmt", "maugis"])
+@pytest.mark.parametrize("grip", [Grip(3.0), Grip(), Grip(is_radius=True)], ids=["lever", "grips", "radius"])
+def test_derivatives_are_those_of_differences(name: Any, grip: Any) -> None:
+    setting = Setting(law_of(name, "paraboloid"), 1e-6, 4e-10, grip)
+    contact = Contact(0.03, 1e7, 1e-6, 4e-10)
+    last = setting.law.last(contact, grip)
+    low = float(grip.x(setting.law.values(last, contact)[0]))
+    reach = 1e-7 if not grip.is_radius else 3e-7
+    z = low + numpy.linspace(-0.1 if not grip.is_radius else 0.3, 1, 12) * reach
+    points = Points(z, numpy.linspace(-1, 3, 12) * 1e-7, numpy.full(12, 1e-9), numpy.full(12, 3e-10))
+    unknowns = numpy.array([log(0.03), log(1e7), 0.0])
+    here = residuals(points, unknowns, setting)
+    slopes = setting.law.values(state_at(setting.law, z, contact, grip)[0], contact)[1]
+    weights = grip.x(slopes)[2:] / numpy.hypot(grip.x(slopes) * 1e-9, slopes.load * 3e-10)[2:]
+    for place, step in enumerate((1e-4, 1e-4, 1e-12)[: len(setting.names)]):
+        ends = []
+        for side in (-1, 1):
+            other = unknowns.copy()
+            other[place] += side * step
+            ends.append(residuals(points, other, setting).loads)
+        expected = weights * ((ends[1] - ends[0]) / (2 * step))[2:]
+        assert not here.is_beyond[2:].any()
+        assert numpy.allclose(here.derivatives[2:, place], expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
+
+
+@pytest.mark.parametrize("factor", [0.1, 0.2, 5.0, 10.0])
+@pytest.mark.parametrize("wrong", ["w", "modulus"])
+def test_a_start_may_be_wrong_by_ten(factor: Any, wrong: Any) -> None:
+    from jkroll.model.fit_minimum import with_point
+
+    z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0, count=300)
+    held = force != 0
+    points = Points(z[held], force[held], numpy.full(held.sum(), 3e-9), numpy.full(held.sum(), 1e-9))
+    setting = Setting(law_of("jkr", "paraboloid"), 7.5e-6, 4e-10, Grip(3.01))
+    start = with_point(
+        points, setting, 0.06 * (factor if wrong == "w" else 1), 1.75e6 * (factor if wrong != "w" else 1)
+    )
+    found = minimum(points, setting, start)
+    assert exp(found.unknowns[0]) == approx(0.06, rel=1e-3)
+    assert exp(found.unknowns[1]) == approx(1.75e6, rel=3e-3)
+
+
+def test_scipy_finds_the_same_minimum() -> None:
+    optimize = pytest.importorskip("scipy.optimize")
+    z, force = jkr_curve(branches=(UNLOADING,), baseline=0.0, count=300)
+    force = force + numpy.random.default_rng(5).normal(0, 3e-9, len(force))
+    held = z > -4e-7
+    points = Points(z[held], force[held], numpy.full(held.sum(), 3e-9), numpy.full(held.sum(), 1e-9))
+    setting = Setting(law_of("jkr", "paraboloid"), 7.5e-6, 4e-10, Grip(3.01))
+    own = minimum(points, setting, numpy.array([log(0.05), log(2e6), 1.5e-7]), rounds=1)
+
+    def scaled(unknowns: Any) -> Any:
+        return residuals(points, unknowns * [1, 1, 1e-7], setting).values / own.noise.scale
+
+    theirs = optimize.least_squares(scaled, [log(0.05), log(2e6), 1.5], loss="linear", xtol=1e-14, ftol=1e-14)
+    errors = numpy.sqrt(numpy.diag(own.covariance))
+    assert numpy.abs((theirs.x * [1, 1, 1e-7] - own.unknowns) / errors).max() < 0.2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("phi", [0.0, 0.8])
+def test_the_statistical_error_is_as_large_as_it_says(phi: Any) -> None:
+    known = PROBE._replace(range=Range(-1.0, 0.3, True))
+    z, force = jkr_curve()
+    every = [
+        pulls(fit_curve(Measured(TRAVEL, z, force + autoregression(seed, len(z), 3e-9, phi)), known))
+        for seed in range(150)
+    ]
+    inside = (abs(numpy.array(every)) < 1).mean(axis=0)
+    assert (inside > 0.58).all()
+    assert (inside < 0.78).all()
+
+
+def test_calibration_is_what_a_wrong_radius_and_spring_do() -> None:
+    z, force = jkr_curve(branches=(UNLOADING,))
+    curve = Measured(TRAVEL, z, force)
+    errors = fit_curve(curve, PROBE._replace(radius_error=0.01)).errors
+    assert errors["work_of_adhesion_opening"].calibration == approx(0.01 * 0.06, rel=0.05)
+    by_spring = fit_curve(curve, PROBE._replace(stiffness_error=0.05))
+    moved = fit_curve(curve, PROBE._replace(stiffness=3.01 * 1.05, range=Range(-1.0, 1.0, True)))
+    move = moved.values["contact_modulus"] - 1.75e6
+    assert by_spring.errors["contact_modulus"].calibration == approx(abs(move), rel=0.4)
+    assert "lever-decides" in by_spring.remarks
+
+
+def test_errors_add_in_squares() -> None:
+    z, force = jkr_curve()
+    fit = fit_curve(
+        Measured(TRAVEL, z, force + autoregression(3, len(z), 3e-9, 0.5)), PROBE._replace(radius_error=0.01)
+    )
+    for errors in fit.errors.values():
+        assert errors.total == approx((errors.statistical**2 + errors.calibration**2 + errors.model**2) ** 0.5)
+    place = [fit.names.index(name) for name in ("work_of_adhesion_opening", "work_of_adhesion_closing")]
+    variance = sum(fit.covariance[i, i] for i in place) - 2 * fit.covariance[place[0], place[1]]
+    assert fit.errors["adhesion_hysteresis"].statistical == approx(variance**0.5)
+
+
+def test_without_adhesion_there_is_an_upper_limit() -> None:
+    z = ramp(-1e-6, 1e-6, 500, LOADING)
+    force = 4 / 3 * 1e6 * 5e-6**0.5 * numpy.maximum(z, 0) ** 1.5
+    force = force + numpy.random.default_rng(2).normal(0, 1e-10, len(z))
+    fit = fit_curve(Measured(APPROACH, z, force), Known(radius=5e-6))
+    assert "no-adhesion" in fit.remarks
+    assert fit.values["contact_modulus"] == approx(1e6, rel=0.02)
+    assert fit.largest_adhesion is not None
+    assert 0 < fit.largest_adhesion < 1e-3
+    assert "work_of_adhesion_opening" not in fit.values
+
+
+@pytest.mark.parametrize(
+    ("z", "force", "phrase"),
+    [
+        ([1, 2, 3], [1, 2, 3], "too few points"),
+        ([numpy.nan] * 20, [1.0] * 20, "too few points"),
+        (numpy.linspace(0, 1, 50), [1.0] * 50, "no curve"),
+        ([1.0] * 50, numpy.linspace(0, 1, 50), "no curve"),
+    ],
+)
+def test_a_curve_that_is_none_says_so(z: Any, force: Any, phrase: Any) -> None:
+    with pytest.raises(BadCurve) as refused:
+        fit_curve(Measured(TRAVEL, numpy.array(z, float), numpy.array(force, float)), PROBE)
+    assert refused.value.phrase == phrase
+
+
+def test_gaps_and_outliers_are_survived() -> None:
+    z, force = jkr_curve()
+    rng = numpy.random.default_rng(11)
+    force = force + rng.normal(0, 3e-9, len(force))
+    force[rng.choice(len(force), 20, replace=False)] += 3e-7
+    force[rng.choice(len(force), 50, replace=False)] = numpy.nan
+    fit = fit_curve(Measured(TRAVEL, z, force), PROBE)
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=0.005)
+    assert fit.values["contact_modulus"] == approx(1.75e6, rel=0.03)
+    assert fit.remarks["gaps"].startswith("50 of 1500 points")
+
+
+def test_a_sphere_is_told_from_a_paraboloid() -> None:
+    setting = Setting(law_of("jkr", "sphere"), 7.5e-6, 4e-10, Grip(3.01))
+    z = ramp(-2.5e-6, 1.2e-6, 500, UNLOADING)
+    contact = Contact(0.06, 1.0e6, 7.5e-6, 4e-10)
+    q, _, last = state_at(setting.law, z, contact, setting.grip)
+    force = numpy.where(z < last, 0.0, setting.law.values(q, contact)[0].load)
+    by_sphere = fit_curve(Measured(TRAVEL, z, force), PROBE._replace(profile="sphere"))
+    assert by_sphere.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-3)
+    assert by_sphere.values["contact_modulus"] == approx(1.0e6, rel=3e-3)
+    by_paraboloid = fit_curve(Measured(TRAVEL, z, force), PROBE)
+    assert 0.01 < 1 - by_paraboloid.values["work_of_adhesion_opening"] / 0.06 < 0.05  # J.1: 1 to 4 % low
+    assert "profile-matters" in by_paraboloid.remarks
