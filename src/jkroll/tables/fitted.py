@@ -13,7 +13,7 @@ from ..model.fit_curve import USUAL_SPACING, Fit, Known, fit_curve
 from ..model.fit_laws import PROFILES
 from ..model.reasons import MissingInput
 from ..model.solver import solve
-from ..quantities.laws import DEFAULT_LAW, law_named
+from ..quantities.laws import DEFAULT_LAW, law_given
 from ..quantities.values import QuantityError, is_uncertain, middle, value_of
 from ..text import listed, quoted
 from .curves import curve_of_columns, read_curve
@@ -108,7 +108,7 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
     for name, choices in (("branch", _BRANCHES), ("profile", PROFILES), ("baseline", _BASELINES)):
         if words.get(name) not in choices:
             raise BadRequest(f"--{name}: {quoted(str(words.get(name)))} is none of {listed(choices)}")
-    law = law_named(str(words["model"])).name
+    law = law_given(words["model"]) or DEFAULT_LAW
     if words["profile"] == "sphere":
         _check_sphere(law, given)
     stiffness = _stiffness_of(spring)
