@@ -1,6 +1,7 @@
 """Small files that command lines name: tables and files of materials, valid, broken and unusual."""
 
 import gzip
+from pathlib import Path
 
 _GRAINS = b"grain,material,radius [nm],load\na,quartz,100,\nb,gold,50,-2 nN\nc,quarz,100,\nd,quartz,100,-20 nN\n"
 
@@ -25,6 +26,8 @@ title = "Laboratory notes"
     "shadow.toml": b'[materials.quartz]\nsurface_energy = "50 mJ/m2"\nyoungs_modulus = "70 GPa"\npoisson_ratio = 0.2\n',
     "broken.toml": b"[materials.ice\n",
     "wrong.toml": b'[materials.ice]\nsurface_energy = "25 mJ/m3"\ndensity = -1\n',
+    # a measured curve, made in tests/data
+    "curve.csv": (Path(__file__).parent / "data" / "probe.csv").read_bytes(),
     # tables
     "grains.csv": _GRAINS,
     "grains.csv.gz": gzip.compress(_GRAINS, mtime=0),

@@ -136,7 +136,7 @@ def test_a_curve_is_written_point_by_point(run: Run, curve: str) -> None:
         ("", "give its stiffness, as in --spring 3.01N/m"),
         ("--spring 0N/m", "must be positive"),
         ("--spring 3N/m --branch up", "is none of both, load and unload"),
-        ("--spring 3N/m --profile cone", "is none of paraboloid and sphere"),
+        ("--spring 3N/m --profile cone", "is not one of paraboloid, sphere"),
         ("--spring 3N/m --radius 1um --profile sphere", "0.45 or more, as in --poisson2 0.5"),
         ("--spring 3N/m --profile sphere --poisson2 0.5", "needs --radius"),
         ("--spring 3N/m --range 30%", "is not of the form FROM:TO"),

@@ -70,13 +70,12 @@ TABLE = (
 )  # fmt: skip
 _OF_CURVES = (
     "radius radius2 diameter diameter2 reduced_radius youngs_modulus youngs_modulus2 poisson_ratio poisson_ratio2 "
-    "model atomic_spacing"
+    "model profile atomic_spacing"
 ).split()
 FIT = (
     Options.spring,
     Options.branch,
     Options.range,
-    Options.profile,
     Options.baseline,
     Options.columns,
     Options.format,

@@ -65,10 +65,10 @@ class Task(NamedTuple):
 def run_fit(call: Call) -> int:
     """Fit the curves in files; return the exit code."""
     paths = _paths(call)
-    given = {name: value_of(text, name) for name, text in call.inputs.items() if name != "model"}
+    given = {name: value_of(text, name) for name, text in call.inputs.items() if name not in ("model", "profile")}
     words = {
-        "model": call.inputs.get("model", "jkr"), "branch": call.branch, "range": call.range, "profile": call.profile,
-        "baseline": call.baseline,
+        "model": call.inputs.get("model"), "profile": call.inputs.get("profile"), "branch": call.branch,
+        "range": call.range, "baseline": call.baseline,
     }  # fmt: skip
     known = known_of(words, call.spring, given)
     task = Task(known, call.materials, call.columns, call.format, call.delimiter)

@@ -173,8 +173,6 @@ class Options:
     range = _text(
         "--range", "Loads that are fitted: parts of the largest tension and load, or forces", "-100%:30%", group="Curve"
     )
-    profile = Option("paraboloid", "--profile", "paraboloid, or sphere: rigid, on a body with --poisson2 0.45 or more",
-        "SHAPE", group="Curve")  # fmt: skip
     baseline = Option("median", "--baseline", "median, or tilt: lines through the parts away from contact", "KIND",
         group="Curve")  # fmt: skip
 

@@ -10,10 +10,9 @@ from ..materials.library import Materials, materials_of_user
 from ..model.containers import Reader
 from ..model.fit_branches import Range
 from ..model.fit_curve import USUAL_SPACING, Fit, Known, fit_curve
-from ..model.fit_laws import PROFILES
 from ..model.reasons import MissingInput
 from ..model.solver import solve
-from ..quantities.laws import DEFAULT_LAW, law_given
+from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
 from ..quantities.values import QuantityError, is_uncertain, middle, value_of
 from ..text import listed, quoted
 from .curves import curve_of_columns, read_curve
@@ -105,12 +104,13 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
 
     `given`: inputs in SI units, some with uncertainties.
     """
-    for name, choices in (("branch", _BRANCHES), ("profile", PROFILES), ("baseline", _BASELINES)):
+    for name, choices in (("branch", _BRANCHES), ("baseline", _BASELINES)):
         if words.get(name) not in choices:
             raise BadRequest(f"--{name}: {quoted(str(words.get(name)))} is none of {listed(choices)}")
-    law = law_given(words["model"]) or DEFAULT_LAW
-    if words["profile"] == "sphere":
-        _check_sphere(law, given)
+    name = law_given(words["model"], words["profile"]) or DEFAULT_LAW
+    law, profile = (DEFAULT_LAW, SPHERE) if name == JKR_OF_SPHERE else (name, PARABOLOID)
+    if profile == SPHERE:
+        _check_sphere(given)
     stiffness = _stiffness_of(spring)
     radius = _radius(given)
     if law == "maugis" and radius is None:
@@ -123,7 +123,7 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
         stiffness_error=_relative_error(stiffness),
         spacing=float(middle(given.get("atomic_spacing", USUAL_SPACING))),
         law=law,
-        profile=str(words["profile"]),
+        profile=profile,
         branch=str(words["branch"]),
         range=_range(words.get("range")),
         tilt=words["baseline"] == "tilt",
@@ -157,11 +157,9 @@ def _relative_error(value: Any) -> float:
     return float((value.high - value.low) / 2 / abs(value.value)) if is_uncertain(value) else 0.0
 
 
-def _check_sphere(law: str, given: Mapping[str, Any]) -> None:
+def _check_sphere(given: Mapping[str, Any]) -> None:
     """Refuse the profile of a sphere where half-space theory is wrong by more than that profile changes."""
     ratio = middle(given.get("poisson_ratio2", given.get("poisson_ratio", 0.0)))
-    if law != DEFAULT_LAW:
-        raise BadRequest("--profile sphere is known by JKR's law alone; leave --model out")
     if not ratio >= _INCOMPRESSIBLE:
         raise BadRequest(
             "--profile sphere holds for a rigid sphere on a body that keeps its volume: give its Poisson's ratio, 0.45 "

@@ -11,7 +11,17 @@ from ..model.plan import arguments_of, depends_on, formula_of
 from ..model.rows import Wanted
 from ..physics.accuracy import accuracy_of
 from ..quantities.formatting import AS_USUAL, DIGITS, Format, amount, in_words, pretty, symbol_among
-from ..quantities.nomenclature import NOMENCLATURE, OF_DEM, OF_MAUGIS, OF_SPHERE, PROPERTIES, XI, bracketed, header
+from ..quantities.nomenclature import (
+    NOMENCLATURE,
+    OF_CURVES,
+    OF_DEM,
+    OF_MAUGIS,
+    OF_SPHERE,
+    PROPERTIES,
+    XI,
+    bracketed,
+    header,
+)
 from ..report.questions import QUESTIONS
 from ..text import TextColumn, json_text, say, say_wrapped, write_table, write_texts
 from .answered import bar_object, numbers_of, write_measure
@@ -253,6 +263,7 @@ def _groups() -> dict[str, list[str]]:
         "limit": [limit.name for limit in LIMITS],
         "of Maugis' law": OF_MAUGIS,
         "of a true sphere": OF_SPHERE,
+        "of measured curves": OF_CURVES,
         "further": NOMENCLATURE,
     }
     left = without_variants(list(NOMENCLATURE))
