@@ -126,8 +126,10 @@ class Ranges:
         else:
             if name in _STICKING:
                 yield from self._of_sticking(name, own)
-            if name in _LOSING:
-                yield from self._of_losing(name, own)
+            if name == "restitution":
+                yield from self._of_restitution()
+            if name == "lost_energy":
+                yield self._is_smooth, nan, own[1], ADHESION_ONLY
             yield from self._of_laws(name, own)
 
     def _is_from_losses(self, name: str) -> bool:
@@ -166,17 +168,16 @@ class Ranges:
             yield stuck.is_near(self.frame), *ends, MEASURED
         yield self._is_hard, own[0], MOST_SEEN**power * own[1], MEASURED
 
-    def _of_losing(self, name: str, own: Ends) -> Iterator[Rule]:
-        """Iterate over the rules of what a collision loses: other losses than that to adhesion are not known."""
-        is_energy = name == "lost_energy"
-        if not is_energy and "sticking_speed" in self.names:
+    def _of_restitution(self) -> Iterator[Rule]:
+        """Iterate over the rules of the coefficient of restitution, which losses other than to adhesion lower."""
+        if "sticking_speed" in self.names:
             speeds = self.estimate("sticking_speed")
             yield (speeds.by == MEASURED) & (self.frame["speed"] < speeds.low), 0.0, 0.0, MEASURED
-        is_ended = self.results.ended.get(name, False)
-        least, most = (where(is_ended, nan, end) for end in ((nan, own[1]) if is_energy else (0.0, 1.0)))
+        is_ended = self.results.ended.get("restitution", False)
+        least, most = (where(is_ended, nan, end) for end in (0.0, 1.0))
         yield self._is_smooth, least, most, ADHESION_ONLY
-        if not is_energy and VISCOUS_TIME not in self.frame.stated:
-            yield self._is_hard, least, self.hull(name, _itself, *_BETTER)[1], ADHESION_ONLY
+        if VISCOUS_TIME not in self.frame.stated:
+            yield self._is_hard, least, self.hull("restitution", _itself, *_BETTER)[1], ADHESION_ONLY
 
     def _of_rolling(self, name: str) -> Iterator[Rule]:
         """Iterate over the rules of a rolling quantity with an assumed ξ: by what was measured, or between its ends."""

@@ -167,6 +167,8 @@ def _check_sphere(given: Mapping[str, Any]) -> None:
         )
     if not any(name in given for name in _RADII):
         raise BadRequest("--profile sphere needs --radius")
+    if "reduced_radius" not in given and middle(given.get("radius2", given.get("diameter2", 0.0))) != inf:
+        raise BadRequest("--profile sphere holds for a sphere on a plane: give --radius2 plane")
 
 
 def _range(text: str | None) -> Range | None:
