@@ -211,3 +211,26 @@ def test_broken_files_give_words_and_no_bug(run: Run, curve: str, first: int, la
         ran = run(f"fit broken.csv {KNOWN}")
         assert "bug" not in ran.err, seed
         assert ran.code == 0 or ran.err, seed
+
+
+def test_the_following_command_has_the_law_and_two_spheres_are_named(run: Run, curve: str) -> None:
+    assert curve
+    said = " ".join(run(f"fit curve.csv {KNOWN} --model maugis --z0 3angstrom", terminal=True).out.split())
+    assert "--model maugis --z0 3angstrom" in said.partition("then: ")[2]
+    of_two = " ".join(run("fit curve.csv --radius 15um --spring 3.01N/m", terminal=True).out.split())
+    assert "R = 7.5 µm of two equal spheres (--radius2 plane for a flat)" in of_two
+
+
+@pytest.mark.parametrize(
+    ("columns", "given", "said"),
+    [
+        ({}, {}, "a curve is a file, or columns by their headers"),
+        ([1, 2], {}, "a curve is a file, or columns by their headers"),
+        ({"z [m]": [1]}, {"radius": [1e-6, 2e-6]}, "radius: a curve has one value, not an array"),
+        ({"z [m]": [1]}, {"load": 1.0}, "fit takes no 'load'"),
+        ({"z [m]": [1]}, {"reduced_radius": 0.0}, "reduced_radius"),
+    ],
+)
+def test_in_python_what_is_refused_is_named(columns: Any, given: dict[str, Any], said: str) -> None:
+    with pytest.raises(jkroll.JkrollError, match=said):
+        jkroll.fit(columns, **given)

@@ -8,9 +8,10 @@ from numpy import exp, log, pi
 
 from curves import autoregression, dmt_force, jkr_curve, jkr_state, ramp
 from jkroll.model.fit_branches import APPROACH, LOADING, RADIUS, TRAVEL, UNLOADING, BadCurve, Measured, Range
-from jkroll.model.fit_curve import Known, fit_curve
+from jkroll.model.fit_curve import fit_curve
 from jkroll.model.fit_laws import Contact, Grip, law_of, state_at
 from jkroll.model.fit_minimum import Points, Setting, minimum, residuals
+from jkroll.model.fit_result import Known
 from relative import approx
 
 PROBE = Known(radius=7.5e-6, stiffness=3.01)
@@ -75,6 +76,62 @@ def test_contact_radii_need_no_contact_point() -> None:
     assert fit.values["work_of_adhesion_opening"] == approx(w, rel=1e-6)
     assert fit.values["contact_modulus"] == approx(modulus, rel=1e-6)
     assert "contact_point" not in fit.values
+
+
+def test_of_contact_radii_the_part_with_a_resting_edge_is_left_out() -> None:
+    """Unloading begins at the radius of loading, and the edge rests until G has risen to w of opening."""
+    modulus, radius, first = 2e6, 1e-3, 1e-4
+    scatter = numpy.random.default_rng(1).normal(0, 1e-7, 79)
+
+    def load(a: Any, w: float) -> Any:
+        return 4 / 3 * modulus * a**3 / radius - numpy.sqrt(8 * pi * w * modulus * a**3)
+
+    there, back = numpy.linspace(6e-5, first, 30), numpy.linspace(first, 4.5e-5, 40)
+    resting = numpy.linspace(load(first, 0.02), load(first, 0.045), 10)[1:]
+    a = numpy.concatenate([there, numpy.full(9, first), back])
+    loads = numpy.concatenate([load(there, 0.02), resting, load(back, 0.045)])
+    fit = fit_curve(Measured(RADIUS, a + scatter, loads), Known(radius=radius))
+    assert fit.values["work_of_adhesion_opening"] == approx(0.045, rel=5e-3)
+    assert fit.values["work_of_adhesion_closing"] == approx(0.02, rel=2e-2)
+    assert fit.values["contact_modulus"] == approx(modulus, rel=1e-2)
+
+
+def test_contact_radii_give_w_without_tension() -> None:
+    """By loads of 5 to 90 times the pull-off force, all of which press."""
+    a = numpy.linspace(3e-4, 1e-4, 40)
+    load = 4 / 3 * 2e6 * a**3 / 1e-3 - numpy.sqrt(8 * pi * 0.045 * 2e6 * a**3)
+    fit = fit_curve(Measured(RADIUS, a, load), Known(radius=1e-3))
+    assert load.min() > 0
+    assert fit.values["work_of_adhesion_opening"] == approx(0.045, rel=1e-6)
+    assert {"no-adhesion", "few-below-zero"}.isdisjoint(fit.remarks)
+    with pytest.raises(BadCurve, match="give --radius"):
+        fit_curve(Measured(RADIUS, a, load), Known())
+
+
+def test_a_branch_of_a_column_may_stand_in_the_order_of_travel() -> None:
+    z, force = jkr_curve()
+    top = int(numpy.argmax(z))
+    names = numpy.where(numpy.arange(len(z)) < top, LOADING, UNLOADING).astype(object)
+    order = numpy.concatenate([numpy.arange(top), numpy.arange(top, len(z))[::-1]])
+    fit = fit_curve(Measured(TRAVEL, z[order], force[order], branch=names[order]), PROBE)
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-4)
+    assert fit.values["work_of_adhesion_closing"] == approx(0.047, rel=1e-4)
+
+
+def test_the_only_branch_is_the_one_that_is_asked_for() -> None:
+    z, force = jkr_curve()
+    back = slice(int(numpy.argmax(z)) + 1, None)
+    alone = Measured(TRAVEL, z[back][::-1], force[back][::-1])
+    assert "one-branch" in fit_curve(alone, PROBE).remarks
+    fit = fit_curve(alone, PROBE._replace(branch="unload"))
+    assert fit.values["work_of_adhesion_opening"] == approx(0.06, rel=1e-4)
+
+
+def test_the_covariance_has_the_sign_of_the_contact_point() -> None:
+    z, force = jkr_curve()
+    force = force + numpy.random.default_rng(3).normal(0, 1e-9, len(z))
+    one, other = (fit_curve(Measured(TRAVEL, sign * z, force), PROBE).covariance for sign in (1, -1))
+    assert one[1, 2] == approx(-other[1, 2], rel=1e-3)
 
 
 def test_without_a_radius_products_are_fitted() -> None:

@@ -12,12 +12,13 @@ import numpy
 
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import Materials
-from ..model.fit_curve import RESULTS, Fit, Known
+from ..model.fit_result import RESULTS, Fit, Known
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import LAWS
+from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import value_of
 from ..tables.fitted import fit_of_file, known_of, modulus_of_body
-from ..text import ending, quoted, say, say_wrapped
+from ..text import quoted, say, say_wrapped
 from ..write.fitted import (
     curve_columns,
     heads_of,
@@ -33,6 +34,7 @@ from .call import CSV, JSON, MARKDOWN, TABLE, Call
 
 _WAIT = 0.5  # seconds before progress is shown
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
+_OF_LAW = ("model", "atomic_spacing")
 _RADII = ("radius", "diameter", "reduced_radius")
 
 
@@ -116,8 +118,9 @@ def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, A
         raise outcome.error
     if not call.quiet:
         say_wrapped(outcome.reading, sys.stderr)
-    following = following_command(call, fitted)
-    body = modulus_of_body(fitted, given)
+    is_sure = {"poor-fit", "modulus-undetermined"}.isdisjoint(fitted.remarks)
+    following = following_command(call, fitted) if is_sure else ""
+    body = modulus_of_body(fitted, given) if is_sure else None
     if call.names_picture:
         return _draw(call, path, fitted)
     output = call.output
@@ -132,12 +135,9 @@ def _write_single(call: Call, path: str, outcome: Outcome, given: Mapping[str, A
         elif call.curve:
             heads, columns = curve_columns(fitted)
             write_columns(heads, columns, "csv" if output is not MARKDOWN else "md", out)
-        elif output is CSV or (call.target is not None and ending(call.target) not in ("txt", "")):
-            row = row_of(path, fitted)
-            write_columns(heads_of(is_scaled=fitted.is_scaled), [[cell] for cell in row], "csv", out)
-        elif output is MARKDOWN:
-            row = row_of(path, fitted)
-            write_columns(heads_of(is_scaled=fitted.is_scaled), [[cell] for cell in row], "md", out)
+        elif output in (CSV, MARKDOWN):
+            row, form = row_of(path, fitted), "md" if output is MARKDOWN else "csv"
+            write_columns(heads_of(is_scaled=fitted.is_scaled), [[cell] for cell in row], form, out)
         else:
             write_fit(fitted, out, heading=_heading(call, path, fitted), following=following, body=body)
     return 0
@@ -148,7 +148,9 @@ def _heading(call: Call, path: str, fitted: Fit) -> str:
     known = fitted.known
     texts = [f"{os.path.basename(path)}: {fitted.kind} and force, by {LAWS[known.law].short}"]
     if known.radius is not None:
-        texts.append(f"R = {amount('reduced_radius', known.radius)}")
+        is_of_two = {"radius2", "diameter2", "reduced_radius"}.isdisjoint(call.inputs)
+        of_two = " of two equal spheres (--radius2 plane for a flat)" if is_of_two else ""
+        texts.append(f"R = {amount('reduced_radius', known.radius)}{of_two}")
     if fitted.kind == "travel":
         texts.append(f"k = {call.spring}")
     texts.append(f"{known.profile}, {int(fitted.goodness['points'])} points")
@@ -173,6 +175,7 @@ def following_command(call: Call, fitted: Fit) -> str:
     ]
     words.append(f"--work-of-adhesion {_typed('work_of_adhesion', w, form)}")
     words.append(f"--contact-modulus {_typed('contact_modulus', values['contact_modulus'], form)}")
+    words += [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in _OF_LAW if name in call.inputs]
     hysteresis = values.get("adhesion_hysteresis", 0.0)
     if hysteresis > 0:
         words.append(f"--adhesion-hysteresis {_typed('adhesion_hysteresis', hysteresis, form)}")

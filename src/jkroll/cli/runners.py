@@ -311,7 +311,7 @@ def run_export(call: Call) -> int:
     notes = [*(note.line for note in about_middles(answer.uncertain)), *every_line(answer)]
     if program.about:
         sys.stdout.write(text)
-        for line in (*ranges, *(f"note: {text}" for text in program.about(frame)), *notes):
+        for line in (*(f"note: {text}" for text in (*ranges, *program.about(frame))), *notes):
             say_wrapped(line, sys.stderr)
         return 0
     _write_comments(ranges)

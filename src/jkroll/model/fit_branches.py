@@ -116,8 +116,11 @@ class Branches(NamedTuple):
     sign: float  # of z
 
 
-def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False) -> Branches:
-    """Return the branches of a curve; `stiffness` of its lever, infinite without one. Raises BadCurve."""
+def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False, only: str = "") -> Branches:
+    """Return the branches of a curve; `stiffness` of its lever, infinite without one. Raises BadCurve.
+
+    `only`: the name of the branch that is wanted alone, which the only one of a curve then has.
+    """
     remarks: dict[str, str] = {}
     curve = _finite(curve, remarks)
     if curve.kind == RADIUS:
@@ -125,7 +128,7 @@ def branches_of(curve: Measured, stiffness: float, *, tilt: bool = False) -> Bra
     curve = _unsaturated(curve, remarks)
     sign = _sign(curve)
     curve = _with_pull_negative(curve._replace(z=sign * curve.z), remarks)
-    parts = _split(curve)
+    parts = _split(curve, only, remarks)
     floor = _LEAST_NOISE * float(numpy.ptp(curve.force))
     noise = max(_white_noise(curve.force), floor)
     ends = {name: _free(part, name, noise) for name, part in parts.items()}
@@ -213,10 +216,13 @@ def _with_pull_negative(curve: Measured, remarks: dict[str, str]) -> Measured:
     return curve._replace(force=-curve.force)
 
 
-def _split(curve: Measured) -> dict[str, Measured]:
-    """Return the points of each branch, as a column says, or before and behind the turn of z or the largest force."""
+def _split(curve: Measured, only: str, remarks: dict[str, str]) -> dict[str, Measured]:
+    """Return the points of each branch in time, as a column says, or before and behind the turn of z or the force.
+
+    A file may hold a branch of a column in the order of z.
+    """
     if curve.branch is not None:
-        parts = {name: curve.chosen(curve.branch == name) for name in (LOADING, UNLOADING)}
+        parts = {name: _in_time(curve.chosen(curve.branch == name), name) for name in (LOADING, UNLOADING)}
     else:
         top = int(numpy.nonzero(curve.z == curve.z.max())[0][-1])
         if not _turns_once(curve.z, top):
@@ -226,7 +232,20 @@ def _split(curve: Measured) -> dict[str, Measured]:
     kept = {name: part for name, part in parts.items() if len(part.z) >= least and _varies(part)}
     if not kept:
         raise BadCurve("neither branch has enough points", "too few points")
+    if curve.branch is None and len(kept) == 1:
+        ((name, part),) = kept.items()
+        if only not in ("", name):
+            return {only: _in_time(part, only)}
+        other = "unload" if name == LOADING else "load"
+        remarks["one-branch"] = f"the curve has one branch, taken for that of {name}; --branch {other} says otherwise"
     return kept
+
+
+def _in_time(part: Measured, name: str) -> Measured:
+    """Return the points of a branch in their order in time: z rises while loading."""
+    if len(part.z) and (part.z[-1] < part.z[0]) == (name == LOADING):
+        return part.chosen(slice(None, None, -1))
+    return part
 
 
 def _turns_once(z: Array, top: int) -> bool:
@@ -356,11 +375,15 @@ def _in_contact(load: Array, name: str, noise: float) -> tuple[slice, slice]:
     return near, far
 
 
-def _check(branches: Mapping[str, Branch], noise: float, remarks: dict[str, str]) -> None:
-    """Remark on what the branches lack. Raises BadCurve for too few points in contact."""
+def _check(branches: dict[str, Branch], noise: float, remarks: dict[str, str]) -> None:
+    """Leave out a branch with too few points in contact, and remark on what the others lack. Raises BadCurve."""
     for name in [*branches]:
         if len(branches[name].in_contact.z) < LEAST_POINTS:
-            raise BadCurve(f"{name}: fewer than {LEAST_POINTS} points are in contact", "too few points")
+            problem = f"{name}: fewer than {LEAST_POINTS} points are in contact"
+            del branches[name]
+            if not branches:
+                raise BadCurve(problem, "too few points")
+            remarks["branch-left-out"] = f"{problem}; the branch is left out"
     branch = branches.get(UNLOADING)
     if branch is None:
         return

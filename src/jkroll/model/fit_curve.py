@@ -6,9 +6,7 @@ calibration (R, k and the baseline) and model (range, shape of the sphere, atomi
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
 
 import numpy
 from numpy import exp, inf, pi, sqrt
@@ -43,104 +41,29 @@ from .fit_minimum import (
     residuals,
     with_point,
 )
+from .fit_result import STRONG, Errors, Fit, Known
 
-USUAL_SPACING = 4e-10
 FIRST_RANGE = Range(-1.0, 0.3, True)
 _PLATEAU = 0.03  # of the energy release rate, within which it is constant
+_PLATEAUS = 4  # times that the plateau of contact radii is found anew
 _BINS = 24
 _FEW = 300  # points of a fit that shows how much the model moves the result
 _WIDE_CONTACT = 0.1  # a/R from which on the sphere's shape matters
-_STRONG = 5.0  # Tabor parameter above which JKR holds for w and E*
 _UNDETERMINED = 0.5  # standard deviation of ln E* from which on E* is not determined
 _POOR = 0.1  # rms over the pull-off force from which on the curve is no contact's
 _LARGEST = 60.0  # ln w or ln E* beyond which a minimum is none
 _NO_ADHESION = 5.0  # standard deviations of the noise that a tension must have
 
-# Results: their names, and the quantity of the nomenclature whose unit and words they have.
-RESULTS: Mapping[str, str] = {
-    "work_of_adhesion_opening": "work_of_adhesion",
-    "work_of_adhesion_closing": "work_of_adhesion",
-    "adhesion_hysteresis": "adhesion_hysteresis",
-    "hysteresis_fraction": "hysteresis_fraction",
-    "contact_modulus": "contact_modulus",
-    "contact_point": "approach",
-    "pull_off_force_fitted": "pull_off_force",
-    "pull_off_force_measured": "pull_off_force",
-}
-FITTED = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modulus", "contact_point")
-
-
-class Known(NamedTuple):
-    """What is known of an instrument and a contact, with relative standard deviations.
-
-    Without a radius the fit gives wR and E*√R. `stiffness` is that of the lever, for a travel alone.
-    """
-
-    radius: float | None = None
-    radius_error: float = 0.0
-    stiffness: float = inf
-    stiffness_error: float = 0.0
-    spacing: float = USUAL_SPACING
-    law: str = "jkr"
-    profile: str = "paraboloid"
-    branch: str = "both"
-    range: Range | None = None
-    tilt: bool = False
-
-
-class Errors(NamedTuple):
-    """The standard deviations of a result by their causes."""
-
-    statistical: float = 0.0
-    calibration: float = 0.0
-    model: float = 0.0
-
-    @property
-    def total(self) -> float:
-        """The root of the sum of squares."""
-        return float(sqrt(sum(each * each for each in self)))
-
-
-@dataclass
-class Fit:
-    """The fit of a curve, in SI units.
-
-    `values` and `errors` by the names of `RESULTS`; `covariance` is the statistical one of those of `names`, in their
-    units. `remarks` are sentences by code. Of a curve without adhesion, `largest_adhesion` is the upper limit of w.
-    """
-
-    known: Known
-    kind: str
-    values: dict[str, float] = field(default_factory=dict)
-    errors: dict[str, Errors] = field(default_factory=dict)
-    names: tuple[str, ...] = ()
-    covariance: Any = None
-    by_law: dict[str, dict[str, float]] = field(default_factory=dict)
-    remarks: dict[str, str] = field(default_factory=dict)
-    goodness: dict[str, float] = field(default_factory=dict)
-    points: dict[str, Array] = field(default_factory=dict)
-    largest_adhesion: float | None = None
-
-    @property
-    def radius(self) -> float:
-        """The reduced radius; 1 m where it is not known, so that w stands for wR."""
-        return self.known.radius or 1.0
-
-    @property
-    def is_scaled(self) -> bool:
-        """True where no radius is known: w is wR, E* is E*√R."""
-        return self.known.radius is None
-
-    @property
-    def law_that_holds(self) -> str:
-        """The law by which w and E* are best: Maugis' where the Tabor parameter is small."""
-        return "jkr" if self.goodness.get("tabor_parameter", inf) >= _STRONG else "maugis"
-
 
 def fit_curve(curve: Measured, known: Known) -> Fit:
     """Return the fit of a curve. Raises BadCurve where there is none."""
-    with numpy.errstate(all="ignore"):
-        return _Run(curve, known).fit()
+    if curve.kind == RADIUS and known.radius is None:
+        raise BadCurve("contact radii give w with the radius of the sphere alone: give --radius", "no radius")
+    try:
+        with numpy.errstate(all="ignore"):
+            return _Run(curve, known).fit()
+    except (ArithmeticError, ValueError):
+        raise BadCurve("the fit does not converge; check the radius, the spring and the units", "no fit") from None
 
 
 class _Run:
@@ -148,9 +71,11 @@ class _Run:
 
     def __init__(self, curve: Measured, known: Known) -> None:
         self.curve, self.known = curve, known
-        self.branches: Branches = branches_of(curve, known.stiffness if curve.kind == TRAVEL else inf, tilt=known.tilt)
+        only = {"load": LOADING, "unload": UNLOADING}.get(known.branch, "")
+        stiffness = known.stiffness if curve.kind == TRAVEL else inf
+        self.branches: Branches = branches_of(curve, stiffness, tilt=known.tilt, only=only)
         self.result = Fit(known, curve.kind, remarks={**self.branches.remarks})
-        chosen = {"load": [LOADING], "unload": [UNLOADING]}.get(known.branch, [UNLOADING, LOADING])
+        chosen = [only] if only else [UNLOADING, LOADING]
         self.names = [name for name in chosen if name in self.branches.by_name]
         if not self.names:
             raise BadCurve(f"the curve has no {chosen[0]} branch", "branch is missing")
@@ -169,12 +94,16 @@ class _Run:
     def fit(self) -> Fit:
         """Return the fit."""
         first = self.branches.by_name[self.names[0]]
-        if -float(running_median(first.in_contact.force, 3).min()) < _NO_ADHESION * self.branches.noise:
+        tension = -float(running_median(first.in_contact.force, 3).min())
+        if self.curve.kind != RADIUS and tension < _NO_ADHESION * self.branches.noise:
             return self._without_adhesion(first)
         self.main, self.points, first = self._of_branch(first)
         self._put_main(first)
         if len(self.names) > 1:
-            self._put_other(self._extended(self.branches.by_name[self.names[1]], self.main))
+            try:
+                self._put_other(self._extended(self.branches.by_name[self.names[1]], self.main))
+            except BadCurve as problem:  # of the range
+                self.result.remarks["branch-left-out"] = f"{problem}; the branch is left out"
         self._calibrate()
         self._compare_models()
         self._judge(first)
@@ -209,8 +138,7 @@ class _Run:
         """
         asked = self.known.range
         if self.curve.kind == RADIUS and asked is None:
-            points = branch.in_contact
-            return self._minimum(points), points, branch
+            return self._of_radii(branch)
         within = self._range(branch, asked or FIRST_RANGE)
         found = self._minimum(branch.points.chosen(within))
         branch = self._extended(branch, found)
@@ -220,6 +148,16 @@ class _Run:
             within = self._plateau(branch, found)
         points = branch.points.chosen(within)
         return minimum(points, self.setting, found.unknowns), points, branch
+
+    def _of_radii(self, branch: Branch) -> tuple[Minimum, Points, Branch]:
+        """Return the minimum of contact radii; of unloading from where the edge recedes, which E* decides with it."""
+        points = branch.in_contact
+        found = self._minimum(points)
+        for _ in range(_PLATEAUS if branch.name == UNLOADING else 0):
+            within = self._plateau(branch, found)
+            points = branch.points.chosen(within)
+            found = minimum(points, self.setting, found.unknowns)
+        return found, points, branch
 
     def _extended(self, branch: Branch, found: Minimum) -> Branch:
         """Return a branch with the contact as far as a minimum holds it, by fixed grips."""
@@ -300,14 +238,14 @@ class _Run:
         """Put w of the first branch, E* and z_c into the result, with their covariance."""
         w_name = "work_of_adhesion_opening" if branch.name == UNLOADING else "work_of_adhesion_closing"
         names = [w_name, "contact_modulus", "contact_point"][: len(self.main.covariance)]
-        scale = [*exp(self.main.unknowns[:POINT]), 1.0][: len(names)]
+        scale = [*exp(self.main.unknowns[:POINT]), self.branches.sign][: len(names)]
         self.result.names = (*names,)
         self.result.covariance = self.main.covariance * numpy.outer(scale, scale)
         values = [*exp(self.main.unknowns[:POINT]), self.branches.sign * self.main.unknowns[POINT]]
         self.result.values |= dict(zip(names, map(float, values), strict=False))
         self._set_statistical()
         force = -float(running_median(branch.in_contact.force, 3).min())
-        self.result.values["pull_off_force_measured"] = force
+        self.result.values |= {"pull_off_force_measured": force} if force > 0 else {}
         self.result.values["pull_off_force_fitted"] = self._pull_off(self.main.unknowns)
         rate, radius = self.release_rate(branch.in_contact, self.main)
         model = residuals(branch.in_contact, self.main.unknowns, self.setting)
@@ -351,7 +289,7 @@ class _Run:
         variance = own + float(pulls @ self.main.covariance @ pulls)
         with_main = self.main.covariance @ pulls
         w = float(exp(other.unknowns[ADHESION]))
-        scale = numpy.array([*exp(self.main.unknowns[:POINT]), 1.0][:count])
+        scale = numpy.array([*exp(self.main.unknowns[:POINT]), self.branches.sign][:count])
         column = with_main * scale * w
         result = self.result
         result.covariance = numpy.block([[result.covariance, column[:, None]], [column[None], variance * w * w]])
@@ -462,7 +400,7 @@ class _Run:
                 result.by_law[law] = by(law)
         if tabor > 50 and "maugis" not in result.by_law:
             result.by_law["maugis"] = dict(result.by_law[known.law if known.law == "jkr" else "jkr"])
-        elif tabor < _STRONG:
+        elif tabor < STRONG:
             half = by("maugis", spacing=known.spacing / 2)
             result.by_law["maugis, z0/2"] = half
             self._add("model", [_sum(result.values, half, result.by_law["maugis"])])
@@ -495,7 +433,7 @@ class _Run:
             "independent_points": count / max(tau, 1.0), "longest_run": _longest_run(misfit),
         }  # fmt: skip
         remarks, errors, values = result.remarks, result.errors, result.values
-        if branch.name == LOADING:
+        if branch.name == LOADING and self.curve.kind != RADIUS:
             remarks["loading-only"] = "a loading branch alone hardly tells w from E*: their errors are of one another"
         if count / max(tau, 1.0) < FEW_INDEPENDENT:
             cause = "the misfit is one trend" if tau > count / 2 else f"neighbours are alike over {tau:.0f} points"
@@ -521,7 +459,7 @@ class _Run:
         ):
             move = self.by_lever["contact_modulus"] / modulus - 1
             remarks["lever-decides"] = f"the spring's error moves E* by {abs(move):.0%}, more than all else"
-        if int((self.points.force < 0).sum()) < LEAST:
+        if self.curve.kind != RADIUS and int((self.points.force < 0).sum()) < LEAST:
             remarks["few-below-zero"] = "fewer than 5 points are in tension: w is hardly determined"
         if known.profile == "sphere" and result.goodness.get("contact_over_radius", 0) > 0.9:
             remarks["wide-contact"] = "the contact is wider than 0.9 of the radius: no theory of a half-space holds"
@@ -563,7 +501,7 @@ class _Run:
         except ValueError:
             raise BadCurve("no contact resembles the curve", "no minimum") from None
         result.names = ("contact_modulus", "contact_point")[: len(free)]
-        scale = numpy.array([exp(main.unknowns[MODULUS]), 1.0][: len(free)])
+        scale = numpy.array([exp(main.unknowns[MODULUS]), self.branches.sign][: len(free)])
         result.covariance = main.covariance * numpy.outer(scale, scale)
         result.values = {"contact_modulus": float(exp(main.unknowns[MODULUS]))}
         if not setting.grip.is_radius:

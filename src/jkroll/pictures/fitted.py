@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy
 
-from ..model.fit_curve import Fit
+from ..model.fit_result import Fit
 from .picture import Curve, Panel, Picture, axis_around
 
 _MOST = 600  # points of a drawn curve

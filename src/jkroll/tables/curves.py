@@ -63,6 +63,8 @@ def read_curve(
 
 def curve_of_columns(columns: Mapping[str, Any], known: Materials, stiffness: float | None) -> ReadCurve:
     """Return the curve in columns by their headers, as of a DataFrame. Raises BadTable."""
+    if not hasattr(columns, "values") or not len(columns):
+        raise BadTable("a curve is a file, or columns by their headers, such as a DataFrame")
     names = (*map(str, columns),)
     cells = [cells_of(numpy.asarray(column).tolist()) for column in columns.values()]
     if len({*map(len, cells)}) > 1:

@@ -9,7 +9,9 @@ from ..errors import BadRequest
 from ..materials.library import Materials, materials_of_user
 from ..model.containers import Reader
 from ..model.fit_branches import Range
-from ..model.fit_curve import USUAL_SPACING, Fit, Known, fit_curve
+from ..model.fit_curve import fit_curve
+from ..model.fit_result import USUAL_SPACING, Fit, Known
+from ..model.ranges import check_range
 from ..model.reasons import MissingInput
 from ..model.solver import solve
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
@@ -21,6 +23,7 @@ _BRANCHES = ("both", "load", "unload")
 _BASELINES = ("median", "tilt")
 _INCOMPRESSIBLE = 0.45  # Poisson's ratio from which on the shape of a sphere is a consistent improvement
 _RADII = ("radius", "radius2", "diameter", "diameter2", "reduced_radius")
+_TAKEN = (*_RADII, "youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "atomic_spacing")
 
 
 def fit(
@@ -75,7 +78,14 @@ def fit(
     ['0.05', '2e+06']
     """
     words = {"model": model, "branch": branch, "range": range, "profile": profile, "baseline": baseline}
-    known = known_of(words, spring, Reader().in_si(given))
+    for name in given.keys() - {*_TAKEN}:
+        raise BadRequest(f"fit takes no {quoted(name)}; it takes {listed(_TAKEN)}")
+    read = Reader().in_si(given)
+    for name, value in read.items():
+        if getattr(middle(value), "shape", ()):
+            raise BadRequest(f"{name}: a curve has one value, not an array")
+        check_range(name, middle(value))
+    known = known_of(words, spring, read)
     if isinstance(curve, str | os.PathLike):
         return fit_of_file(os.fspath(curve), known)[0]
     return fit_curve(curve_of_columns(curve, materials_of_user(None), _stiffness(known)).curve, known)
@@ -203,6 +213,8 @@ def modulus_of_body(fitted: Fit, given: Mapping[str, Any]) -> tuple[str, float] 
     for known, sought in (("", "2"), ("2", "")):
         modulus, ratio = given.get(f"youngs_modulus{known}"), given.get(f"poisson_ratio{sought}")
         if modulus is None or ratio is None or f"youngs_modulus{sought}" in given:
+            continue
+        if f"poisson_ratio{known}" not in given and middle(modulus) < inf:
             continue
         other = middle(given.get(f"poisson_ratio{known}", 0.0))
         compliance = 1 / fitted.values["contact_modulus"] - (1 - other**2) / middle(modulus)

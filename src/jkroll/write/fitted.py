@@ -5,7 +5,7 @@ from math import floor, isfinite, log10
 from typing import Any, TextIO
 
 from .. import __version__
-from ..model.fit_curve import RESULTS, Fit
+from ..model.fit_result import RESULTS, Fit
 from ..quantities.formatting import Format, amount, bar_digits, significant, with_unit
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE, bracketed
