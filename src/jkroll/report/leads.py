@@ -17,7 +17,7 @@ def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over sentences that answer a question: what gives way first, and whether spheres stick or bounce."""
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
-    if answer.is_of_impact:
+    if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:
         yield Note("lead", _stick_or_bounce(answer))
     if "impact_pressure" in answer.values:
         yield Note("lead", _elastic_or_not(answer.frame))
@@ -52,10 +52,11 @@ def _first_to_give_way(answer: Answer) -> str:
 
 def _stick_or_bounce(answer: Answer) -> str:
     speed = answer.frame["speed"]
-    low, high, by = answer.estimates["sticking_speed"]
-    sides = span("sticking_speed", low, high)
-    verdict = "they stick" if speed < low else "they bounce" if speed > high else "they may stick or bounce"
-    return f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[by]})"
+    sticking = answer.estimates["sticking_speed"]
+    sides = range_in_words("sticking_speed", sticking)
+    is_below, is_above = speed < sticking.low, speed > sticking.high
+    verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
+    return f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
 
 
 def _law_that_holds(answer: Answer) -> str:
