@@ -268,6 +268,7 @@ def _pressure_in_units(y: Exact) -> Exact:
     return 6 * y**2 - 2 / y
 
 
+@cache
 def _at_peak(energy: Exact) -> Exact:
     """√â at the peak of an impact with an energy, in P_cδ0."""
     start = mpf("1.08") + min(energy, (energy / 4) ** mpf("0.1"))
@@ -288,20 +289,16 @@ def _yields_at(sigma_y: Exact, nu: Exact) -> Exact:
     return sigma_y / _largest_stress(nu)
 
 
-@cache
 def _largest_stress(nu: Exact) -> Exact:
-    """Von Mises' stress over the peak pressure, largest at a depth z over the radius: to 30 digits, with 15 of z."""
-
-    def mises(z: Exact) -> Exact:
-        axial = -1 / (1 + z**2)
-        radial = -(1 + nu) * (1 - z * digits.atan(1 / z)) + 1 / (2 * (1 + z**2))
-        return radial - axial
-
-    low, high = mpf(10) ** -40, mpf(1)
-    for _ in range(90):
-        third = (high - low) / 3
-        low, high = (low + third, high) if mises(low + third) < mises(high - third) else (low, high - third)
-    return mises((low + high) / 2)
+    """Von Mises' stress over the peak pressure where its slope is 0: a depth to 15 digits has 30 of the largest."""
+    ratio = 1 + float(nu)
+    low, high = 1e-9, 1.0
+    for _ in range(60):
+        z = (low + high) / 2
+        is_before = ratio * (math.atan(1 / z) - z / (1 + z * z)) > 3 * z / (1 + z * z) ** 2
+        low, high = (z, high) if is_before else (low, z)
+    depth = mpf(low)
+    return 3 / (2 * (1 + depth**2)) - (1 + nu) * (1 - depth * digits.atan(1 / depth))
 
 
 def _shifted_pressure(X_c: Exact, a: Exact, E: Exact, R: Exact, xi: Exact, p_H: Exact, p_B: Exact) -> list[Exact]:
