@@ -92,6 +92,7 @@ def test_a_law_without_a_solution_says_why(run: Run) -> None:
     assert [row[:-2] for row in rows(run, words)] == [["E", "Maugis (best)", "–"], ["E", "JKR", "2746"]]
     said = " ".join(run(words, terminal=True).out.split())
     assert "JKR only: by Maugis' law no value gives yield_force = 100 pN; it lies between" in said
+    assert "E is 51 times quartz's (54 GPa)" in " ".join(run(f"{words} --explain").out.split())  # 2746/54
 
 
 def test_what_no_material_has_stands_alone(run: Run) -> None:

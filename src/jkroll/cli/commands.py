@@ -147,9 +147,8 @@ class Command:
         self.name, self.sentence, self.words, self.options = name, sentence, words, options
         self.runner, self.example, self.job = runner, example, job
         self.placeholders = tuple(word.strip("[].") for word in words.split())  # MATERIAL, RADIUS and so on
-        self.most_words = (
-            INFINITY if "[" in words or "..." in words else len(self.placeholders)
-        )  # any where some can vary
+        can_vary = "[" in words or "..." in words
+        self.most_words = INFINITY if can_vary else len(self.placeholders)
         self.has_subject = words != "" and not words.startswith("[")  # the first word says what the command is about
 
     def flags(self) -> dict[str, Option[Any]]:

@@ -4,7 +4,6 @@ import glob
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
 from time import monotonic
 from typing import Any, NamedTuple
 
@@ -34,7 +33,6 @@ from .call import CSV, JSON, MARKDOWN, TABLE, Call
 
 _WAIT = 0.5  # seconds before progress is shown
 _SUMMARY = ("work_of_adhesion_opening", "work_of_adhesion_closing", "adhesion_hysteresis", "contact_modulus")
-_OF_LAW = ("model", "atomic_spacing")
 _RADII = ("radius", "diameter", "reduced_radius")
 
 
@@ -75,7 +73,8 @@ def run_fit(call: Call) -> int:
     known = known_of(words, call.spring, given)
     task = Task(known, call.materials, call.columns, call.format, call.delimiter)
     if call.names_picture:
-        _check_single(paths, "a picture")
+        if len(paths) > 1:
+            raise BadRequest(f"a picture shows one curve; {len(paths)} files were given")
         from .map import check_picture
 
         check_picture(call, call.target)
@@ -100,11 +99,6 @@ def _paths(call: Call) -> list[str]:
     if "-" in paths:
         raise BadRequest("fit reads files: save the curve first")
     return paths
-
-
-def _check_single(paths: Sequence[str], what: str) -> None:
-    if len(paths) > 1:
-        raise BadRequest(f"{what} shows one curve; {len(paths)} files were given")
 
 
 # --- One file ---------------------------------------------------------------------------------------------------------
@@ -168,18 +162,19 @@ def following_command(call: Call, fitted: Fit) -> str:
     words = ["jkroll yield-force"]
     if "radius" in call.inputs:
         words.append(call.inputs["radius"])
-    words += [
-        f"--{name} {call.inputs[name]}"
-        for name in ("diameter", "reduced_radius", "radius2", "diameter2")
-        if name in call.inputs
-    ]
+    words += _as_typed(call, ("diameter", "reduced_radius", "radius2", "diameter2"))
     words.append(f"--work-of-adhesion {_typed('work_of_adhesion', w, form)}")
     words.append(f"--contact-modulus {_typed('contact_modulus', values['contact_modulus'], form)}")
-    words += [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in _OF_LAW if name in call.inputs]
+    words += _as_typed(call, ("model", "atomic_spacing"))
     hysteresis = values.get("adhesion_hysteresis", 0.0)
     if hysteresis > 0:
         words.append(f"--adhesion-hysteresis {_typed('adhesion_hysteresis', hysteresis, form)}")
-    return " ".join(words).replace("--reduced_radius", "--reduced-radius")
+    return " ".join(words)
+
+
+def _as_typed(call: Call, names: Sequence[str]) -> list[str]:
+    """Return the options of those of some inputs that were given."""
+    return [f"{NOMENCLATURE[name].option} {call.inputs[name]}" for name in names if name in call.inputs]
 
 
 def _typed(name: str, value: float, form: Format) -> str:
@@ -213,7 +208,7 @@ def _draw(call: Call, path: str, fitted: Fit) -> int:
 def _outcomes(call: Call, task: Task, paths: Sequence[str]) -> Iterator[Outcome]:
     """Iterate over the outcomes of files, with a line of progress on a terminal."""
     answered: Iterator[Outcome]
-    run: Callable[[Any], Any] = partial(_outcome_of, task)
+    run: Callable[[Any], Any] = task.outcome
     if (call.jobs or 1) > 1:
         from ..tables.workers import answers
 
@@ -226,10 +221,6 @@ def _outcomes(call: Call, task: Task, paths: Sequence[str]) -> Iterator[Outcome]
         if is_shown and monotonic() - began > _WAIT:
             sys.stderr.write(f"\r{done} of {len(paths)} files".ljust(40) + "\r")
             sys.stderr.flush()
-
-
-def _outcome_of(task: Task, path: str) -> Outcome:
-    return task.outcome(path)
 
 
 def _write_rows(call: Call, paths: Sequence[str], outcomes: Sequence[Outcome], known: Known) -> int:

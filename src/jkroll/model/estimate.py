@@ -47,15 +47,12 @@ WORDS = (
 _LAWS_THEMSELVES = ("pull_off_force_dmt", "pull_off_force_lennard_jones")
 _STICKING = {"sticking_speed": 1, "sticking_energy": 2}  # powers of the speed
 _LOSING = ("restitution", "lost_energy")
-_LOSSES = frozenset(
-    {"restitution", "sticking_speed"}
-)  # measured quantities that every loss of a collision moves one way
-_LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")  # inputs that move them so as they grow
+# Measured quantities that every loss of a collision moves one way, and the inputs that move them so as they grow.
+_LOSSES = frozenset({"restitution", "sticking_speed"})
+_LOSE = ("surface_energy", "work_of_adhesion", "hamaker", "viscous_time")
 _SEPARATION = ("well_energy", "pull_off_work", "pull_off_work_at_dead_load")
 _PULL_OFF = ("pull_off_force", "pull_off_force_lennard_jones")
 _AS_PULL_OFF = ("pull_off_force", "bond_number")  # in proportion to it
-
-
 _SAME = 1e-9  # relative difference of numbers that laws give alike
 _TOO_WIDE = reason(ENDS[CONTACT_EXCEEDS_SPHERE.codes[1.0]])
 

@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy
 from numpy import exp, inf, pi, sqrt
 
+from ..physics.contact import tabor_parameter
 from .fit_branches import (
     APPROACH,
     LOADING,
@@ -26,7 +27,7 @@ from .fit_branches import (
     running_median,
 )
 from .fit_branches import LEAST_POINTS as LEAST
-from .fit_laws import PROFILES, Array, Contact, Grip, law_of
+from .fit_laws import PROFILES, Array, Grip, law_of
 from .fit_minimum import (
     ADHESION,
     FEW_INDEPENDENT,
@@ -377,7 +378,7 @@ class _Run:
         """Put results by each law into the fit, and the effect of shape and spacing into the errors."""
         result, known = self.result, self.known
         contact = self.setting.contact(self.main.unknowns)
-        tabor = tabor_parameter(contact) if not result.is_scaled else inf
+        tabor = float(tabor_parameter(**contact._asdict())) if not result.is_scaled else inf
         result.goodness["tabor_parameter"] = tabor
         result.by_law[known.law] = {name: result.values[name] for name in here}
         result.goodness["contact_over_radius"] = float(self.main.residuals.radii.max()) / result.radius
@@ -513,13 +514,6 @@ class _Run:
         result.goodness = {"points": len(points.z), "rms": float(numpy.std(points.force - main.residuals.loads))}
         result.remarks["no-adhesion"] = "no tension above the noise: Hertz' contact, and an upper limit of w"
         return result
-
-
-def tabor_parameter(contact: Contact) -> float:
-    """Return the Tabor parameter of a contact."""
-    from ..physics.contact import tabor_parameter as formula
-
-    return float(formula(**contact._asdict()))
 
 
 def _sum(values: Mapping[str, float], one: Mapping[str, float], other: Mapping[str, float]) -> dict[str, float]:

@@ -13,7 +13,8 @@ from typing import Any, NamedTuple, Protocol
 import numpy
 from numpy import inf, pi, sqrt
 
-from ..physics import any_law, contact, dugdale, jkr, maugis, sneddon
+from ..physics import any_law, dugdale, jkr, maugis, sneddon
+from ..physics.contact import contact_radius, tabor_parameter
 
 Array = Any  # a float, or an array of floats
 
@@ -32,6 +33,11 @@ class Contact(NamedTuple):
     contact_modulus: float
     reduced_radius: float
     atomic_spacing: float
+
+    @property
+    def without_spacing(self) -> dict[str, float]:
+        """The constants that laws without an atomic spacing take."""
+        return {name: value for name, value in self._asdict().items() if name != "atomic_spacing"}
 
 
 class Values(NamedTuple):
@@ -52,7 +58,7 @@ class States(NamedTuple):
 
 
 class Grip(NamedTuple):
-    """What a measured x is: an approach, the travel of a lever of a stiffness, or a contact radius.
+    """The meaning of a measured x: an approach, the travel of a lever of a stiffness, or a contact radius.
 
     An approach is the travel of an infinitely stiff lever.
     """
@@ -186,7 +192,7 @@ class Jkr(NamedTuple):
         """Return a where dx/da = 0, at the fold of fixed grips and at pull-off of a dead load; of a radius, near 0."""
         if grip.is_radius:
             return _LEAST_RATIO * contact.reduced_radius
-        unloaded = _unloaded_radius(contact)
+        unloaded = contact_radius(**contact.without_spacing)
         high = min(float(jkr.contact_radius_at_pull_off(contact_radius=unloaded)), self.most(contact))
         low = 0.2 * high
 
@@ -211,12 +217,6 @@ class Jkr(NamedTuple):
     def most(self, contact: Contact) -> float:
         """Return the largest contact radius that the profile has."""
         return self.profile.most * contact.reduced_radius
-
-
-def _unloaded_radius(of: Contact) -> float:
-    """Return a0 of a paraboloid."""
-    given = {name: getattr(of, name) for name in ("work_of_adhesion", "reduced_radius", "contact_modulus")}
-    return float(contact.contact_radius(**given))
 
 
 # --- DMT --------------------------------------------------------------------------------------------------------------
@@ -310,8 +310,7 @@ class Maugis:
 
 def _scales(of: Contact) -> tuple[float, float, float]:
     """Return λ and the units of lengths and approaches of Maugis' curve."""
-    given = {name: getattr(of, name) for name in ("work_of_adhesion", "reduced_radius", "contact_modulus")}
-    tabor = contact.tabor_parameter(**given, atomic_spacing=of.atomic_spacing)
+    tabor, given = tabor_parameter(**of._asdict()), of.without_spacing
     lengths = maugis.length_unit_maugis(**given), maugis.approach_unit_maugis(**given)
     return float(any_law.transition_parameter(tabor_parameter=tabor)), float(lengths[0]), float(lengths[1])
 

@@ -60,7 +60,7 @@ class Points(NamedTuple):
 
 
 class Setting(NamedTuple):
-    """What a fit takes as known: the law, radius and spacing of the contact, and the grip."""
+    """The known part of a fit: the law, radius and spacing of the contact, and the grip."""
 
     law: Law
     reduced_radius: float

@@ -8,8 +8,8 @@ from numpy import inf, sqrt
 
 from .fit_branches import Range
 from .fit_laws import Array
+from .frame import DEFAULTS
 
-USUAL_SPACING = 4e-10
 STRONG = 5.0  # Tabor parameter above which JKR holds for w and E*
 
 # Results: their names, and the quantity of the nomenclature whose unit and words they have.
@@ -27,7 +27,7 @@ FITTED = ("work_of_adhesion_opening", "work_of_adhesion_closing", "contact_modul
 
 
 class Known(NamedTuple):
-    """What is known of an instrument and a contact, with relative standard deviations.
+    """The data of an instrument and a contact that are known, with relative standard deviations.
 
     Without a radius the fit gives wR and E*√R. `stiffness` is that of the lever, for a travel alone.
     """
@@ -36,7 +36,7 @@ class Known(NamedTuple):
     radius_error: float = 0.0
     stiffness: float = inf
     stiffness_error: float = 0.0
-    spacing: float = USUAL_SPACING
+    spacing: float = DEFAULTS["atomic_spacing"]
     law: str = "jkr"
     profile: str = "paraboloid"
     branch: str = "both"

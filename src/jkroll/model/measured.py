@@ -42,7 +42,7 @@ def solid_of_pair(frame: Frame) -> str:
 
 
 class Rolled(NamedTuple):
-    """What was measured on identical pairs of a radius, and the pairs to which it is scaled: as R^(2/3) or as R."""
+    """A measurement on identical pairs of a radius, and the pairs to which it is scaled: as R^(2/3) or as R."""
 
     name: str  # of the quantity, the force or the displacement that starts rolling
     source: str
@@ -62,7 +62,7 @@ class Rolled(NamedTuple):
 
     @property
     def ends(self) -> tuple[Make, Make]:
-        """What makes of a frame the one with the least, and with the largest, displacement that was measured."""
+        """The functions that give a frame the least, and the largest, displacement that was measured."""
         return _end_of(self, Rolled.least), _end_of(self, Rolled.most)
 
     def is_near(self, frame: Frame) -> Any:
@@ -163,6 +163,11 @@ MOST_SEEN = 10  # times the speed of JKR: the largest at which hard spheres were
 
 # Part of JKR's pull-off force that was measured of hard solids: 1 over the first number to 1 over the second.
 SURFACES = {"on smooth glass": (4, 2), "for rough grains in air": (100, 10)}
+
+
+def on_surfaces(low: float, high: float) -> Mapping[str, tuple[float, float]]:
+    """Return the least and the largest pull-off force on each surface, of one that is `low` to `high` by JKR."""
+    return {surface: (low / most, high / least) for surface, (most, least) in SURFACES.items()}
 
 
 # --- Rolling ---

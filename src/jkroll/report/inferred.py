@@ -62,7 +62,8 @@ def library_values(frame: Frame) -> Mapping[str, float | Uncertain]:
 def _about_library(answer: Answer) -> Iterator[Note]:
     """Iterate over notes where an inferred property of solids is far from that of the materials."""
     for name, usual in library_values(answer.described).items():
-        ends = answer.ranges.by_better_law(name) if BETWEEN in laws_of(answer) else (answer.values[name],)
+        better = answer.ranges.by_better_law(name) if BETWEEN in laws_of(answer) else ()
+        ends = [end for end in better if end > 0] or [answer.values[name]]  # nan where that law has no value
         factor = min((end / middle(usual) for end in ends), key=lambda factor: abs(log(factor)))
         far, question = _FAR.get(name, (INFINITY, ""))
         if not 1 / far <= factor <= far:

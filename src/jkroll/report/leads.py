@@ -1,4 +1,4 @@
-"""The sentences that an answer begins with: which of them answers its question, with best ranges."""
+"""The sentences that stand before the results of an answer and answer its question, with best ranges."""
 
 from collections.abc import Iterator
 
@@ -14,7 +14,7 @@ _THREE = Format(digits=3)
 
 
 def leads(answer: Answer) -> Iterator[Note]:
-    """Iterate over sentences that answer a question: what gives way first, and whether spheres stick or bounce."""
+    """Iterate over the sentences that answer a question."""
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:

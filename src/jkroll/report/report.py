@@ -7,7 +7,7 @@ from math import erfc, hypot, sqrt
 from ..model.estimate import ADHESION_ONLY, MEASURED, NONE, WORDS
 from ..model.frame import Frame
 from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt
-from ..model.measured import SURFACES
+from ..model.measured import on_surfaces
 from ..model.uncertainty import error_bars
 from ..quantities.formatting import significant, span, symbol_among
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE
@@ -142,8 +142,8 @@ def _about_roughness(frame: Frame) -> str:
     """Return what was measured where the pull-off force is that of smooth spheres."""
     force = frame.numbers("pull_off_force").get("pull_off_force", 0.0)
     texts = (
-        f"{surface} {part_of_jkr(surface)} of P_c ({span('pull_off_force', force / most, force / least)})"
-        for surface, (most, least) in SURFACES.items()
+        f"{surface} {part_of_jkr(surface)} of P_c ({span('pull_off_force', *ends)})"
+        for surface, ends in on_surfaces(force, force).items()
     )
     return f"measured: {', '.join(texts)}"
 

@@ -10,10 +10,12 @@ from ..materials.library import Materials, materials_of_user
 from ..model.containers import Reader
 from ..model.fit_branches import Range
 from ..model.fit_curve import fit_curve
-from ..model.fit_result import USUAL_SPACING, Fit, Known
+from ..model.fit_result import Fit, Known
+from ..model.frame import DEFAULTS
 from ..model.ranges import check_range
 from ..model.reasons import MissingInput
 from ..model.solver import solve
+from ..physics.sphere import INCOMPRESSIBLE
 from ..quantities.laws import DEFAULT_LAW, JKR_OF_SPHERE, PARABOLOID, SPHERE, law_given
 from ..quantities.values import QuantityError, is_uncertain, middle, value_of
 from ..text import listed, quoted
@@ -21,7 +23,6 @@ from .curves import curve_of_columns, read_curve
 
 _BRANCHES = ("both", "load", "unload")
 _BASELINES = ("median", "tilt")
-_INCOMPRESSIBLE = 0.45  # Poisson's ratio from which on the shape of a sphere is a consistent improvement
 _RADII = ("radius", "radius2", "diameter", "diameter2", "reduced_radius")
 _TAKEN = (*_RADII, "youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "atomic_spacing")
 
@@ -131,7 +132,7 @@ def known_of(words: Mapping[str, str | None], spring: Any, given: Mapping[str, A
         radius_error=_relative_error(radius),
         stiffness=value,
         stiffness_error=_relative_error(stiffness),
-        spacing=float(middle(given.get("atomic_spacing", USUAL_SPACING))),
+        spacing=float(middle(given.get("atomic_spacing", DEFAULTS["atomic_spacing"]))),
         law=law,
         profile=profile,
         branch=str(words["branch"]),
@@ -170,7 +171,7 @@ def _relative_error(value: Any) -> float:
 def _check_sphere(given: Mapping[str, Any]) -> None:
     """Refuse the profile of a sphere where half-space theory is wrong by more than that profile changes."""
     ratio = middle(given.get("poisson_ratio2", given.get("poisson_ratio", 0.0)))
-    if not ratio >= _INCOMPRESSIBLE:
+    if not ratio >= INCOMPRESSIBLE:
         raise BadRequest(
             "--profile sphere holds for a rigid sphere on a body that keeps its volume: give its Poisson's ratio, 0.45 "
             "or more, as in --poisson2 0.5"

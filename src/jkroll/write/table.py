@@ -18,7 +18,7 @@ from ..model.estimate import (
     Estimate,
 )  # fmt: skip
 from ..model.limits import codes
-from ..model.measured import SURFACES
+from ..model.measured import SURFACES, on_surfaces
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
@@ -204,10 +204,9 @@ def _sizes(measure: "float | Uncertain | None", estimate: "Estimate | None") -> 
 
 def _on_surfaces(answer: "Report", form: Format) -> list[list[str]]:
     """Return the rows of what was measured on surfaces, in parts of the pull-off force of the law in use."""
-    (low, high), *_ = answer.ranges.of_laws("pull_off_force", LAW_IN_USE)
+    by_law_in_use, *_ = answer.ranges.of_laws("pull_off_force", LAW_IN_USE)
     rows = []
-    for surface, (most, least) in SURFACES.items():
-        ends = low / most, high / least
+    for surface, ends in on_surfaces(*by_law_in_use).items():
         unit = form.common_unit("pull_off_force", ends[1:])
         row = [surface, "P_c", *_range(Estimate(*ends, MEASURED), unit, form)]
         rows.append([*row, "–", "–", unit[0]])
