@@ -12,11 +12,12 @@ from operator import ge, gt, le
 from typing import Any
 
 from ..errors import JkrollError, NoResult, code_of
-from ..physics import FORMULAS, sneddon
+from ..physics import FORMULAS
 from ..physics.contact import pull_off_force_dmt
 from ..physics.elementary import where
 from ..physics.jkr import approach_at_fold
 from ..physics.motion import FITTED_UP_TO
+from ..physics.sphere import approach_at_fold_sphere, pull_off_force_sphere
 from ..quantities.formatting import Format, amount
 from ..quantities.laws import DEFAULT_LAW, LAWS, PARABOLOID, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE_OR_LOAD
@@ -297,12 +298,17 @@ def _pull_off_dmt(given: Given) -> Any:
 
 
 def _pull_off_sphere(given: Given) -> Any:
-    unit = given["contact_modulus"] * given["indenter_radius"] ** 2
-    return sneddon.load(given["elastoadhesive_ratio"], given["artanh_at_pull_off"]) * unit
+    return -pull_off_force_sphere(
+        artanh_at_pull_off=given["artanh_at_pull_off"], elastoadhesive_ratio=given["elastoadhesive_ratio"],
+        indenter_radius=given["indenter_radius"], contact_modulus=given["contact_modulus"],
+    )  # fmt: skip
 
 
 def _fold_sphere(given: Given) -> Any:
-    return sneddon.approach(given["elastoadhesive_ratio"], given["artanh_at_fold"]) * given["indenter_radius"]
+    return approach_at_fold_sphere(
+        artanh_at_fold=given["artanh_at_fold"], elastoadhesive_ratio=given["elastoadhesive_ratio"],
+        indenter_radius=given["indenter_radius"],
+    )  # fmt: skip
 
 
 Rule = tuple[Cause, Callable[[Given], Any]]
