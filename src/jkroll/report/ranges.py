@@ -100,9 +100,10 @@ _WORDS: Mapping[int, str] = {
 def _better_law(answer: Answer) -> str:
     frame = answer.frame
     is_pulled = not {"pull_off_force", "bond_number"}.isdisjoint(answer.estimates)
-    parameter, spacing = frame["tabor_parameter"], frame["atomic_spacing"]
-    tabor = f"Tabor parameter {from_to(parameter, 2 * parameter)}"
-    law = f"{frame.law.short} is more than 5 % off at this size and stiffness ({tabor})"
+    spacing = frame["atomic_spacing"]
+    known = frame.numbers("tabor_parameter").values()  # which rigid bodies have none of
+    at = "".join(f" (Tabor parameter {from_to(parameter, 2 * parameter)})" for parameter in known)
+    law = f"{frame.law.short} is more than 5 % off at this size and stiffness{at}"
     text = f"{law}; z0 = {_angstroms(spacing / 2, spacing)} (--z0){_with_bars(answer)}"
     is_told = answer.is_in_doubt(ROUGH_MATTERS) or answer.shows_surfaces  # with numbers
     return f"{text}. It is {_SMOOTH_AND_DRY}" if is_pulled and may_be_rough(frame) and not is_told else text
