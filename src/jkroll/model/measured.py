@@ -161,13 +161,24 @@ def what_stuck(frame: Frame) -> Stuck | None:
 
 MOST_SEEN = 10  # times the speed of JKR: the largest at which hard spheres were seen to stick
 
-# Part of JKR's pull-off force that was measured of hard solids: 1 over the first number to 1 over the second.
-SURFACES = {"on smooth glass": (4, 2), "for rough grains in air": (100, 10)}
+
+class Surface(NamedTuple):
+    """The part of JKR's pull-off force that was measured of hard solids: 1/most to 1/least, and of which spheres."""
+
+    most: int
+    least: int
+    spheres: str
+
+
+SURFACES: Mapping[str, Surface] = {
+    "on smooth glass": Surface(4, 2, "SiO2 of 5 and 20 µm, dry"),
+    "for rough grains in air": Surface(100, 10, "tens of µm"),
+}
 
 
 def on_surfaces(low: float, high: float) -> Mapping[str, tuple[float, float]]:
     """Return the least and the largest pull-off force on each surface, of one that is `low` to `high` by JKR."""
-    return {surface: (low / most, high / least) for surface, (most, least) in SURFACES.items()}
+    return {name: (low / surface.most, high / surface.least) for name, surface in SURFACES.items()}
 
 
 # --- Rolling ---

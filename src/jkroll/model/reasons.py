@@ -141,7 +141,7 @@ BEYOND_FOLD = Cause(
     "at {0} the spheres have parted; the farthest that a stiff machine holds them is {1}",
     "approach_at_load",
 )
-TWO_RIGID_BODIES = Cause("both bodies are rigid", "both bodies are rigid; a contact area needs one that deforms")
+TWO_RIGID_BODIES = Cause("both bodies are rigid", "both bodies are rigid and have no contact area; --model dmt has their pull-off force")
 RESTS_ON_SPACING = Cause("needs atomic_spacing", "rests on z0; give --z0 4angstrom")
 OF_IDENTICAL_SPHERES = Cause(
     "sphere 2 differs", "sphere 2 differs from sphere 1; this is known of identical spheres only"

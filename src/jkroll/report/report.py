@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from math import erfc, hypot, sqrt
 
-from ..model.estimate import ADHESION_ONLY, MEASURED, NONE, WORDS
+from ..model.estimate import ADHESION_ONLY, FRICTION_ASSUMED, MEASURED, NONE, WORDS
 from ..model.frame import Frame
 from ..model.limits import LAW, ROUGH_MATTERS, STICKING_UNSURE, WIDE_CONTACT, Doubt
 from ..model.measured import on_surfaces
@@ -17,6 +17,7 @@ from .inferred import about_limit, proofs
 from .leads import leads
 from .notes import (
     ABOVE,
+    FRICTION,
     Note,
     Severity,
     about_assumed,
@@ -126,6 +127,8 @@ class Report(Answer):
     def sentences_below(self) -> list[Note]:
         """The sentences that a table leaves to the lines below it."""
         in_rows = {_about_roughness(self.frame)} if self.shows_surfaces else set()
+        if any(estimate.by == FRICTION_ASSUMED for estimate in self.estimates.values()):
+            in_rows.add(FRICTION.text)
         return [note for note in self.sentences if note.severity not in ABOVE and note.text not in in_rows]
 
     @property

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, TextIO
 from ..model.estimate import (
     BETTER_LAW,
     DEFINITION,
+    FRICTION_ASSUMED,
     LAW_IN_USE,
     LAW_ONLY,
-    MEASURED,
     NONE,
     SCALED,
     WORDS,
@@ -18,7 +18,7 @@ from ..model.estimate import (
     Estimate,
 )  # fmt: skip
 from ..model.limits import codes
-from ..model.measured import SURFACES, on_surfaces
+from ..model.measured import on_surfaces
 from ..model.rows import DOUBT, as_list
 from ..quantities.formatting import DIGITS, RESULT_DIGITS, Format, amount, from_to, in_words, significant, symbol_among
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
@@ -27,7 +27,7 @@ from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
 from ..report.inferred import laws_of, library_values, solids_of
 from ..report.notes import lines_above
-from ..report.ranges import lines_on_rules, part_of_jkr
+from ..report.ranges import lines_on_rules, parts_on_surfaces
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
 if TYPE_CHECKING:
@@ -148,9 +148,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         if any(column.head == _BEST_RANGE for column in columns):
             yield from answer.lines_on_ranges(physics)
     if surfaces:
-        parts = ", ".join(f"{part_of_jkr(surface)} {surface}" for surface in SURFACES)
-        text = f"parts of JKR's force on µm spheres ({parts}; humid air, up to twice)"
-        yield f"measured: {text}; take the row that is yours"
+        yield f"{WORDS[SCALED]}: {parts_on_surfaces()}; take the row that is yours"
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
@@ -159,7 +157,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
 def _in_column(answer: "Report") -> dict[str, str]:
     """Return what was assumed, by name: ξ in the law's column alone where ranges rest on no ξ; no spacing of theirs."""
     texts, rules = {**answer.assumed}, {estimate.by for estimate in answer.estimates.values()}
-    if not rules <= {DEFINITION, LAW_ONLY, LAW_IN_USE}:
+    if not rules <= {DEFINITION, FRICTION_ASSUMED, LAW_ONLY, LAW_IN_USE}:
         texts.pop("atomic_spacing", None)  # ranges have their own
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
@@ -208,7 +206,7 @@ def _on_surfaces(answer: "Report", form: Format) -> list[list[str]]:
     rows = []
     for surface, ends in on_surfaces(*by_law_in_use).items():
         unit = form.common_unit("pull_off_force", ends[1:])
-        row = [surface, "P_c", *_range(Estimate(*ends, MEASURED), unit, form)]
+        row = [surface, "P_c", *_range(Estimate(*ends, SCALED), unit, form)]
         rows.append([*row, "–", "–", unit[0]])
     return rows
 
