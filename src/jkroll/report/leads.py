@@ -16,6 +16,10 @@ _THREE = Format(digits=3)
 
 def leads(answer: Answer) -> Iterator[Note]:
     """Iterate over the sentences that answer a question."""
+    if answer.shows_surfaces and answer.estimates["pull_off_force"].by != NONE:
+        force = range_in_words("pull_off_force", answer.estimates["pull_off_force"])
+        text = f"ideally smooth, they are pulled apart with {force}; real surfaces hold less"
+        yield Note("lead", f"{text}: take the row that is yours")
     if "sliding_or_peeling_force" in answer.values and "yield_force" in answer.estimates:
         yield Note("lead", _first_to_give_way(answer))
     if answer.is_of_impact and answer.estimates["sticking_speed"].by != NONE:

@@ -220,6 +220,15 @@ def about_rows(tally: "Tally", reported: int, where: str) -> Iterator[Note]:
         yield Note("caveat", f"{words}: row {first}{others}")
 
 
+def lines_on_codes(codes: Iterable[str]) -> Iterator[str]:
+    """Iterate over a line for each limit of whose codes some stand in a table: what they mean."""
+    shown = {*codes}
+    for limit in LIMITS:
+        of_limit = [code for code in limit.codes.values() if code in shown]
+        if of_limit and not limit.ends_meaning:  # a warning says what that means
+            yield f"{', '.join(of_limit)}: {limit.consequence.partition(';')[0]}"
+
+
 def assumed_in(groups: Iterable[Group], *, judges: bool = True) -> dict[str, str]:
     """Return what is assumed in some group, with the option that sets it, by name; `judges` as in `entering`."""
     texts: dict[str, str] = {}

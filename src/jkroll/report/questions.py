@@ -58,7 +58,8 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="it rolls {n_roll_energy_balance} of a turn if it begins without sliding, {n_roll} if it slides first{or_none}",
+        lead="it rolls {n_roll_energy_balance} of a turn if it begins without sliding, {n_roll} if it slides first"
+        "{or_none}",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",
@@ -68,6 +69,7 @@ _QUESTIONS = {
         # energies, which are of contacts without load, are the question of `energies`
         without_row="load_ratio contact_radius_ratio approach_ratio well_energy pull_off_work "
         "pull_off_work_at_dead_load sticking_energy",
+        lead="the contact has a radius of {contact_radius_at_load} at an approach of {approach_at_load}",
     ),
     "moment": _question(
         "yield_moment",
@@ -86,6 +88,7 @@ _REPORT = Question(
         *(name for asked in _QUESTIONS.values() for name in asked.quantities if name in (*asked.headline, *_CONTRARY)),
         *("roll_energy_quarter_turn", "sticking_speed"),
     ),
+    lead="they are pulled apart with {pull_off_force}, roll from {yield_force} on and stick up to {sticking_speed}",
 )
 QUESTIONS: Mapping[str, Question] = {
     **_QUESTIONS,
@@ -97,8 +100,8 @@ QUESTIONS: Mapping[str, Question] = {
         "sticking_energy sticking_energy_paszun_dominik sticking_energy_pencil_code roll_energy "
         "roll_energy_quarter_turn roll_energy_half_turn sticking_speed sticking_speed_paszun_dominik "
         "sticking_speed_pencil_code",
-        lead="to part them takes {pull_off_work}; to roll by a quarter turn, {roll_energy_quarter_turn}; they stick up to "
-        "{sticking_speed}",
+        lead="to part them takes {pull_off_work}; to roll by a quarter turn, {roll_energy_quarter_turn}; they stick up "
+        "to {sticking_speed}",
     ),
     "impact": _question(
         "restitution",
@@ -116,9 +119,9 @@ QUESTIONS: Mapping[str, Question] = {
         "restructuring_energy restructuring_speed restructuring_energy_ormel restructuring_speed_ormel "
         "disruption_energy disruption_speed disruption_energy_dust_simulation disruption_speed_dust_simulation "
         "compressive_strength tensile_strength",
-        lead="two equal aggregates begin to restructure at {restructuring_speed} (5E_roll, D&T 97, borne out with measured "
-        "rolling forces) or at {restructuring_speed_ormel} (E_roll, Ormel 07); they break up at about {disruption_speed} "
-        "(Wada 07, computed with JKR's spheres)",
+        lead="two equal aggregates begin to restructure at {restructuring_speed} (5E_roll, D&T 97, borne out with "
+        "measured rolling forces) or at {restructuring_speed_ormel} (E_roll, Ormel 07); they break up at about "
+        "{disruption_speed} (Wada 07, computed with JKR's spheres)",
     ),
 }
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))

@@ -26,7 +26,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, STATE_OR_LOAD, X
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval, Uncertain, middle, with_sides
 from ..report.inferred import laws_of, library_values, solids_of
-from ..report.notes import lines_above
+from ..report.notes import lines_above, lines_on_codes
 from ..report.ranges import lines_on_rules, parts_on_surfaces
 from ..text import TextColumn, first_of, fit_terminal, listed, say_wrapped, text_columns, write_table
 
@@ -148,7 +148,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         if any(column.head == _BEST_RANGE for column in columns):
             yield from answer.lines_on_ranges(physics)
     if surfaces:
-        yield f"{WORDS[SCALED]}: {parts_on_surfaces()}; take the row that is yours"
+        yield f"{WORDS[SCALED]}: {parts_on_surfaces()}"
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
@@ -161,7 +161,7 @@ def _in_column(answer: "Report") -> dict[str, str]:
         texts.pop("atomic_spacing", None)  # ranges have their own
     if XI in texts and not rules.isdisjoint((SCALED, XI_UNKNOWN)):
         text, _, option = texts.pop(XI).rpartition(" ")
-        texts[XI] = f"{text} in the column plain {answer.frame.law.short} {option}"
+        texts[XI] = f"{text} in the column of {answer.frame.law.short} {option}"
     return texts
 
 
@@ -223,7 +223,10 @@ def _of_results(rows: Sequence[Sequence[str]], law: str) -> list[TextColumn]:
         heads = ["quantity", "symbol", _BEST_RANGE, "by", f"plain {law}", "unit"]
         rows = [[*row[:5], row[6]] for row in rows]
     columns = text_columns([heads, *rows], words=2)
-    return [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
+    columns = [column._replace(is_right=column.head not in (*heads[:2], "by", "unit")) for column in columns]
+    if not fit_terminal(columns):
+        columns = [column._replace(head=column.head.removeprefix("plain ")) for column in columns]
+    return columns
 
 
 def _range(estimate: "Estimate | None", unit: tuple[str, Unit], form: Format) -> list[str]:
@@ -298,7 +301,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
     for line in _about_inputs(count, common, assumed, form, several):
         say_wrapped(line, out)
     if BETWEEN in distinct.get("model", ()):
-        say_wrapped("take the rows of maugis; law-off-5%, -25%: the law of that row is off by more", out)
+        say_wrapped("take the rows of maugis", out)
     exact, leading, results = Format(form.units, form.digits or DIGITS), [], []
     following = _FOLLOWING | STATE_OR_LOAD if "state" in inputs else _FOLLOWING
     for name in several:
@@ -313,15 +316,23 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format, assumed: Mapping[
             results += [*best, *columns_of(name, {own: _measures(columns, name)}, form)]
             rules += of_rows
     told = [codes(bits & columns.wanted.reported_doubts) for bits in as_list(columns.doubts)]
-    doubts = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
-    if any(doubts):
-        results.append(TextColumn(DOUBT, doubts, is_right=False))
+    results += _of_doubts(told, [*leading, *results])
     across = text_columns([(column.head, *column.cells) for column in (*leading, *results)], words=1)
     if fit_terminal(across) and not fit_terminal([*leading, *results]):
         leading, results = across[:1], across[1:]
     write_table(leading, results, out)
-    for line in lines_on_rules(int(by) for by in rules if not isnan(by)):
+    of_codes = lines_on_codes(code for text in told for code in text.split())
+    for line in (*lines_on_rules(int(by) for by in rules if not isnan(by)), *of_codes):
         say_wrapped(line, out)
+
+
+def _of_doubts(told: Sequence[str], others: Sequence[TextColumn]) -> list[TextColumn]:
+    """Return the column of doubts, if there are some: with all codes of a row where that fits beside others."""
+    if not any(told):
+        return []
+    whole = TextColumn(DOUBT, told, is_right=False)
+    cut = [text if len(text) <= _CODES else first_of(text.split(), 1) for text in told]
+    return [whole if fit_terminal([*others, whole]) else whole._replace(cells=cut)]
 
 
 def _best(columns: "Columns", name: str, form: Format) -> tuple[list[TextColumn], list[float]]:
