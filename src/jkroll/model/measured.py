@@ -141,6 +141,14 @@ class Stuck(NamedTuple):
         speed = self.at(frame["radius"])
         return speed * (1 - self.error), speed * (1 + self.error)
 
+    def over_law(self, frame: Frame) -> tuple[float, float]:
+        """Return the ratios of what was measured to the law's speeds at the γ of a frame, the least and the largest."""
+        ratios = []
+        for radius in self.radii:
+            speed = frame.replace(radius=radius, radius2=INFINITY)["sticking_speed"]
+            ratios.append(self.at(radius) / speed)
+        return min(ratios), max(ratios)
+
     def is_near(self, frame: Frame) -> Any:
         """Return whether the spheres have radii as they were measured, and meet a plane."""
         least, most = self.radii

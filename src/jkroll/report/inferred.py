@@ -71,7 +71,7 @@ def _about_library(answer: Answer) -> Iterator[Note]:
             times = f"{sizes} times" if factors[0] > 1 else f"1/{sizes.replace('–', ' to 1/')} of"
             whose = f"{listed(solids_of(answer.described, name))}'s ({amount(name, usual, Format(digits=3))})"
             symbol = symbol_among(name, answer.inputs)
-            yield Note("caveat", f"{symbol} is {times} {whose}: {question} jkroll guide measurements")
+            yield Note("lead", f"{symbol} is {times} {whose}: {question} jkroll guide measurements")
 
 
 # --- Sentences --------------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from math import isnan
 
 from ..model.estimate import ADHESION_ONLY, BETTER_LAW, FRICTION_ASSUMED, FRICTION_FACTOR, NONE, WORDS, Ranges
 from ..model.frame import Frame
+from ..model.measured import what_stuck
 from ..model.results import Results
 from ..quantities.formatting import Format, amount, from_to
 from .answer import Answer
@@ -70,12 +71,23 @@ def _stick_or_bounce(answer: Answer) -> str:
     sticking = answer.estimates["sticking_speed"]
     sides = range_in_words("sticking_speed", sticking)
     is_below, is_above = speed < sticking.low, speed > sticking.high
-    verdict = "they stick" if is_below else "they bounce" if is_above else "they may stick or bounce"
+    verdict = "they stick" if is_below else "they bounce" if is_above else _likely(answer)
     text = f"at {amount('speed', speed)} {verdict}: the largest speed to stick is {sides} ({WORDS[sticking.by]})"
     left = answer.estimates["restitution"]
     if is_below or isnan(left.high) or left.by != ADHESION_ONLY:
         return text
     return f"{text}; if they bounce, adhesion alone leaves e = {from_to(answer.values['restitution'], left.high)}"
+
+
+def _likely(answer: Answer) -> str:
+    """Return what spheres do in the range of the speeds to which some stick, by those of the same solid."""
+    stuck, frame = what_stuck(answer.frame), answer.frame
+    if stuck is None or stuck.is_near(frame):
+        return "they may stick or bounce"
+    least, most = (ratio * answer.values["sticking_speed"] for ratio in stuck.over_law(frame))
+    if frame["speed"] < least:
+        return "they probably stick"
+    return "they probably bounce" if frame["speed"] > most else "they may stick or bounce"
 
 
 def _law_that_holds(answer: Answer) -> str:

@@ -58,8 +58,7 @@ _QUESTIONS = {
     "n-roll": _question(
         "n_roll",
         "n_roll_after_impact n_roll n_roll_energy_balance",
-        lead="it rolls {n_roll_energy_balance} of a turn if it begins without sliding, {n_roll} if it slides first"
-        "{or_none}",
+        lead="it rolls {n_roll_energy_balance} of a turn{or_none}: so far without sliding, {n_roll} once it has slid",
     ),
     "contact": _question(
         "contact_radius_at_load approach_at_load",

@@ -83,7 +83,7 @@ def part_of_jkr(surface: str) -> str:
 def parts_on_surfaces() -> str:
     """Return which parts of JKR's pull-off force were measured, and on what."""
     parts = ", ".join(f"{part_of_jkr(name)} {name} ({surface.spheres})" for name, surface in SURFACES.items())
-    return f"parts of JKR's force that were measured: {parts}; humid air, up to twice; none in vacuum"
+    return f"of JKR's force, as measured and carried to this size: {parts}; humid air, up to twice; none in vacuum"
 
 
 _ON_SURFACES = ", ".join(f"{part_of_jkr(surface)} of it {surface}" for surface in SURFACES)
@@ -100,7 +100,7 @@ _WORDS: Mapping[int, str] = {
     ADHESION_ONLY: "adhesion alone loses at most this; any other loss comes on top and lowers e",
     FRICTION_ASSUMED: _FRICTION,
     BOUNDS: "JKR's holds for soft spheres, DMT's for hard ones; E and ν tell which",
-    LAW_ONLY: "no other law here has it; what grows with the contact is less where Maugis' law has a smaller one",
+    LAW_ONLY: "no other law here has it; where Maugis' contact is smaller, so is what goes with its area",
     AT_LEAST: f"Lennard-Jones' law binds more than JKR's at a Tabor parameter below {JUMP}",
     BETTER_LAW: f"JKR is more than 5 % off; z0 = 2–4 Å (--z0); {_SMOOTH_AND_DRY}",
     LAW_IN_USE: "Maugis' law is within 5 %; the range is of both",
@@ -151,13 +151,13 @@ def _beside_stuck(frame: Frame, stuck: Stuck | None) -> str:
     """Return how far beyond the law's speed, at the γ of the frame, spheres of the same solid were seen to stick."""
     if stuck is None:
         return ""
-    ratios = []
-    for radius in stuck.radii:
-        speeds = frame.replace(radius=radius, radius2=INFINITY).numbers("sticking_speed").values()
-        ratios += [stuck.at(radius) / speed for speed in speeds]
+    ratios, speeds = stuck.over_law(frame), frame.numbers("sticking_speed").values()
     sizes = " and ".join(amount("radius", radius) for radius in stuck.radii)
-    times = f"{from_to(min(ratios), max(ratios))} times" if ratios else ""
-    return f"; {solid_of_pair(frame)} of {sizes}, to a plane, {times} at this γ" if ratios else ""
+    seen = f"; {solid_of_pair(frame)} of {sizes} stuck to a plane at {from_to(*ratios)} times JKR's at this γ"
+    likely = "".join(
+        f", which is {span('sticking_speed', *(speed * ratio for ratio in ratios))} here" for speed in speeds
+    )
+    return seen + likely
 
 
 def _scaled(answer: Answer) -> str:
@@ -214,8 +214,8 @@ def _ceiling(answer: Answer) -> str:
 def _xi_unknown(answer: Answer) -> str:
     if answer.frame.missing(["hysteresis_ratio"]):
         return (
-            "this end is at ξ = 2 Å, about one atom, for any solid; what was measured of yours, or how large ξ can be, "
-            "needs a material: jkroll materials"
+            "that is at ξ = 2 Å, about one atom; most spheres that were measured roll at a larger ξ. How large it can "
+            "be, and whether yours was measured, needs a material: jkroll materials"
         )
     by_law = "" if answer.frame.law.name == BETWEEN else ", by Maugis' law"
     most = answer.ranges.at_full_hysteresis(XI)[1]
@@ -228,12 +228,14 @@ def _xi_unknown(answer: Answer) -> str:
 def _of_measured_solid(answer: Answer) -> str:
     """Return the forces that were measured on spheres of the same solid, but of another size or surface energy."""
     rolled, solid = what_rolled(answer.frame), solid_that_rolled(answer.frame)
-    if rolled is None or "yield_force" not in answer.estimates:
+    if rolled is None:
         return ""
     radius = 2 * answer.frame["reduced_radius"]
     if not rolled.has_size(radius):
         at, here = (amount("radius", each) for each in (rolled.radius, radius))
-        return f". {solid} rolled at {at}, which is too far from {here}"
+        return f". {solid} rolled at {at}; that is carried to {span('radius', *rolled.radii)}, not as far as to {here}"
+    if "yield_force" not in answer.estimates:
+        return ""
     energies = span("surface_energy", *rolled.energies)
     forces = span(rolled.name, rolled.least(radius), rolled.most(radius))
     return f". No force was measured at this γ; {solid} of {energies} rolled at {forces} (scaled), and Q grows with γ"
@@ -265,7 +267,7 @@ def _law_only(answer: Answer) -> str:
     radii = (frame.numbers("contact_radius_at_load") for frame in (answer.frame.by_law_at_spacing, answer.frame))
     other, ours = (values.get("contact_radius_at_load", 1.0) for values in radii)
     ratio = (other / ours) ** 2
-    less = f"; what grows with the contact is less: Maugis' law has {significant(ratio, 2)} of its area"
+    less = f"; Maugis' contact has {significant(ratio, 2)} of this area: what goes with it is smaller"
     return f"no other law here has it{less if ratio * LAW_MATTERS < 1 else ''}"
 
 

@@ -31,7 +31,7 @@ from .notes import (
 )
 from .ranges import part_of_jkr, range_in_words, why
 
-_MOST = 3  # results in a note
+_MOST = 4  # results in a note
 _LOST = 0.01  # part of the uncertain values from which on a note says that they have no contact
 
 

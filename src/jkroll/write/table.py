@@ -42,6 +42,7 @@ _LEAST, _MOST, _LARGEST = 0.25, 2000, 10000
 _SAME = 1e-12  # relative width of a range that is a number
 _NARROW = 0.05  # relative width of a range below which its ends have a digit more
 _BEST_RANGE = "best range"
+_PARTS = "in parts"  # by what a pull-off force on a surface stands
 _CODES = 24  # characters of the codes of doubts in a cell
 _OF_MATERIALS = {"material": [*PROPERTIES], "material2": [of_sphere(2, name) for name in PROPERTIES]}
 # Inputs without a column unless they were typed, as they follow from others; of a material, γ has one.
@@ -148,7 +149,7 @@ def parts_of_frame(answer: "Report", form: Format) -> Iterator[str | list[TextCo
         if any(column.head == _BEST_RANGE for column in columns):
             yield from answer.lines_on_ranges(physics)
     if surfaces:
-        yield f"{WORDS[SCALED]}: {parts_on_surfaces()}"
+        yield f"{_PARTS}: {parts_on_surfaces()}"
     if conventions:
         yield "conventions of other codes and authors, to compare with them"
         yield _of_results([*conventions.values()], law)
@@ -190,7 +191,8 @@ def _rows(answer: "Report", form: Format) -> tuple[_Rows, _Rows]:
         units |= {quantity.unit: unit} if sizes[-1] else {}
         row = [quantity.sentence, symbol_among(name, answer.inputs), *_range(estimate, unit, form)]
         row += [_cell(result.value, unit, form), _cell(result.measure, unit, form), unit[0]]
-        (conventions if estimate and estimate.by == DEFINITION else physics)[name] = row
+        is_convention = estimate and estimate.by == DEFINITION and f"{{{name}}}" not in answer.question.lead
+        (conventions if is_convention else physics)[name] = row
     return physics, conventions
 
 
@@ -206,8 +208,8 @@ def _on_surfaces(answer: "Report", form: Format) -> list[list[str]]:
     rows = []
     for surface, ends in on_surfaces(*by_law_in_use).items():
         unit = form.common_unit("pull_off_force", ends[1:])
-        row = [surface, "P_c", *_range(Estimate(*ends, SCALED), unit, form)]
-        rows.append([*row, "–", "–", unit[0]])
+        shown, _ = _range(Estimate(*ends, SCALED), unit, form)
+        rows.append([surface, "P_c", shown, _PARTS, "–", "–", unit[0]])
     return rows
 
 
