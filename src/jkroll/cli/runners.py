@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TextIO
 
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import UnknownMaterial
-from ..model.frame import Frame
+from ..model.frame import HELD_BY_LOAD, Frame
 from ..model.limits import ENDING_MEANING, EVERY_DOUBT
 from ..model.plan import formula_of
 from ..model.sweep import Sweep
@@ -255,6 +255,8 @@ def _write_curve(call: Call) -> int:
     if (first := next(failures)) is not None and None not in failures:
         raise first
     frames = (frame for frame in sweep.frames() for frame in frames_of_curve(frame, loads))
+    if call.output is TABLE and loads is not None:  # which is read from load to load
+        frames = (frame for frame in frames if frame.state in HELD_BY_LOAD)
     if call.output is JSON:
         every = [*frames]
         return _write_answers(call, (answer_at_state(question, frame) for frame in every), len(every), form)

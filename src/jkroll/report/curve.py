@@ -73,7 +73,7 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
     """Return the states of the force curve of a frame under its law, by rising approach or load as that has them.
 
     Without `loads` the curve ends at (16/9)P_c. It has `steps` on the stable branch, half as many where fixed grips
-    hold the contact, and the named states; with `loads` those that a load holds.
+    hold the contact, and the named states.
     """
     try:
         given, at_load = _SET_BY.get(frame.law.name, ("load", "load"))
@@ -96,10 +96,9 @@ def states(frame: Frame, loads: Loads | None = None, steps: int = STEPS) -> list
         path = [*_without_contact(frame, path[0].value, half), *path]
     if loads is None:
         return path
-    of_loads = [state for state in path if state.name not in (FOLD, "fixed grips", "unstable")]
     slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load of a state comes back but for rounding
     lowest, highest = low - slack, high + slack
-    return [state for state in of_loads if state.name == "stable" or lowest <= state.in_frame(frame)["load"] <= highest]
+    return [state for state in path if state.name == "stable" or lowest <= state.in_frame(frame)["load"] <= highest]
 
 
 def _named(frame: Frame) -> dict[str, float]:

@@ -48,7 +48,9 @@ def _filled(answer: Answer) -> str:
 
 def _first_to_give_way(answer: Answer) -> str:
     rolling, sliding = (answer.estimates[name] for name in ("yield_force", "sliding_or_peeling_force"))
-    gives = f"it {_slides_or_peels(answer)} at {range_in_words('yield_force', sliding)}"
+    gives = (
+        f"it {_slides_or_peels(answer)} at {range_in_words('yield_force', sliding)}, as the push shrinks the contact"
+    )
     rolls = range_in_words("yield_force", rolling)
     if rolling.high < sliding.low:
         return f"pushed, it rolls first ({rolls}); held from rolling, {gives}"
@@ -59,11 +61,14 @@ def _first_to_give_way(answer: Answer) -> str:
 
 def _slides_or_peels(answer: Answer) -> str:
     """Return what a contact does that is pushed and held from rolling, as far as its friction is known."""
-    most = FRICTION_FACTOR if answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED else 1.0
+    is_assumed = answer.estimates["sliding_or_peeling_force"].by == FRICTION_ASSUMED
+    margin = FRICTION_FACTOR if is_assumed else 1.0
     peeling_over_sliding = answer.frame["peeling_over_sliding"]
-    if peeling_over_sliding >= most:
+    if peeling_over_sliding >= margin:
         return "slides"
-    return "slides or peels off" if peeling_over_sliding * most >= 1 > 1 / most else "peels off"
+    if peeling_over_sliding * margin < 1 or not is_assumed:
+        return "peels off"
+    return "slides or peels off"
 
 
 def _stick_or_bounce(answer: Answer) -> str:

@@ -148,16 +148,14 @@ def _measured(answer: Answer) -> str:
 
 
 def _beside_stuck(frame: Frame, stuck: Stuck | None) -> str:
-    """Return how far beyond the law's speed, at the γ of the frame, spheres of the same solid were seen to stick."""
-    if stuck is None:
+    """Return at which speeds spheres of the same solid stuck, over those of JKR at the γ of the frame."""
+    if stuck is None or frame.missing(["sticking_speed"]):
         return ""
-    ratios, speeds = stuck.over_law(frame), frame.numbers("sticking_speed").values()
+    ratios = stuck.over_law(frame)
+    low, high = (frame["sticking_speed"] * ratio for ratio in ratios)
     sizes = " and ".join(amount("radius", radius) for radius in stuck.radii)
-    seen = f"; {solid_of_pair(frame)} of {sizes} stuck to a plane at {from_to(*ratios)} times JKR's at this γ"
-    likely = "".join(
-        f", which is {span('sticking_speed', *(speed * ratio for ratio in ratios))} here" for speed in speeds
-    )
-    return seen + likely
+    seen = f"{solid_of_pair(frame)} of {sizes} stuck to a plane at {from_to(*ratios)} times JKR's at this γ"
+    return f"; {seen}, which is {span('sticking_speed', low, high)} here"
 
 
 def _scaled(answer: Answer) -> str:

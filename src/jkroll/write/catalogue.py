@@ -90,8 +90,8 @@ def _write_list(chosen: Sequence[Material], out: TextIO) -> None:
     for material, energy in zip(chosen, energies, strict=True):
         rows_of_set = rows.setdefault(material.title, [(material.title, "", "")])
         if "surface_energy" in material.properties:
-            about = material.state or material.notes.get("surface_energy") or _keys(material)
-            rows_of_set.append((f"  {material.name}", energy, about))
+            note, _, _ = material.notes.get("surface_energy", "").partition(";")
+            rows_of_set.append((f"  {material.name}", energy, material.state or note or _keys(material)))
         else:
             without.setdefault(material.title, []).append(material.name)
     for title, names in without.items():
