@@ -23,6 +23,7 @@ _HOMES = {
     "infer": "model.infer",
     "known_materials": "materials.library",
     "solve": "model.solver",
+    "table": "tables.tabled",
 }
 __all__ = list(_HOMES)
 

@@ -232,6 +232,7 @@ from .quantities.nomenclature import Quantity as Quantity
 from .quantities.values import Interval as Interval
 from .quantities.values import Measured as Measured
 from .tables.fitted import fit as fit
+from .tables.tabled import table as table
 from .write.answered import answer as answer
 
 __version__: str
