@@ -8,6 +8,7 @@ from ..errors import BadRequest
 from ..physics import dimensions
 from ..physics.elementary import NUMBER
 from ..quantities.nomenclature import NOMENCLATURE, UnknownQuantity, as_input
+from ..quantities.numeric import Numeric
 from ..quantities.values import Measured, QuantityError, checked, is_uncertain, value_of
 
 _TAKEN_BY_FORMULAS = "give a number in SI units, an array of them or a pint Quantity"
@@ -54,6 +55,8 @@ class Reader:
         """
         if type(value) is float:  # as nearly always
             return value
+        if isinstance(value, Numeric):
+            value = _of_result(name, value)
         if hasattr(value, "m_as"):
             value = self._without_unit(name, value)
         if hasattr(value, "std_dev"):
@@ -137,6 +140,14 @@ class Reader:
         except Exception:  # a container may raise anything
             pass
         raise QuantityError(name, str(value), "is not a number", remedy)
+
+
+def _of_result(name: str, result: Numeric) -> Any:
+    """Return the number of a result of jkroll. Raises QuantityError for one in another unit."""
+    unit, wanted = NOMENCLATURE[result.name].unit, NOMENCLATURE[name].unit
+    if unit != wanted:
+        raise QuantityError(name, str(result), f"is a {result.name}, in {unit}", f"give a value in {wanted}")
+    return result.number
 
 
 def _refuse_unit(name: str, value: Any) -> None:

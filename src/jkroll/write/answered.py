@@ -1,8 +1,9 @@
 """An answer as text and as objects: plain lines in a pipe, JSON, and what `jkroll.answer` returns."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping
 from functools import cached_property
-from math import isnan
+from importlib import import_module
+from math import isnan, nan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from ..errors import BadRequest
@@ -160,7 +161,7 @@ class Answered:
 
     `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
     not hold, `best` the best ranges of the values, `notes` the other sentences. `as_dict()` is the
-    object of `--json`.
+    object of `--json`. It iterates over the names of the results, as a dict does.
     """
 
     def __init__(self, answer: Report) -> None:
@@ -173,6 +174,8 @@ class Answered:
     @cached_property
     def values(self) -> Mapping[str, Result]:
         """The results by name, in SI units."""
+        for result in self._answer.results:
+            result.best = self.best.get(result.name)
         return {result.name: result for result in self._answer.results}
 
     @cached_property
@@ -198,6 +201,36 @@ class Answered:
     def as_dict(self) -> dict[str, Any]:
         """Return the object that the command prints with `--json`."""
         return as_object(self._answer, AS_USUAL)
+
+    def to_dict(self) -> dict[str, float | None]:
+        """Return the numbers in SI units by name; None for a result without a value."""
+        return {name: result.value for name, result in self.values.items()}
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row for each result: its number in SI units, and its best range."""
+        rows = []
+        for name, result in self.values.items():
+            low, high, by = self.best.get(name, (nan, nan, None))
+            row = {"symbol": NOMENCLATURE[name].symbol, "value": result.value, "unit": result.unit}
+            rows.append({**row, "best_low": low, "best_high": high, "best_by": by, "reason": result.reason or None})
+        return import_module("pandas").DataFrame(rows, index=[*self])
+
+    def keys(self) -> KeysView[str]:
+        """Return the names of the results."""
+        return self.values.keys()
+
+    def items(self) -> ItemsView[str, Result]:
+        """Return the names with the results."""
+        return self.values.items()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.values)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __contains__(self, name: object) -> bool:
+        return named(str(name), self.values) in self.values
 
     def __getitem__(self, name: str) -> Result:
         """Return the result of a name, or of a symbol."""
